@@ -9,7 +9,8 @@ add_library(floes_headers INTERFACE)
 
 # floes_module(src/NAME USES modules… INSIDE modules… LIBRARIES public… PRIVATE private…)
 #   One static library floes_NAME of every .cpp in the folder. Its headers are included as "NAME/file.hpp", by a folder of
-#   links that holds no other module.
+#   links that holds no other module. Ten sources are compiled as one where FLOES_UNITY is on, so two sources of a module
+#   do not give one name to two things.
 function(floes_module path)
   cmake_parse_arguments(MODULE "" "" "USES;INSIDE;LIBRARIES;PRIVATE" ${ARGN})
   get_filename_component(name ${path} NAME)
@@ -26,12 +27,14 @@ function(floes_module path)
   target_link_libraries(floes_${name} PUBLIC ${MODULE_USES} ${MODULE_LIBRARIES} PRIVATE ${MODULE_INSIDE} ${MODULE_PRIVATE})
   floes_compile_options(floes_${name})
   target_precompile_headers(floes_${name} REUSE_FROM floes_precompiled)
+  set_target_properties(floes_${name} PROPERTIES UNITY_BUILD ${FLOES_UNITY} UNITY_BUILD_BATCH_SIZE 10)
 endfunction()
 
 # No FMA contraction: the same bits on every CPU and at every lane width.
 function(floes_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow
+  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
+                         -Wshadow$<$<BOOL:${FLOES_UNITY}>:=local>  # a constant of another source is no shadow
                          -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${FLOES_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 floes_compile_options(floes_precompiled)

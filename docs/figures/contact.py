@@ -151,7 +151,7 @@ def laws():
     shown = ["mean_N", "sd_N", "maximum_N", "maximum_0.1s_N", "maximum_1s_N", "broken_percent"]
     for modulus in sorted(data.modulus_MPa.unique()):
         own = paper[paper.case == f"E{modulus:g}"].rename(
-            columns={"mean_maximum_N": "maximum_N", "maximum_N": "largest_N", "failure_ratio": "broken_percent"})
+            columns={"mean_load": "mean_N", "sd_load": "sd_N", "mean_maximum": "maximum_N", "failure_ratio": "broken_percent"})
         rows.append(["one direction, rigid", f"{modulus:g}"]
                     + [with_interval(own[column]) if column in own else "–" for column in shown])
         for friction, law in LAWS[1:]:

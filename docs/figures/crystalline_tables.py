@@ -33,7 +33,7 @@ def fit():
     rows = [[f"{bottom_radius(case):.4g}", f"{wall_angle(bottom_radius(case)):.1f}°"]
             + [with_interval(table_[table_.case == case][quantity]) for quantity in SHOWN]
             + [steady(table_[table_.case == case])] for case in dict.fromkeys(table_.case)]
-    rows.append(fit_row(fitted(across(table_, "mean_N"), FITTED_TO["fit_crystalline"]), FITTED_TO["fit_crystalline"]) + [""] * 4)
+    rows.append(fit_row(fitted(across(table_, "mean_load"), FITTED_TO["fit_crystalline"]), FITTED_TO["fit_crystalline"]) + [""] * 4)
     return table(["radius at the bottom, m", "wall below the waterline"] + [LABELS[q] for q in SHOWN] + ["steady"], rows)
 
 
@@ -43,7 +43,7 @@ def steady_window():
     for case, modulus in MODULI.items():
         own = table_.loc[case]
         cells = [bracketed(own[q], own[f"{q}_low"], own[f"{q}_high"]) for q in SHOWN[:3]]
-        rows.append([f"{modulus}", f"{own.steady_start_s:g} to {own.steady_start_s + own.window_s:g}"] + cells
+        rows.append([f"{modulus}", f"{own.steady_start:g} to {own.steady_start + own.window:g}"] + cells
                     + [f"{own.members - own.not_steady:g} of {own.members:g}"])
     return table(["E, MPa", "window, s"] + [LABELS[q] for q in SHOWN[:3]] + ["steady"], rows)
 
@@ -52,10 +52,10 @@ def averaging():
     rows = []
     for window, own in crystalline_averages().groupby("averaged_over_s"):
         own = own.set_index("case")
-        rows.append([f"{window:g}"] + [number(own.loc[case, "sd_N"]) for case in MODULI]
-                    + [number(own.loc[case, "mean_maximum_N"]) for case in MODULI])
-    rows.append(["paper"] + [number(paper(case, "sd_N")) for case in MODULI]
-                + [number(paper(case, "mean_maximum_N")) for case in MODULI])
+        rows.append([f"{window:g}"] + [number(own.loc[case, "sd_load"]) for case in MODULI]
+                    + [number(own.loc[case, "mean_maximum"]) for case in MODULI])
+    rows.append(["paper"] + [number(paper(case, "sd_load")) for case in MODULI]
+                + [number(paper(case, "mean_maximum")) for case in MODULI])
     return table(["load averaged over, s"] + [f"SD, N, {modulus} MPa" for modulus in MODULI.values()]
                  + [f"mean of the maxima, N, {modulus} MPa" for modulus in MODULI.values()], rows)
 

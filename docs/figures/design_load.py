@@ -114,10 +114,10 @@ def unlike_coverage():
 def take_tails(campaign, program):
     command = [program, "design", campaign, "--format", "json"]
     told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)["design"]
-    threshold = {one["case"]: one["threshold_N"] for one in told["basis"]}
+    threshold = {one["case"]: one["threshold"] for one in told["basis"]}
     rates = [point for point in told["rates"]
-             if point["case"] == "E60" and point["load_N"] > 0.6 * threshold["E60"]]
-    kept = {"basis": told["basis"], "loads": told["loads"], "rates": rates}
+             if point["case"] == "E60" and point["load"] > 0.6 * threshold["E60"]]
+    kept = {"basis": told["basis"], "over_thresholds": told["over_thresholds"], "loads": told["loads"], "rates": rates}
     (DATA / "tails.json").write_text(json.dumps(kept, indent=1) + "\n")
 
 
@@ -142,20 +142,20 @@ def draw(path):
     told = json.loads((DATA / "tails.json").read_text())
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4.2))
     rates = pd.DataFrame(told["rates"])
-    left.step(rates.load_N, 3600 * rates.seen_per_s, color="black", linewidth=1, label="declustered peaks seen")
+    left.step(rates.load, 3600 * rates.seen_per_s, color="black", linewidth=1, label="declustered peaks seen")
     for name, colour in [("pareto", "#0072B2"), ("weibull", "#D55E00")]:
-        left.plot(rates.load_N, 3600 * rates[f"{name}_per_s"].astype(float), color=colour, label=f"{name.title()} tail")
-    exposure = told["basis"][0]["exposure_s"]
+        left.plot(rates.load, 3600 * rates[f"{name}_per_s"].astype(float), color=colour, label=f"{name.title()} tail")
+    exposure = told["basis"][0]["exposure"]
     left.axhline(3600 / exposure, color="0.6", linestyle=":", label=f"once in {exposure / 3600:g} h")
     left.set_yscale("log")
     left.set_xlabel("load averaged over 1 s, N")
     left.set_ylabel("peaks above it in an hour")
     left.legend(frameon=False, fontsize=8)
-    peaks = rates.load_N.to_numpy()[::-1]
+    peaks = rates.load.to_numpy()[::-1]
     middle.plot(peaks[:-5], [(peaks[peaks > u] - u).mean() for u in peaks[:-5]], color="black", linewidth=1,
                 label="peaks seen")
     basis = next(one for one in told["basis"] if one["case"] == "E60")
-    scale, shape, threshold = basis["pareto"]["scale_N"], basis["pareto"]["shape"], basis["threshold_N"]
+    scale, shape, threshold = basis["pareto_scale"], basis["pareto_shape"], basis["threshold"]
     above = np.array([threshold, peaks[-5]])
     middle.plot(above, (scale + shape * (above - threshold)) / (1 - shape), color="#0072B2", label="Pareto tail")
     middle.set_ylim(bottom=0)
@@ -165,11 +165,11 @@ def draw(path):
     loads = pd.DataFrame(told["loads"])
     loads = loads[(loads.method == "both tails") & (loads.figure == "quantile")].set_index("case")
     for shift, one in enumerate(told["basis"]):
-        points = pd.DataFrame(one["over_thresholds"])
+        points = pd.DataFrame([point for point in told["over_thresholds"] if point["case"] == one["case"]])
         colour = COLOURS[one["case"]]
-        right.plot(100 * points.share, points.load_N, "o-", color=colour, label=f"{one['case'].removeprefix('E')} MPa")
+        right.plot(100 * points.share, points.load, "o-", color=colour, label=f"{one['case'].removeprefix('E')} MPa")
         own = loads.loc[one["case"]]
-        right.errorbar(25 + shift - 1, own.load_N, [[own.load_N - own.low], [own.high - own.load_N]], color=colour, capsize=4)
+        right.errorbar(25 + shift - 1, own.load, [[own.load - own.load_low], [own.load_high - own.load]], color=colour, capsize=4)
     right.set_ylim(bottom=0)
     right.set_xlabel("share of the peaks that the tails are fitted to, %")
     right.set_ylabel("load exceeded with 10 % in 3 h, N")

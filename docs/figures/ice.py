@@ -189,8 +189,8 @@ def full_scale_breaks():
 
 def lindqvist():
     rows = [[f"{row.elastic_modulus_MPa / 1000:g}", *(number(1e-6 * value) for value in
-             (row.crushing_N, row.bending_N, row.submergence_N, row.limit_stress_N)),
-             number(1e-3 * row.limit_stress_N / FULL_SCALE_BREADTH)]
+             (row.crushing, row.bending, row.submergence, row.limit_stress)),
+             number(1e-3 * row.limit_stress / FULL_SCALE_BREADTH)]
             for row in members("lindqvist").itertuples()]
     return table(["E, GPa", "crushing, MN", "bending, MN", "submergence, MN", "together, MN", "kN per m"], rows)
 

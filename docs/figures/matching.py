@@ -114,8 +114,8 @@ def design():
         for one in told(name).get("design_load", []):
             if one["case"] != "E60":
                 continue
-            cells = [f"{one[f'{key}_N']:.0f} [{one[f'{key}_low_N']:.0f}, {one[f'{key}_high_N']:.0f}]"
-                     for key in ("expected", "expected_weighted", "quantile", "quantile_weighted")]
+            cells = [f"{one[key]:.0f} [{one[f'{key}_low']:.0f}, {one[f'{key}_high']:.0f}]"
+                     for key in ("expected", "expected_weighted", "quantile_load", "quantile_load_weighted")]
             growth = (f"{one['growth_quantile']:.2f} [{one['growth_quantile_low']:.2f}, "
                       f"{one['growth_quantile_high']:.2f}]")
             rows.append([words(name)[1], *cells, growth])

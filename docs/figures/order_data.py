@@ -11,8 +11,8 @@ import order_bursts as bursts
 
 SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "order"
 ORDER = {"psi4": "ψ4", "local_order": "local order", "coverage": "coverage ahead, %"}
-LOADS = {"mean_N": "mean load, N", "sd_N": "SD, N", "mean_maximum_N": "mean maximum, N",
-         "mean_maximum_0.1s_N": "mean maximum over 0.1 s, N", "mean_maximum_1s_N": "mean maximum over 1 s, N",
+LOADS = {"mean_load": "mean load, N", "sd_load": "SD, N", "mean_maximum": "mean maximum, N",
+         "mean_maximum_0.1s": "mean maximum over 0.1 s, N", "mean_maximum_1s": "mean maximum over 1 s, N",
          "failure_ratio": "broken floes, %", "burst": "burst strength"}
 COLUMNS = ["sweeps", "arrangement", *ORDER, *LOADS, "burst_s", "before", "after", "trend_p"]
 LONGEST_LAG = 3  # of the mean autocorrelation, in times of one floe length

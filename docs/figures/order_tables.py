@@ -8,7 +8,7 @@ from order_regression import explained, fit, holm, predicted, within_level_sd
 from validation_data import PAPER, half_width
 from validation_tables import number, table
 
-STUDIED = ["mean_N", "sd_N", "mean_maximum_0.1s_N", "failure_ratio"]
+STUDIED = ["mean_load", "sd_load", "mean_maximum_0.1s", "failure_ratio"]
 BURSTS = {"before": "highest from {} to {} s", "burst": "burst strength: {} to {} s", "after": "highest from {} to {} s"}
 MODELS = {"local order": ["local_order", "coverage"], "ψ4": ["psi4", "coverage"]}
 

@@ -27,8 +27,8 @@ import numpy as np
 CASES = ["squares", "voronoi", "hexagons"]
 ARRANGEMENT = 1
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "sea_ice"
-COLUMNS = [("mean load, N", "mean_N", 1), ("SD over 1 s, N", "sd_1s_N", 1),
-           ("mean maximum over 1 s, N", "mean_maximum_1s_N", 1), ("broken floes, %", "failure_ratio", 100)]
+COLUMNS = [("mean load, N", "mean_load", 1), ("SD over 1 s, N", "sd_load_1s", 1),
+           ("mean maximum over 1 s, N", "mean_maximum_1s", 1), ("broken floes, %", "failure_ratio", 100)]
 STEPS = 1300  # of a member
 
 

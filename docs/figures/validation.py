@@ -49,7 +49,7 @@ def windows(path):
             maxima = [part.max() for part in np.array_split(inside, SEGMENTS)]
             rows.append([name, arrangement, start, inside.mean(), inside.std(), np.mean(maxima),
                          100 * np.polyfit(time, inside, 1)[0]])
-    return pd.DataFrame(rows, columns=["case", "arrangement", "start_s", "mean_N", "sd_N", "mean_maximum_N",
+    return pd.DataFrame(rows, columns=["case", "arrangement", "start_s", "mean_load", "sd_load", "mean_maximum",
                                        "trend_N_per_100s"])
 
 
@@ -61,7 +61,7 @@ def largest(path, start):
         for steps in [1, 5, 50]:
             mean = np.convolve(inside, np.ones(steps) / steps, mode="valid")
             rows.append([name, arrangement, round(steps * step, 6), mean.max()])
-    return pd.DataFrame(rows, columns=["case", "arrangement", "averaged_over_s", "maximum_N"])
+    return pd.DataFrame(rows, columns=["case", "arrangement", "averaged_over_s", "maximum_load"])
 
 
 def averaged(path):
@@ -73,7 +73,7 @@ def averaged(path):
             mean = np.convolve(load, np.ones(steps) / steps, mode="valid")
             maxima = [part.max() for part in np.array_split(mean, SEGMENTS)]
             rows.append([name, round(steps * step, 6), np.median(mean), mean.std(), np.mean(maxima)])
-    table = pd.DataFrame(rows, columns=["case", "averaged_over_s", "median_N", "sd_N", "mean_maximum_N"])
+    table = pd.DataFrame(rows, columns=["case", "averaged_over_s", "median_N", "sd_load", "mean_maximum"])
     return table.groupby(["case", "averaged_over_s"], sort=False).mean().reset_index()
 
 

@@ -16,19 +16,19 @@ MODULI = {"E30": 30, "E60": 60, "E200": 200}
 
 # Table 3 of the paper: one run for each E. The experiment: its text.
 PAPER = pd.DataFrame(
-    {"mean_N": [26.50, 30.28, 28.32], "sd_N": [15.52, 18.43, 18.67],
-     "segment_1_maximum_N": [106.58, 162.22, 86.48], "segment_2_maximum_N": [46.75, 93.10, 127.36],
-     "segment_3_maximum_N": [126.84, 98.50, 150.30], "mean_maximum_N": [93.39, 117.94, 121.38],
-     "sd_maximum_N": [34.00, 31.39, 26.39], "failure_ratio": [0.106, 0.101, 0.175]}, index=MODULI)
-EXPERIMENT = {"mean_N": 38.8, "maximum_N": 102.7, "failure_ratio": 0.22}
-FITTED_TO = {"fit_paper": PAPER.loc["E60", "mean_N"], "fit_physical": EXPERIMENT["mean_N"],
-             "fit_crystalline": PAPER.loc["E60", "mean_N"]}
+    {"mean_load": [26.50, 30.28, 28.32], "sd_load": [15.52, 18.43, 18.67],
+     "segment_1_maximum": [106.58, 162.22, 86.48], "segment_2_maximum": [46.75, 93.10, 127.36],
+     "segment_3_maximum": [126.84, 98.50, 150.30], "mean_maximum": [93.39, 117.94, 121.38],
+     "sd_maximum": [34.00, 31.39, 26.39], "failure_ratio": [0.106, 0.101, 0.175]}, index=MODULI)
+EXPERIMENT = {"mean_load": 38.8, "maximum_load": 102.7, "failure_ratio": 0.22}
+FITTED_TO = {"fit_paper": PAPER.loc["E60", "mean_load"], "fit_physical": EXPERIMENT["mean_load"],
+             "fit_crystalline": PAPER.loc["E60", "mean_load"]}
 WINDOW_START = 120  # s; where the steady window of the scattered fields begins
 
-LABELS = {"mean_N": "mean load, N", "sd_N": "SD, N", "segment_1_maximum_N": "maximum 0-50 s, N",
-          "segment_2_maximum_N": "maximum 50-100 s, N", "segment_3_maximum_N": "maximum 100-150 s, N",
-          "mean_maximum_N": "mean of the maxima, N", "sd_maximum_N": "SD of the maxima, N",
-          "mean_maximum_1s_N": "mean of the maxima over 1 s, N", "maximum_N": "largest load, N",
+LABELS = {"mean_load": "mean load, N", "sd_load": "SD, N", "segment_1_maximum": "maximum 0-50 s, N",
+          "segment_2_maximum": "maximum 50-100 s, N", "segment_3_maximum": "maximum 100-150 s, N",
+          "mean_maximum": "mean of the maxima, N", "sd_maximum": "SD of the maxima, N",
+          "mean_maximum_1s": "mean of the maxima over 1 s, N", "maximum_load": "largest load, N",
           "failure_ratio": "broken floes, %"}
 
 
@@ -77,7 +77,7 @@ def paper(case, quantity):
 
 def is_maximum(quantity):
     """A maximum or a mean of maxima: single runs are predicted on a logarithmic scale."""
-    return quantity.endswith("maximum_N") and not quantity.startswith("sd_")
+    return quantity.endswith(("maximum", "maximum_load")) and not quantity.startswith("sd_")
 
 
 def half_width(values, one_run=False):

@@ -10,7 +10,7 @@ import numpy as np
 from validation_data import EXPERIMENT, LABELS, MODULI, WAYS, change, hybrid, interval, is_maximum, members, paper
 
 COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}  # Okabe and Ito
-PANELS = ["mean_N", "mean_maximum_N", "failure_ratio"]
+PANELS = ["mean_load", "mean_maximum", "failure_ratio"]
 
 
 def finish(figure, path, legend_of=None, legend_rows=1):
@@ -53,7 +53,7 @@ def answer(path):
                                f"mean, {modulus} MPa" if first else None))
                 axes.plot(at + 0.34, paper(case, quantity), "D", color="black", markersize=5,
                           label="the paper's run" if first and place == 0 else None)
-        name = "maximum_N" if quantity == "mean_maximum_N" else quantity
+        name = "maximum_load" if quantity == "mean_maximum" else quantity
         level = EXPERIMENT[name] * (100 if quantity == "failure_ratio" else 1)
         axes.axhline(level, color="black", linestyle=":", linewidth=1,
                      label="experiment (60 MPa; its largest load)" if axes is panels[0] else None)
@@ -104,19 +104,19 @@ def changes(campaign, path):
 def hybrid_points(path):
     curve = hybrid()
     figure, axes = plt.subplots(figsize=(7.5, 4.6))
-    axes.plot(curve.elastic_modulus_MPa, curve.limit_stress_N, color="#0072B2", label="limit stress (Lindqvist), Eq. (6)")
-    axes.plot(curve.elastic_modulus_MPa, curve.limit_momentum_N, color="#D55E00",
+    axes.plot(curve.elastic_modulus_MPa, curve.limit_stress, color="#0072B2", label="limit stress (Lindqvist), Eq. (6)")
+    axes.plot(curve.elastic_modulus_MPa, curve.limit_momentum, color="#D55E00",
               label="limit momentum (KPR, coefficient calibrated), Eq. (7)")
-    axes.plot(curve.elastic_modulus_MPa, curve.hybrid_N, color="black", linewidth=3, alpha=0.35, label="hybrid: the lower")
+    axes.plot(curve.elastic_modulus_MPa, curve.hybrid, color="black", linewidth=3, alpha=0.35, label="hybrid: the lower")
     for campaign, colour, shift in [("table3", "#009E73", 1), ("table3_physical", "#CC79A7", 1.08)]:
         table = members(campaign)
         for case, modulus in MODULI.items():
-            draw_estimate(axes, shift * modulus, table[table.case == case].mean_N, False, colour,
+            draw_estimate(axes, shift * modulus, table[table.case == case].mean_load, False, colour,
                           (None, f"{WAYS[campaign]}: mean, 95 %" if case == "E30" else None))
     for case, modulus in MODULI.items():
-        axes.plot(1.2 * modulus, paper(case, "mean_N"), "D", color="black",
+        axes.plot(1.2 * modulus, paper(case, "mean_load"), "D", color="black",
                   label="the paper's simulation" if case == "E30" else None)
-    axes.plot(60 / 1.13, EXPERIMENT["mean_N"], "*", color="black", markersize=12, label="experiment")
+    axes.plot(60 / 1.13, EXPERIMENT["mean_load"], "*", color="black", markersize=12, label="experiment")
     axes.set_xscale("log")
     axes.set_xlim(2, 500)
     axes.set_ylim(0, 120)

@@ -8,8 +8,8 @@ from scipy import stats
 from validation_data import (CONFIGS, EXPERIMENT, FITTED_TO, LABELS, MODULI, PAPER, WAYS, WINDOW_START, across, half_width,
                              hybrid, interval, is_maximum, largest, members, pairs, paper, variations, windows)
 
-SHOWN = ["mean_N", "sd_N", "mean_maximum_N", "failure_ratio"]
-COMPARED = SHOWN + ["mean_maximum_1s_N"]
+SHOWN = ["mean_load", "sd_load", "mean_maximum", "failure_ratio"]
+COMPARED = SHOWN + ["mean_maximum_1s"]
 
 
 def table(heading, rows):
@@ -86,7 +86,7 @@ def fit():
             values = own[own.case == case]
             rows.append([contacts, f"{bottom_radius(case):.4g}", f"{wall_angle(bottom_radius(case)):.1f}°"]
                         + [with_interval(values[quantity]) for quantity in SHOWN[:3]])
-        radius = fitted(across(own, "mean_N"), FITTED_TO[campaign])
+        radius = fitted(across(own, "mean_load"), FITTED_TO[campaign])
         rows.append([contacts] + fit_row(radius, FITTED_TO[campaign]) + [""] * 2)
     return table(["contacts", "radius at the bottom, m", "wall below the waterline"] + [LABELS[q] for q in SHOWN[:3]], rows)
 
@@ -145,11 +145,11 @@ def experiment():
             cells += [with_interval(values[campaign]), f"{number(low)} to {number(high)}{inside}"]
         return cells
 
-    rows = [row("mean load, N", EXPERIMENT["mean_N"], {campaign: own[campaign].mean_N for campaign in ways})]
+    rows = [row("mean load, N", EXPERIMENT["mean_load"], {campaign: own[campaign].mean_load for campaign in ways})]
     for time in sorted(peaks["table3"].averaged_over_s.unique()):
-        over = {campaign: peak[(peak.case == "E60") & (peak.averaged_over_s == time)].maximum_N
+        over = {campaign: peak[(peak.case == "E60") & (peak.averaged_over_s == time)].maximum_load
                 for campaign, peak in peaks.items()}
-        rows.append(row(f"largest load over {time:g} s, N", EXPERIMENT["maximum_N"], over, positive=True))
+        rows.append(row(f"largest load over {time:g} s, N", EXPERIMENT["maximum_load"], over, positive=True))
     rows.append(row("floes with a failed joint, %", 100 * EXPERIMENT["failure_ratio"], {c: own[c].failure_ratio for c in ways}))
     through = 100 * own["table3_physical"].split_ratio  # which files of the paper's preset do not have
     _, low, high = interval(through, one_run=True)
@@ -164,7 +164,7 @@ def experiment():
 def signed_difference(row):
     scale = 100 if row.quantity == "failure_ratio" else 1
     mark = "**" if row.t_p_holm < 0.05 else ""
-    return f"{mark}{scale * row.difference:+.1f}{mark} [{scale * row.low:+.1f}, {scale * row.high:+.1f}]"
+    return f"{mark}{scale * row.difference:+.1f}{mark} [{scale * row.difference_low:+.1f}, {scale * row.difference_high:+.1f}]"
 
 
 def differences():
@@ -192,7 +192,7 @@ def findings(mean, peak, broken):
 
 def found_in(campaign):
     return findings(*[across(members(campaign), q, list(MODULI)).values
-                      for q in ["mean_N", "mean_maximum_N", "failure_ratio"]])
+                      for q in ["mean_load", "mean_maximum", "failure_ratio"]])
 
 
 def trend():
@@ -214,7 +214,7 @@ def averaging():
         row = [time.strip("_").replace("s", " s") or "one step, 0.02 s"]
         for campaign in ["table3", "table3_physical"]:
             own = members(campaign)
-            row += [with_interval(own[own.case == case][f"mean_maximum{time}_N"]) for case in MODULI]
+            row += [with_interval(own[own.case == case][f"mean_maximum{time}"]) for case in MODULI]
         rows.append(row)
     return table(["mean of the maxima, N, averaged over"] + [f"{contacts}, {modulus} MPa" for contacts in ["paper's", "physics"]
                                                 for modulus in MODULI.values()], rows)
@@ -226,7 +226,7 @@ def modes():
         table_ = members(campaign)
         for case, modulus in MODULI.items():
             own = table_[table_.case == case]
-            rows.append([contacts, f"{modulus}"] + [with_interval(own[f"failures_{mode}_per_run"])
+            rows.append([contacts, f"{modulus}"] + [with_interval(own[f"failures_{mode}"])
                                                     for mode in ["bending", "shear", "compression"]])
     return table(["contacts", "E, MPa", "joints failed in bending per run", "in shear", "in compression"], rows)
 
@@ -236,12 +236,12 @@ def answer():
     lines = []
     for campaign, name in WAYS.items():
         own = members(campaign)
-        means = ", ".join(number(own[own.case == case].mean_N.mean()) for case in MODULI)
-        maxima = ", ".join(number(own[own.case == case].mean_maximum_N.mean()) for case in MODULI)
+        means = ", ".join(number(own[own.case == case].mean_load.mean()) for case in MODULI)
+        maxima = ", ".join(number(own[own.case == case].mean_maximum.mean()) for case in MODULI)
         broken = ", ".join(number(own[own.case == case].failure_ratio.mean()) for case in MODULI)
         lines.append([name, f"{own.arrangement.nunique()}", means, maxima, broken, f"{count_within(campaign)} of 24"])
     lines.append(["*the paper, one run each*", "1"] + [", ".join(number(paper(case, q)) for case in MODULI)
-                                                   for q in ["mean_N", "mean_maximum_N", "failure_ratio"]] + [""])
+                                                   for q in ["mean_load", "mean_maximum", "failure_ratio"]] + [""])
     return table(["at 30, 60, 200 MPa", "arrangements", "mean load, N", "mean of the maxima, N", "broken floes, %",
                   "the paper's figures inside"], lines)
 
@@ -251,9 +251,9 @@ def hybrid_points():
     rows = []
     for case, modulus in MODULI.items():
         own = [members(campaign) for campaign in ["table3", "table3_physical"]]
-        rows.append([f"{modulus}", number(curve.loc[modulus, "limit_stress_N"]), number(curve.loc[modulus, "limit_momentum_N"]),
-                     number(curve.loc[modulus, "hybrid_N"])] + [with_interval(rows_[rows_.case == case].mean_N) for rows_ in own]
-                    + [number(paper(case, "mean_N"))])
+        rows.append([f"{modulus}", number(curve.loc[modulus, "limit_stress"]), number(curve.loc[modulus, "limit_momentum"]),
+                     number(curve.loc[modulus, "hybrid"])] + [with_interval(rows_[rows_.case == case].mean_load) for rows_ in own]
+                    + [number(paper(case, "mean_load"))])
     return table(["E, MPa", "limit stress, N", "limit momentum, N", "hybrid, N", "paper's contacts, N [95 %]",
                   "physics, N [95 %]", "paper's simulation, N"], rows)
 
@@ -278,7 +278,7 @@ def readings():
 
 # -- what the model leaves open
 
-VARIED = {"mean_N": 1, "mean_maximum_1s_N": 1, "failure_ratio": 100}
+VARIED = {"mean_load": 1, "mean_maximum_1s": 1, "failure_ratio": 100}
 
 
 def vary():
@@ -303,12 +303,12 @@ def vary_says():
     own = variations("vary_channel")
     mean, _ = varied(own, own.case[0])[0]
     down, up = mean.all_down / mean.base, mean.all_up / mean.base
-    tank = members("table3_physical").query("case == 'E60'").mean_N.mean()
+    tank = members("table3_physical").query("case == 'E60'").mean_load.mean()
     low, high = tank * (1 + down), tank * (1 + up)
-    inside = "inside" if low <= EXPERIMENT["mean_N"] <= high else "outside"
+    inside = "inside" if low <= EXPERIMENT["mean_load"] <= high else "outside"
     return (f"Sampling leaves the channel's {mean.base:.1f} N open by ± {mean.sampling:.1f} N, the {own.input.nunique()} inputs "
             f"together by {mean.all_down:+.1f} to {mean.all_up:+.1f} N, which is\n{100 * down:+.0f} to {100 * up:+.0f} %. "
-            f"If the tank is as sensitive, its {tank:.1f} N are {low:.0f} to {high:.0f} N, and the {EXPERIMENT['mean_N']} N of the "
+            f"If the tank is as sensitive, its {tank:.1f} N are {low:.0f} to {high:.0f} N, and the {EXPERIMENT['mean_load']} N of the "
             f"test lie {inside}.\n")
 
 

@@ -17,7 +17,7 @@ namespace floes {
 
 namespace {
 
-/// Of a design load.
+/// For a design load.
 std::optional<std::string> design_load_fault(const Campaign& campaign) {
     constexpr double lowest_quantile = 0.001;
     const StopRule& stop = campaign.stop;

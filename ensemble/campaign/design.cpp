@@ -27,7 +27,7 @@ namespace floes {
 
 namespace {
 
-constexpr std::size_t longest_name = 24;
+constexpr std::size_t longest_plain_name = 24;
 constexpr int digits = 10;
 
 /// Points in the unit cube, one row a point.
@@ -112,7 +112,7 @@ std::string named_by_values(const std::vector<Value>& values) {
     }
     const std::string name = fmt::format("{}", fmt::join(words, "_"));
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '.'; };
-    return name.size() <= longest_name && std::ranges::all_of(name, plain) ? name : "";
+    return name.size() <= longest_plain_name && std::ranges::all_of(name, plain) ? name : "";
 }
 
 void name_points(std::vector<DesignPoint>& points, bool by_values) {

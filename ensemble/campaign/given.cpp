@@ -1,10 +1,9 @@
 #include "campaign/given.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <optional>
-#include <sstream>
+#include <span>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -15,6 +14,7 @@
 #include "campaign/hull_file.hpp"
 #include "campaign/outline_file.hpp"
 #include "core/error.hpp"
+#include "keys/csv.hpp"
 #include "keys/key.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
@@ -25,24 +25,13 @@ namespace {
 
 constexpr std::string_view header = "x_m,z_m,yaw_deg";
 
-/// The line without spaces, tabs and carriage returns.
-std::string squeezed(const std::string& line) {
-    std::string text;
-    for (const char character : line) {
-        if (character != ' ' && character != '\t' && character != '\r') text += character;
-    }
-    return text;
-}
-
-/// The numbers between commas; empty when there is anything else.
-std::vector<Value> numbers_of(const std::string& line) {
+/// Its numbers; empty when a cell is anything else.
+std::vector<Value> numbers_of(const CsvLine& line) {
     std::vector<Value> numbers;
-    std::istringstream cells(line + ",");
-    for (std::string cell; std::getline(cells, cell, ',');) {
-        double number = 0;
-        const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-        if (error != std::errc() || end != cell.data() + cell.size()) return {};
-        numbers.emplace_back(number);
+    for (const std::string& cell : line.cells) {
+        const std::optional<double> number = number_in(cell);
+        if (!number) return {};
+        numbers.emplace_back(*number);
     }
     return numbers;
 }
@@ -50,42 +39,29 @@ std::vector<Value> numbers_of(const std::string& line) {
 }  // namespace
 
 PoseFile read_poses(const std::string& text, const std::string& file) {
-    std::vector<Value> poses;
-    std::istringstream lines(text);
-    std::vector<int> places;
-    std::optional<std::string> header_seen;
-    int number = 0;
-    for (std::string raw; std::getline(lines, raw);) {
-        ++number;
-        const std::string line = squeezed(raw);
-        if (line.empty()) continue;
-        if (!header_seen) {
-            const bool longer = line.size() > header.size() && line[header.size()] == ',';
-            if (!line.starts_with(header) || !(line == header || longer)) {
-                throw InputError(
-                    fmt::format("{}:{}: {} is not the header of a pose file; write {}, and behind it keys "
-                                "of which each floe has a value of its own, such as ice.thickness_m",
-                                file, number, text_literal(line), header));
-            }
-            header_seen = line;
-            continue;
-        }
-        std::vector<Value> numbers = numbers_of(line);
-        const auto columns = static_cast<std::size_t>(1 + std::ranges::count(*header_seen, ','));
-        if (numbers.size() != columns) {
-            throw InputError(fmt::format("{}:{}: {} is not a pose; write {} numbers, {}", file, number,
-                                         text_literal(line), columns, *header_seen));
-        }
-        if (poses.size() == std::size_t{most_floes})
-            throw InputError(fmt::format("{}:{}: there are more than {} poses, the most floes of a field", file, number,
-                                         most_floes));
-        poses.emplace_back(std::move(numbers));
-        places.push_back(number);
-    }
-    if (poses.empty())
+    const std::vector<CsvLine> lines = csv_lines(text, file);
+    const std::string columns = lines.empty() ? "" : joined(lines.front());
+    if (!lines.empty() && columns != header && !columns.starts_with(std::string{header} + ","))
+        throw InputError(
+            fmt::format("{}:{}: {} is not the header of a pose file; write {}, and behind it keys of which "
+                        "each floe has a value of its own, such as ice.thickness_m",
+                        file, lines.front().number, text_literal(columns), header));
+    if (lines.size() < 2)
         throw InputError(fmt::format("{}: there are no poses; write {} and a line for each floe", file, header));
-    std::string columns = header_seen->substr(std::min(header_seen->size(), header.size() + 1));
-    return {file, std::move(columns), {std::move(poses)}, std::move(places)};
+    std::vector<Value> poses;
+    std::vector<int> places;
+    for (const CsvLine& line : std::span(lines).subspan(1)) {
+        std::vector<Value> numbers = numbers_of(line);
+        if (numbers.size() != lines.front().cells.size())
+            throw InputError(fmt::format("{}:{}: {} is not a pose; write {} numbers, {}", file, line.number,
+                                         text_literal(joined(line)), lines.front().cells.size(), columns));
+        if (poses.size() == std::size_t{most_floes})
+            throw InputError(fmt::format("{}:{}: there are more than {} poses, the most floes of a field", file,
+                                         line.number, most_floes));
+        poses.emplace_back(std::move(numbers));
+        places.push_back(line.number);
+    }
+    return {file, columns.substr(std::min(columns.size(), header.size() + 1)), {std::move(poses)}, std::move(places)};
 }
 
 namespace {

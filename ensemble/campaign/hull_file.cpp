@@ -105,7 +105,7 @@ void add_node(Surface& surface, Points& points, const aiScene& scene, const aiNo
     for (unsigned k = 0; k < node.mNumChildren; ++k) add_node(surface, points, scene, *node.mChildren[k], names, file);
 }
 
-/// Of every triangle the number of its body: those that edges join.
+/// For every triangle the number of its body: those that edges join.
 std::vector<int> bodies_of(const Surface& surface, const std::map<std::pair<int, int>, int>& owner, int& bodies) {
     std::vector<int> body(surface.triangles.size(), -1);
     for (std::size_t seed = 0; seed < body.size(); ++seed) {
@@ -476,7 +476,7 @@ std::vector<ConvexPiece> convex_pieces(const Surface& body, std::size_t most) {
 namespace {
 
 constexpr std::size_t most_pieces = 64;  // of all bodies together
-constexpr double smallest = 0.01;        // m
+constexpr double smallest_size = 0.01;   // m
 constexpr double largest_size = 5e3;
 
 Vec3 direction(HullAxis axis) {
@@ -501,7 +501,7 @@ void turn(Surface& surface, const HullFile& file, const std::string& name) {
         high = high.cwiseMax(point);
     }
     const double size = (high - low).norm();
-    if (!(size > smallest && size < largest_size))
+    if (!(size > smallest_size && size < largest_size))
         throw InputError(
             fmt::format("{}: the hull is {:.4g} m from corner to corner, which is none of a structure; is "
                         "hull.unit right?",
@@ -531,7 +531,7 @@ std::pair<Vec2, Vec2> waterline_bounds(const Surface& surface) {
     return {low, high};
 }
 
-/// Of the groups, or of the bodies where there is one group only.
+/// The names of the groups, or of the bodies where there is one group only.
 std::vector<std::string> part_names(const Surface& surface, std::size_t bodies) {
     std::vector<std::string> names = surface.groups;
     for (std::size_t k = 0; k < names.size(); ++k)

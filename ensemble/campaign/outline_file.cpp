@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +18,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "keys/csv.hpp"
 #include "shapes/elements.hpp"
 #include "shapes/polygon.hpp"
 
@@ -198,61 +198,37 @@ std::vector<TracedFloe> read_geojson(const std::string& text, const std::string&
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blank = " \t\r";
-    const std::size_t first = text.find_first_not_of(blank);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blank) + 1 - first);
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (std::size_t from = 0;;) {
-        const std::size_t comma = line.find(',', from);
-        cells.push_back(trimmed(line.substr(from, comma - from)));
-        if (comma == std::string_view::npos) return cells;
-        from = comma + 1;
-    }
-}
-
-double number_of(std::string_view cell, const std::string& where) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-    if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(number))
+double finite_number(const std::string& cell, const std::string& where) {
+    const std::optional<double> number = number_in(cell);
+    if (!number || !std::isfinite(*number))
         throw InputError(fmt::format("{}: {:?} is not a finite number", where, beginning(cell, 40)));
-    return number;
+    return *number;
 }
 
 }  // namespace
 
 std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::string& file) {
     if (!is_utf8(text)) throw InputError(fmt::format("{}: this is no text in UTF-8; save it as such", file));
+    const std::vector<CsvLine> lines = csv_lines(text, file);
+    if (lines.empty())
+        throw InputError(fmt::format("{}: the file is empty; write floe,x,y and a line for each corner", file));
+    if (lines.front().cells != std::vector<std::string>{"floe", "x", "y"})
+        throw InputError(
+            fmt::format("{}:{}: {:?} is not the header of a file of outlines; write floe,x,y and below it a line for "
+                        "each corner",
+                        file, lines.front().number, beginning(joined(lines.front()), 60)));
     std::vector<TracedFloe> floes;
     std::set<std::string> names;
-    std::istringstream lines(text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0));
-    bool header = false;
     std::size_t corners = 0;
-    int number = 0;
-    for (std::string line; std::getline(lines, line);) {
-        ++number;
-        if (trimmed(line).empty()) continue;
-        const std::string where = fmt::format("{}:{}", file, number);
-        const std::vector<std::string_view> cells = cells_of(line);
-        if (!header) {
-            if (cells != std::vector<std::string_view>{"floe", "x", "y"})
-                throw InputError(
-                    fmt::format("{}: {:?} is not the header of a file of outlines; write floe,x,y and "
-                                "below it a line for each corner",
-                                where, beginning(trimmed(line), 60)));
-            header = true;
-            continue;
-        }
+    for (const CsvLine& line : std::span(lines).subspan(1)) {
+        const std::string where = fmt::format("{}:{}", file, line.number);
+        const std::vector<std::string>& cells = line.cells;
         if (cells.size() != 3 || cells[0].empty())
             throw InputError(fmt::format("{}: {:?} is not a corner; write the floe's name, x and y", where,
-                                         beginning(trimmed(line), 60)));
-        const Corner corner{number_of(cells[1], where), 0.0 - number_of(cells[2], where)};
+                                         beginning(joined(line), 60)));
+        const Corner corner{finite_number(cells[1], where), 0.0 - finite_number(cells[2], where)};
         if (floes.empty() || floes.back().name != cells[0]) {
-            const std::string name(cells[0]);
+            const std::string& name = cells[0];
             if (!names.insert(name).second)
                 throw InputError(
                     fmt::format("{}: floe {} comes again after another one; keep the corners of a floe "
@@ -268,15 +244,13 @@ std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::str
                 fmt::format("{}: the file has more than {} corners; simplify its outlines", where, most_file_corners));
         floes.back().ring.push_back(corner);
     }
-    if (!header)
-        throw InputError(fmt::format("{}: the file is empty; write floe,x,y and a line for each corner", file));
     return floes;
 }
 
 namespace {
 
-constexpr double smallest = 0.01;  // m, of all outlines together
-constexpr double largest = 1e5;
+constexpr double smallest_map = 0.01;  // m, of all outlines together
+constexpr double largest_map = 1e5;
 
 bool ends_with(std::string file, const std::string& ending) {
     std::ranges::transform(file, file.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -358,7 +332,7 @@ void refuse_degrees(const std::vector<TracedFloe>& floes, const Bounds& bounds, 
         file, size, bounds.low.x, bounds.high.x, 0.0 - bounds.high.z, 0.0 - bounds.low.z));
 }
 
-/// Of all floes, divided by commas; empty if none has one.
+/// The names of all floes, divided by commas; empty if none has one.
 std::string names_of(const std::vector<TracedFloe>& floes) {
     if (std::ranges::all_of(floes, &std::string::empty, &TracedFloe::name)) return "";
     std::string names;
@@ -385,7 +359,7 @@ void take_outlines(TracedOutlines& traced, const std::string& text, const std::s
     refuse_degrees(floes, bounds, file);
     const double unit = metres(traced.unit);
     const double size = unit * std::max(bounds.high.x - bounds.low.x, bounds.high.z - bounds.low.z);
-    if (!(size > smallest && size < largest))
+    if (!(size > smallest_map && size < largest_map))
         throw InputError(
             fmt::format("{}: the outlines reach over {:.4g} m, which is no field of ice; is shapes.unit "
                         "right?",

@@ -192,9 +192,9 @@ bool is_case_path(const std::string& path) {
     return path == "case" || path.starts_with(case_prefix);
 }
 
-class Reader {
+class CampaignReader {
   public:
-    Reader(const CampaignSource& source, LoadFile load_file)
+    CampaignReader(const CampaignSource& source, LoadFile load_file)
         : source_(source),
           document_(parse_document(source.text, source.file)),
           poses_(source.file, load_file),
@@ -354,7 +354,7 @@ class Reader {
         }
     }
 
-    /// Of the only case, if it has no name: from its E, or from its Σ where that decides E.
+    /// The name of the only case, if it has none: from its E, or from its Σ where that decides E.
     std::string name_of_ice() const {
         if (pairing(base_, origins_) == Pairing::find_modulus) return fmt::format("cfm{:.6g}", base_.joint.cfm);
         return fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal);
@@ -401,7 +401,7 @@ class Reader {
         if (source_.from_user) poses_.refuse_faults(one.scenario, file, own, label);
     }
 
-    /// Of joints that follow Σ. Stored texts leave out what is to be found; where they have both, both are settled.
+    /// For joints that follow Σ. Stored texts leave out what is to be found; where they have both, both are settled.
     Pairing pairing(const Scenario& scenario, const Origins& own) const {
         if (scenario.joint.model != JointModel::cfm) return Pairing::settled;
         const bool modulus = own.contains("ice.elastic_modulus_MPa");
@@ -448,7 +448,7 @@ class Reader {
 }  // namespace
 
 Campaign read_campaign(const CampaignSource& source, LoadFile load_file) {
-    return Reader(source, load_file).read();
+    return CampaignReader(source, load_file).read();
 }
 
 }  // namespace floes

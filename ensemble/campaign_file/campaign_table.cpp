@@ -1,13 +1,13 @@
 #include "campaign_file/campaign_table.hpp"
+#include "core/undefined.hpp"
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
 namespace floes {
 
 double MemberRow::value(const Quantity& quantity) const {
-    return done() ? quantity.of(*this) : std::numeric_limits<double>::quiet_NaN();
+    return done() ? quantity.of(*this) : undefined;
 }
 
 const AveragedLoad* MemberRow::averaged_over(double time) const {
@@ -47,8 +47,6 @@ int ArrangementRows::row(MemberKey member) const {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// What a function gives of the scenarios of all cases, rising, each value once.
 template <class Function>
 std::vector<double> of_all_cases(const Campaign& campaign, Function function) {
@@ -64,8 +62,8 @@ std::vector<double> of_all_cases(const Campaign& campaign, Function function) {
 
 void set_missing(MemberRow& row, int segments, std::size_t levels) {
     static_cast<MemberOutputs&>(row) = unmeasured(segments);
-    row.steps_above.assign(levels, nan);
-    row.upcrossings.assign(levels, nan);
+    row.steps_above.assign(levels, undefined);
+    row.upcrossings.assign(levels, undefined);
 }
 
 CaseRow case_row(const Case& one) {

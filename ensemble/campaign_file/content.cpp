@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <set>
@@ -104,7 +103,7 @@ std::vector<double> ArrayPlaces::row(const ArrayOutput& array, int case_index, c
                                      std::span<const std::size_t> sizes) const {
     std::size_t width = 1;
     for (const std::size_t size : sizes) width *= size;
-    std::vector<double> row(width, std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> row(width, undefined);
     if (!own.empty())
         for_each_place(array, case_index, own.sizes, sizes,
                        [&](std::size_t value, std::size_t place) { row[place] = own.values[value]; });
@@ -118,7 +117,7 @@ ArrayValues ArrayPlaces::own(const ArrayOutput& array, int case_index, std::span
         if (array.axes[k]->kind == AxisKind::longest) own.sizes[k] = sizes[k];
     std::size_t count = 1;
     for (const std::size_t size : own.sizes) count *= size;
-    own.values.resize(count, std::numeric_limits<double>::quiet_NaN());
+    own.values.resize(count, undefined);
     for_each_place(array, case_index, own.sizes, sizes,
                    [&](std::size_t value, std::size_t place) { own.values[value] = row[place]; });
     if (std::ranges::all_of(own.values, [](double value) { return std::isnan(value); })) own.values.clear();
@@ -267,7 +266,7 @@ void write_shapes(hid_t group, const CampaignContent& content, const CampaignSca
     const std::size_t points = scales.profile_point.size();
     for (std::size_t column = 0; column < Shape::columns.size(); ++column) {
         const auto& [name, unit, text, low, high] = Shape::columns[column];
-        std::vector<double> values(scales.case_.size() * points, nan);
+        std::vector<double> values(scales.case_.size() * points, undefined);
         for (std::size_t k = 0; k < content.table().cases.size(); ++k) {
             const std::vector<std::vector<double>> rows = content.table().cases[k].shape.profile();
             for (std::size_t p = 0; p < rows.size(); ++p) values[k * points + p] = rows[p][column];
@@ -347,7 +346,7 @@ void add_members(hid_t id, const CampaignScales& scales, MemberTables& tables) {
     // Counts are doubles too, so that every reader sees NaN where there is none.
     for (const Quantity& one : quantities)
         tables.add_numbers<double>(id, {std::string{one.key.view()}, std::string{one.unit}, std::string{one.long_name}},
-                                   member, nan, [&one](const FiledMember& m) { return m.row.value(one); });
+                                   member, undefined, [&one](const FiledMember& m) { return m.row.value(one); });
     flags("steady", "whether the trend of the surge load does not differ from zero",
           hdf5::Flags{{0, 1}, "not_steady steady", -1},
           [](const FiledMember& m) { return static_cast<std::int8_t>(m.row.done() ? m.row.load.steady : -1); });
@@ -383,8 +382,8 @@ void add_members(hid_t group, const CampaignContent& content, MemberTables& tabl
     const Scale member = hdf5::write_index_scale(group, "member", "member", content.records.size());
     const hdf5::Dimensions one{member};
     const auto reals = [&](const char* name, const char* unit, const char* long_name, auto of) {
-        tables.add_numbers<double>(group, {name, unit, long_name}, one, nan, [of](const FiledMember& m) {
-            return m.record != nullptr ? static_cast<double>(of(*m.record)) : nan;
+        tables.add_numbers<double>(group, {name, unit, long_name}, one, undefined, [of](const FiledMember& m) {
+            return m.record != nullptr ? static_cast<double>(of(*m.record)) : undefined;
         });
     };
     reals("wall_time", "s", "wall time of the member", [](const MemberRecord& r) { return r.result.wall_time; });
@@ -471,7 +470,7 @@ class MemberArray {
         } else {
             hdf5::Dimensions all{member};
             all.insert(all.end(), axes.begin(), axes.end());
-            column_.emplace(group, label, all, nan);
+            column_.emplace(group, label, all, undefined);
         }
     }
 
@@ -507,7 +506,7 @@ class ArrangementArray {
           number_(array_number(array.path)),
           places_(content.places),
           rows_(content.rows.arrangements()),
-          column_(group, label, with(arrangement, axes), nan) {
+          column_(group, label, with(arrangement, axes), undefined) {
         for (const hdf5::Scale& one : axes) {
             sizes_.push_back(one.size());
             width_ *= one.size();
@@ -542,7 +541,7 @@ class ArrangementArray {
 
     void begin(int row) {
         first_ = row;
-        values_.assign(static_cast<std::size_t>(rows_.groups()) * width_, nan);
+        values_.assign(static_cast<std::size_t>(rows_.groups()) * width_, undefined);
     }
 
     static constexpr std::size_t poses_ = array_number("arrangements/pose");
@@ -606,7 +605,7 @@ void add_listed(hid_t group, const ArrayOutput& array, const hdf5::Label& label,
     };
     switch (array.numbers) {
         case ArrayNumbers::real:
-            return add(double{}, nan);
+            return add(double{}, undefined);
         case ArrayNumbers::index:
             return add(std::int32_t{}, std::optional<std::int32_t>{});
         case ArrayNumbers::flag:

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -19,6 +18,7 @@
 
 #include "campaign/campaign.hpp"
 #include "campaign_file/campaign_table.hpp"
+#include "core/undefined.hpp"
 #include "hdf5/columns.hpp"
 #include "hdf5/write.hpp"
 #include "member/array_output.hpp"
@@ -62,8 +62,6 @@ class ArrayPlaces {
 
 // What of a campaign file has to do with single members: datasets that take one member after another, so that only one
 // record is in memory at a time. For this module only.
-
-inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// A member on its way into the file.
 struct FiledMember {
@@ -129,7 +127,7 @@ struct CampaignContent {
     ArrayPlaces places;
 
     const CampaignTable& table() const { return rows.table(); }
-    /// Of an axis that members find: how far it goes in the file.
+    /// For an axis that members find: how far it goes in the file.
     std::size_t found(const ArrayAxis& axis) const;
     /// Whether the file has the array: none of its axes is without places.
     bool has(const ArrayOutput& array) const;

@@ -130,7 +130,7 @@ std::vector<PieceRow> read_pieces(const CampaignFile& file) {
 
 namespace {
 
-/// Of the members that `wanted` takes.
+/// For the members that `wanted` takes.
 void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
                    const std::function<void(const SurgeHistory&)>& use) {
     const hdf5::QuietErrors quiet;

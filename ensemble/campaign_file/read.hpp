@@ -42,7 +42,7 @@ class ArrayReader {
 std::vector<ArrayReader> array_readers(const CampaignFile& file, std::string_view group_or_path,
                                        const ArrayPlaces& places);
 
-/// Of each member, in member order.
+/// For each member, in member order.
 std::vector<RowStatus> read_states(const CampaignFile& file);
 
 // What a report wants of a campaign file beside its table: the configuration, who made it, one arrangement, the breaks.

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/undefined.hpp"
 #include "member/array_output.hpp"
 
 namespace floes {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view times_path = "averaging_time";
 
 }  // namespace
@@ -47,7 +46,7 @@ void Sample::add(std::string_view path, std::span<const double> values, std::siz
 
 double Sample::value(std::size_t member, const Quantity& quantity) const {
     const auto column = columns_.find(quantity.key.view());
-    return column == columns_.end() ? nan : column->second.at(member);
+    return column == columns_.end() ? undefined : column->second.at(member);
 }
 
 std::vector<double> Sample::values(const Members& members, const Quantity& quantity) const {
@@ -86,7 +85,7 @@ std::vector<double> Sample::values(const Members& members, std::string_view arra
         const std::size_t width = arrays_.find(array)->second.width[member];
         const bool two = width < all.size();  // one axis is one row
         const std::size_t at = two ? place * width + second : place;
-        values.push_back(at < all.size() ? all[at] : nan);
+        values.push_back(at < all.size() ? all[at] : undefined);
     }
     return values;
 }

@@ -34,7 +34,7 @@ class Sample {
     /// Equal for members that began from the same floes.
     int arrangement_of(std::size_t member) const { return arrangement_of_.at(member); }
 
-    /// Of each of the members; NaN where it was not measured.
+    /// For each of the members; NaN where it was not measured.
     std::vector<double> values(const Members& members, const Quantity& quantity) const;
     double value(std::size_t member, const Quantity& quantity) const;
 

@@ -27,7 +27,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "run/calibrate.hpp"
-#include "tables/data_rows.hpp"
+#include "tables/section.hpp"
 
 namespace floes {
 
@@ -90,15 +90,11 @@ struct ConfigOptions {
 };
 
 std::string reference_json() {
-    const std::vector<KeyDescription> keys = reference();
-    const DataRows records[]{
-        make_rows<KeyDescription>("keys", keys,
-                                  {{"key", [](const KeyDescription& one) { return Datum(one.key); }},
-                                   {"default", [](const KeyDescription& one) { return Datum(one.default_value); }},
-                                   {"allowed", [](const KeyDescription& one) { return Datum(one.allowed); }},
-                                   {"meaning", [](const KeyDescription& one) { return Datum(one.meaning); }},
-                                   {"source", [](const KeyDescription& one) { return Datum(one.source); }}})};
-    return json(records);
+    const Results keys = list("keys", "key default allowed meaning source", reference(),
+                              [](const KeyDescription& one) -> std::vector<Datum> {
+                                  return {one.key, one.default_value, one.allowed, one.meaning, one.source};
+                              });
+    return json(std::vector{Section{.results = {keys}}});
 }
 
 std::string check_line(const Campaign& campaign) {

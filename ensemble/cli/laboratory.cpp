@@ -17,7 +17,6 @@
 #include "scenario/keys.hpp"
 #include "simulation/cantilever.hpp"
 #include "simulation/plate_tests.hpp"
-#include "tables/number_text.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
@@ -81,65 +80,47 @@ std::vector<Row> measure(const CantileverOptions& options) {
 }
 
 Section section_of(const std::vector<Row>& rows, bool floating) {
-    const auto mode_of = [](const Row& row) { return failure_mode_names.at(static_cast<std::size_t>(row.shown.mode)); };
-    Table table{{"Σ", "mode", "length, m", "load, N", "strength, kPa", "set, kPa", "shown/set"}};
-    if (floating) table.front().emplace_back("elastic beam");
-    for (const Row& row : rows) {
-        table.push_back({std::isnan(row.cfm) ? "beam" : fmt::format("{:.4g}", row.cfm), mode_of(row),
-                         fmt::format("{:.3g}", row.shown.length), fmt::format("{:.4g}", row.shown.load),
-                         fixed(row.shown.strength / unit::kilopascal, 2), fixed(row.shown.set / unit::kilopascal, 2),
-                         fixed(row.shown.strength / row.shown.set, 3)});
-        if (floating) table.back().emplace_back(fixed(row.elastic, 3));
-    }
-    return {.table = std::move(table),
-            .records = {
-                make_rows<Row>("rows", rows,
-                               {{"mode", mode_of},
-                                {"cfm", &Row::cfm},
-                                {"length_m", [](const Row& row) { return row.shown.length; }},
-                                {"load_N", [](const Row& row) { return row.shown.load; }},
-                                {"strength_kPa", [](const Row& row) { return row.shown.strength / unit::kilopascal; }},
-                                {"set_kPa", [](const Row& row) { return row.shown.set / unit::kilopascal; }},
-                                {"joint", [](const Row& row) { return row.shown.joint; }},
-                                {"elastic_foundation_ratio", &Row::elastic}})}};
+    Results results{
+        .place = "rows",
+        .columns = {{"", "Σ"},
+                    {"mode", "mode"},
+                    {"cfm"},
+                    {.key = "length_m", .words = "length", .unit = "m", .digits = 3},
+                    {.key = "load_N", .words = "load", .unit = "N", .digits = 4},
+                    {.key = "strength_kPa", .words = "strength, kPa", .decimals = 2},
+                    {.key = "set_kPa", .words = "set, kPa", .decimals = 2},
+                    {"joint"},
+                    {.words = "shown/set", .decimals = 3},
+                    {.key = "elastic_foundation_ratio", .words = floating ? "elastic beam" : "", .decimals = 3}}};
+    for (const Row& row : rows)
+        results.add({std::isnan(row.cfm) ? "beam" : fmt::format("{:.4g}", row.cfm),
+                     failure_mode_names.at(static_cast<std::size_t>(row.shown.mode)), row.cfm, row.shown.length,
+                     row.shown.load, row.shown.strength / unit::kilopascal, row.shown.set / unit::kilopascal,
+                     row.shown.joint, row.shown.strength / row.shown.set, row.elastic});
+    return {.results = {std::move(results)}};
 }
 
-struct StiffnessRow {
-    double modulus;  ///< MPa
-    int elements;
-    BeamStiffness shown;
-};
-
-std::vector<StiffnessRow> measure_stiffness(const CantileverOptions& options) {
+Section stiffness_section(const CantileverOptions& options) {
     const Scenario scenario = base_scenario(options);
-    std::vector<StiffnessRow> rows;
+    Results results{.place = "rows",
+                    .columns = {{.key = "elastic_modulus_MPa", .words = "E, MPa", .digits = 6},
+                                {"elements", "elements"},
+                                {.key = "deflection_m", .words = "deflection", .unit = "m", .digits = 4},
+                                {.key = "elastic_deflection_m", .words = "elastic", .unit = "m", .digits = 4},
+                                {.words = "shown/elastic", .decimals = 4},
+                                {.key = "frequency_1_per_s", .words = "frequency", .unit = "1/s", .decimals = 3},
+                                {.key = "elastic_frequency_1_per_s", .words = "elastic", .unit = "1/s", .decimals = 3},
+                                {.words = "shown/elastic", .decimals = 4}}};
     for (const double modulus : options.moduli) {
         const Scenario beam = with_beam_joints(scenario, modulus * unit::megapascal);
         for (const int elements : options.elements) {
-            rows.push_back({modulus, elements, measure_beam_stiffness(beam, elements)});
+            const BeamStiffness shown = measure_beam_stiffness(beam, elements);
+            results.add({modulus, elements, shown.deflection, shown.elastic_deflection,
+                         shown.deflection / shown.elastic_deflection, shown.frequency, shown.elastic_frequency,
+                         shown.frequency / shown.elastic_frequency});
         }
     }
-    return rows;
-}
-
-Section stiffness_section(const std::vector<StiffnessRow>& rows) {
-    Table table{{"E, MPa", "elements", "deflection, mm", "elastic, mm", "shown/elastic", "frequency, 1/s",
-                 "elastic, 1/s", "shown/elastic"}};
-    for (const auto& [modulus, elements, shown] : rows) {
-        table.push_back({fmt::format("{:g}", modulus), fmt::format("{}", elements), fixed(1e3 * shown.deflection, 4),
-                         fixed(1e3 * shown.elastic_deflection, 4),
-                         fixed(shown.deflection / shown.elastic_deflection, 4), fixed(shown.frequency, 3),
-                         fixed(shown.elastic_frequency, 3), fixed(shown.frequency / shown.elastic_frequency, 4)});
-    }
-    return {.table = std::move(table),
-            .records = {make_rows<StiffnessRow>(
-                "rows", rows,
-                {{"elastic_modulus_MPa", &StiffnessRow::modulus},
-                 {"elements", &StiffnessRow::elements},
-                 {"deflection_m", [](const StiffnessRow& row) { return row.shown.deflection; }},
-                 {"elastic_deflection_m", [](const StiffnessRow& row) { return row.shown.elastic_deflection; }},
-                 {"frequency_1_per_s", [](const StiffnessRow& row) { return row.shown.frequency; }},
-                 {"elastic_frequency_1_per_s", [](const StiffnessRow& row) { return row.shown.elastic_frequency; }}})}};
+    return {.results = {std::move(results)}};
 }
 
 }  // namespace
@@ -176,8 +157,8 @@ void add_cantilever(Verb& laboratory) {
         "failing joint. With --stiffness: dry, the load at the middle of the last element. Shear and compression: P/(b "
         "h), or P/(b h²) with paper.threshold_form = \"as_printed\".");
     verb.runs([options] {
-        const Section section = options->stiffness ? stiffness_section(measure_stiffness(*options))
-                                                   : section_of(measure(*options), options->floating);
+        const Section section =
+            options->stiffness ? stiffness_section(*options) : section_of(measure(*options), options->floating);
         std::fputs(written({section}, options->format).c_str(), stdout);
         return 0;
     });
@@ -246,40 +227,31 @@ std::vector<PointPlan> make_plans(const PlateOptions& options) {
     return plans;
 }
 
-std::string model_word(const CurvePoint& point) {
-    return point.model == JointModel::beam ? "beam" : "cfm";
-}
-
 Section curve_section(const std::vector<CurvePoint>& curve) {
-    Table table{{"joints", "sheet, m", "element, m", "thickness, m", "Δt, s", "Γ", "iterations", "Σ", "E set, MPa",
-                 "dP/dw, N/m", "E (patch), MPa", "E (point), MPa"}};
-    const auto number = [](double value) { return fmt::format("{:.4g}", value); };
+    const auto four = [](std::string key, std::string words, std::string unit = "1") {
+        return ResultColumn{.key = std::move(key), .words = std::move(words), .unit = std::move(unit), .digits = 4};
+    };
+    Results results{.place = "curve",
+                    .columns = {{"joint_model", "joints"},
+                                four("sheet_m", "sheet", "m"),
+                                four("element_m", "element", "m"),
+                                four("thickness_m", "thickness", "m"),
+                                four("time_step_s", "Δt", "s"),
+                                four("erp", "Γ"),
+                                {"iterations", "iterations"},
+                                four("cfm", "Σ"),
+                                four("set_modulus_MPa", "E set, MPa"),
+                                {.key = "slope_N_per_m", .words = "dP/dw", .unit = "N m-1", .decimals = 0},
+                                {.key = "elastic_modulus_MPa", .words = "E (patch), MPa", .decimals = 1},
+                                {.key = "elastic_modulus_point_MPa", .words = "E (point), MPa", .decimals = 1}}};
     for (const CurvePoint& p : curve) {
         const bool beam = p.model == JointModel::beam;
-        table.push_back({model_word(p), number(p.sheet), number(p.element), number(p.thickness), number(p.time_step),
-                         beam ? "" : number(p.erp), beam ? "" : fmt::format("{}", p.iterations),
-                         beam ? "" : number(p.cfm), beam ? number(p.set_modulus / unit::megapascal) : "",
-                         fixed(p.slope, 0), fixed(p.elastic_modulus / unit::megapascal, 1),
-                         fixed(p.elastic_modulus_point / unit::megapascal, 1)});
+        results.add({beam ? "beam" : "cfm", p.sheet, p.element, p.thickness, p.time_step, if_known(!beam, p.erp),
+                     if_known(!beam, p.iterations), if_known(!beam, p.cfm),
+                     if_known(beam, p.set_modulus / unit::megapascal), p.slope, p.elastic_modulus / unit::megapascal,
+                     p.elastic_modulus_point / unit::megapascal});
     }
-    using Point = const CurvePoint&;
-    return {
-        .table = std::move(table),
-        .records = {make_rows<CurvePoint>(
-            "curve", curve,
-            {{"joint_model", [](Point row) { return model_word(row); }},
-             {"sheet_m", &CurvePoint::sheet},
-             {"element_m", &CurvePoint::element},
-             {"thickness_m", &CurvePoint::thickness},
-             {"time_step_s", &CurvePoint::time_step},
-             {"erp", &CurvePoint::erp},
-             {"iterations", &CurvePoint::iterations},
-             {"cfm", &CurvePoint::cfm},
-             {"set_modulus_MPa",
-              [](Point row) { return row.model == JointModel::beam ? row.set_modulus / unit::megapascal : NAN; }},
-             {"slope_N_per_m", &CurvePoint::slope},
-             {"elastic_modulus_MPa", [](Point row) { return row.elastic_modulus / unit::megapascal; }},
-             {"elastic_modulus_point_MPa", [](Point row) { return row.elastic_modulus_point / unit::megapascal; }}})}};
+    return {.results = {std::move(results)}};
 }
 
 /// The ice for which Σ is sought. Throws InputError if the lists describe several.
@@ -299,13 +271,9 @@ std::string inverse_text(const PlateOptions& options) {
     const PointPlan plan = plan_of_inverse(options);
     const Calibration found = calibrate_cfm(plan.scenario, plan.test, options.modulus * unit::megapascal);
     Section section = curve_section(found.curve);
-    section.records.insert(
-        section.records.begin(),
-        make_object<Calibration>(
-            "", found,
-            {{Names{"", "elastic_modulus_MPa"}, [&](const Calibration&) { return options.modulus; }},
-             {Names{"", "cfm"}, &Calibration::cfm},
-             {Names{"", "ceiling_MPa"}, [](const Calibration& one) { return one.ceiling / unit::megapascal; }}}));
+    section.results.insert(section.results.begin(), object("", {{"elastic_modulus_MPa", options.modulus},
+                                                                {"cfm", found.cfm},
+                                                                {"ceiling_MPa", found.ceiling / unit::megapascal}}));
     section.after = fmt::format("\nΣ = {:.4g} shows {:g} MPa (the ceiling of these iterations is {:.4g} MPa)\n",
                                 found.cfm, options.modulus, found.ceiling / unit::megapascal);
     return written({section}, options.format);

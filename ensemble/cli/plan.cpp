@@ -72,32 +72,6 @@ std::string remark(const PlanHead& head, const PlanRow& row) {
     return "";
 }
 
-std::vector<DataRows> plan_records(const PlanHead& head, std::span<const PlanRow> rows) {
-    DataRows common =
-        make_object<PlanHead>("", head,
-                              {{"campaign", [](const PlanHead& one) { return Datum(one.title); }},
-                               {"members", [](const PlanHead& one) { return Datum(one.members); }},
-                               {"mean_run_time_s", [](const PlanHead& one) { return Datum(one.mean_run_time); }},
-                               {"longest_run_time_s", [](const PlanHead& one) { return Datum(one.longest); }},
-                               {"message_bytes", [](const PlanHead& one) { return Datum(one.message_bytes); }},
-                               {"run_times_from", [](const PlanHead& one) { return Datum(one.source); }},
-                               {"calibration_not_counted", [](const PlanHead& one) { return Datum(one.calibrates); }}});
-    DataRows plans = make_rows<PlanRow>(
-        "plans", rows,
-        {{"cores", [](const PlanRow& row) { return Datum(row.cores); }},
-         {"ranks", [](const PlanRow& row) { return Datum(row.ranks); }},
-         {"wall_time_s", [](const PlanRow& row) { return Datum(row.forecast.wall_time); }},
-         {"core_hours", [](const PlanRow& row) { return Datum(core_hours(row)); }},
-         {"efficiency", [](const PlanRow& row) { return Datum(row.forecast.efficiency); }},
-         {"master_busy", [](const PlanRow& row) { return Datum(row.forecast.master_load); }},
-         {"start_up_s", [](const PlanRow& row) { return Datum(row.forecast.start_up); }},
-         {"last_member_s", [](const PlanRow& row) { return Datum(row.forecast.last_member); }},
-         {"file_bytes", [](const PlanRow& row) { return Datum(std::round(row.forecast.file_bytes)); }},
-         {"journal_bytes", [](const PlanRow& row) { return Datum(row.forecast.journal_bytes); }},
-         {"master_memory_bytes", [](const PlanRow& row) { return Datum(row.master_memory); }}});
-    return {json_only(std::move(common)), std::move(plans)};
-}
-
 }  // namespace
 
 PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned) {
@@ -115,23 +89,44 @@ PlanHead plan_head(const Campaign& campaign, const PlannedMembers& planned) {
 }
 
 Section plan_section(const PlanHead& head, std::span<const PlanRow> rows) {
-    Section section{.records = plan_records(head, rows)};
+    Section section;
     section.before = fmt::format("{}: {} of {} on average, {} at most, {} each.\nRun times: {}.\n", head.title,
                                  counted(head.members, "member"), duration_in_figures(head.mean_run_time),
                                  duration_in_figures(head.longest), size(head.message_bytes), head.source);
     if (head.calibrates) section.before += "Not counted: cases are calibrated first, about a minute.\n";
     section.before += "\n";
-    section.table = {
-        {"cores", "ranks", "wall time", "core-hours", "efficiency", "master busy", "file", "journal", "master memory"}};
+    Results common = object("", {{"campaign", head.title},
+                                 {"members", head.members},
+                                 {"mean_run_time_s", head.mean_run_time},
+                                 {"longest_run_time_s", head.longest},
+                                 {"message_bytes", head.message_bytes},
+                                 {"run_times_from", head.source},
+                                 {"calibration_not_counted", head.calibrates}});
+    Results plans{.place = "plans",
+                  .columns = {{"cores", "cores"},
+                              {"ranks", "ranks"},
+                              {"", "wall time"},
+                              {"wall_time_s"},
+                              {.key = "core_hours", .words = "core-hours", .digits = 4},
+                              {.key = "efficiency", .words = "efficiency", .unit = "share", .decimals = 1},
+                              {.key = "master_busy", .words = "master busy", .unit = "share", .digits = 2},
+                              {"start_up_s"},
+                              {"last_member_s"},
+                              {"", "file"},
+                              {"file_bytes"},
+                              {"", "journal"},
+                              {"journal_bytes"},
+                              {"", "master memory"},
+                              {"master_memory_bytes"}}};
     for (const PlanRow& row : rows) {
         const Forecast& forecast = row.forecast;
-        section.table.push_back({fmt::format("{}", row.cores), fmt::format("{}", row.ranks),
-                                 duration_in_figures(forecast.wall_time), fmt::format("{:.4g}", core_hours(row)),
-                                 fmt::format("{:.1f} %", 100 * forecast.efficiency),
-                                 fmt::format("{:.2g} %", 100 * forecast.master_load), size(forecast.file_bytes),
-                                 size(forecast.journal_bytes), size(row.master_memory)});
+        plans.add({row.cores, row.ranks, duration_in_figures(forecast.wall_time), forecast.wall_time, core_hours(row),
+                   forecast.efficiency, forecast.master_load, forecast.start_up, forecast.last_member,
+                   size(forecast.file_bytes), std::round(forecast.file_bytes), size(forecast.journal_bytes),
+                   forecast.journal_bytes, size(row.master_memory), row.master_memory});
         if (const std::string told = remark(head, row); !told.empty()) section.notes.push_back(told);
     }
+    section.results = {std::move(common), std::move(plans)};
     return section;
 }
 

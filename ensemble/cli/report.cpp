@@ -28,7 +28,7 @@ namespace {
 
 constexpr double round_worst = 10;  // s of load history beside the largest
 
-/// Of each case the member with the largest load or, unless `all`, only that of the campaign.
+/// For each case, the member with the largest load or, unless `all`, only that of the campaign.
 std::vector<int> pictured_members(const Evidence& evidence, bool all) {
     if (!all) {
         const std::optional<int> worst = most_loaded_member(evidence);

@@ -20,7 +20,7 @@
 #include "page/status_page.hpp"
 #include "run/campaign_status.hpp"
 #include "store/session.hpp"
-#include "tables/data_rows.hpp"
+#include "tables/section.hpp"
 
 namespace floes {
 
@@ -36,85 +36,16 @@ std::string timed_text(const char* title, const std::vector<TimedMember>& member
     return text;
 }
 
-DataRows timed_records(const char* place, const std::vector<TimedMember>& members) {
-    return make_rows<TimedMember>(place, members,
-                                  {{"member", [](const TimedMember& one) { return Datum(one.number); }},
-                                   {"case", [](const TimedMember& one) { return Datum(one.case_name); }},
-                                   {"arrangement", [](const TimedMember& one) { return Datum(one.arrangement); }},
-                                   {"attempt", [](const TimedMember& one) { return Datum(one.attempt); }},
-                                   {"seconds", [](const TimedMember& one) { return Datum(one.seconds); }}});
+Results timed(std::string place, const std::vector<TimedMember>& members) {
+    return list(std::move(place), "member case arrangement attempt seconds", members,
+                [](const TimedMember& one) -> std::vector<Datum> {
+                    return {one.number, one.case_name, one.arrangement, one.attempt, one.seconds};
+                });
 }
 
-std::vector<DataColumn<CaseStatus>> count_columns() {
-    return {{"done", [](const CaseStatus& one) { return Datum(one.done); }},
-            {"failed", [](const CaseStatus& one) { return Datum(one.failed); }},
-            {"missing", [](const CaseStatus& one) { return Datum(one.missing); }},
-            {"total", [](const CaseStatus& one) { return Datum(members_of(one)); }}};
-}
-
-/// The value, or null where there is none.
 template <class Value>
 Datum known(const std::optional<Value>& value) {
     return value ? Datum(*value) : Datum(Undefined{});
-}
-
-DataRows head_records(const CampaignStatus& status) {
-    return make_object<CampaignStatus>(
-        "", status,
-        {{"title", [](const CampaignStatus& one) { return Datum(one.title); }},
-         {"at_work", [](const CampaignStatus& one) { return Datum(one.at_work); }},
-         {"seconds_left", [](const CampaignStatus& one) { return known(one.seconds_left); }},
-         {"members_per_second", [](const CampaignStatus& one) { return known(one.rate); }},
-         {"stop", [](const CampaignStatus&) { return Datum(Undefined{}); }},
-         {"heartbeat", [](const CampaignStatus&) { return Datum(Undefined{}); }}});
-}
-
-DataRows stop_records(const StopStatus& stop) {
-    return make_object<StopStatus>(
-        "stop", stop,
-        {{"of", [](const StopStatus& one) { return Datum(what_of(one.rule)); }},
-         {"met", [](const StopStatus& one) { return Datum(one.met); }},
-         {"arrangements", [](const StopStatus& one) { return Datum(one.arrangements); }},
-         {"most_arrangements", [](const StopStatus& one) { return Datum(one.most_arrangements); }},
-         {"half_width_percent", [](const StopStatus& one) { return Datum(100 * one.achieved); }},
-         {"wanted_percent", [](const StopStatus& one) { return Datum(100 * one.rule.half_width); }}});
-}
-
-DataRows heartbeat_records(const Heartbeat& heartbeat, bool at_work) {
-    return make_object<Heartbeat>("heartbeat", heartbeat,
-                                  {{"host", [](const Heartbeat& one) { return Datum(one.host); }},
-                                   {"process", [](const Heartbeat& one) { return Datum(one.process); }},
-                                   {"age_s", [](const Heartbeat& one) { return Datum(age_of(one)); }},
-                                   {"stale", [=](const Heartbeat&) { return Datum(!at_work); }}});
-}
-
-DataRows case_records(const std::vector<CaseStatus>& cases) {
-    std::vector<DataColumn<CaseStatus>> columns{{"name", [](const CaseStatus& one) { return Datum(one.name); }}};
-    for (const DataColumn<CaseStatus>& count : count_columns()) columns.push_back(count);
-    return make_rows<CaseStatus>("cases", cases, columns);
-}
-
-DataRows failure_records(const std::vector<FailedMember>& failures) {
-    return make_rows<FailedMember>("failures", failures,
-                                   {{"member", [](const FailedMember& one) { return Datum(one.number); }},
-                                    {"case", [](const FailedMember& one) { return Datum(one.case_name); }},
-                                    {"arrangement", [](const FailedMember& one) { return Datum(one.arrangement); }},
-                                    {"reason", [](const FailedMember& one) { return Datum(one.reason); }}});
-}
-
-DataRows session_records(const std::vector<Session>& sessions) {
-    return make_rows<Session>("sessions", sessions,
-                              {{"started", [](const Session& one) { return Datum(one.started); }},
-                               {"ended", [](const Session& one) { return Datum(one.ended); }},
-                               {"outcome", [](const Session& one) { return Datum(one.outcome); }},
-                               {"host", [](const Session& one) { return Datum(one.host); }},
-                               {"job", [](const Session& one) { return Datum(one.job); }},
-                               {"ranks", [](const Session& one) { return Datum(one.ranks); }},
-                               {"threads", [](const Session& one) { return Datum(one.threads); }},
-                               {"reused", [](const Session& one) { return Datum(one.reused); }},
-                               {"computed", [](const Session& one) { return Datum(one.computed); }},
-                               {"retried", [](const Session& one) { return Datum(one.retried); }},
-                               {"set_aside", [](const Session& one) { return Datum(one.set_aside); }}});
 }
 
 }  // namespace
@@ -139,14 +70,45 @@ std::string status_table(const CampaignStatus& status) {
 }
 
 std::string status_json(const CampaignStatus& status) {
-    std::vector<DataRows> all{head_records(status), make_object("", total_of(status), count_columns()),
-                              case_records(status.cases), failure_records(status.failures)};
-    if (status.stop) all.push_back(stop_records(*status.stop));
-    if (status.heartbeat) all.push_back(heartbeat_records(*status.heartbeat, status.at_work));
-    all.push_back(timed_records("under_way", status.under_way));
-    all.push_back(timed_records("slowest", status.slowest));
-    all.push_back(session_records(status.sessions));
-    return json(all);
+    const CaseStatus total = total_of(status);
+    std::vector<Results> all{object("", {{"title", status.title},
+                                         {"at_work", status.at_work},
+                                         {"seconds_left", known(status.seconds_left)},
+                                         {"members_per_second", known(status.rate)},
+                                         {"stop", Undefined{}},
+                                         {"heartbeat", Undefined{}},
+                                         {"done", total.done},
+                                         {"failed", total.failed},
+                                         {"missing", total.missing},
+                                         {"total", members_of(total)}})};
+    all.push_back(
+        list("cases", "name done failed missing total", status.cases, [](const CaseStatus& one) -> std::vector<Datum> {
+            return {one.name, one.done, one.failed, one.missing, members_of(one)};
+        }));
+    all.push_back(list("failures", "member case arrangement reason", status.failures,
+                       [](const FailedMember& one) -> std::vector<Datum> {
+                           return {one.number, one.case_name, one.arrangement, one.reason};
+                       }));
+    if (const auto& stop = status.stop)
+        all.push_back(object("stop", {{"of", what_of(stop->rule)},
+                                      {"met", stop->met},
+                                      {"arrangements", stop->arrangements},
+                                      {"most_arrangements", stop->most_arrangements},
+                                      {"half_width_percent", 100 * stop->achieved},
+                                      {"wanted_percent", 100 * stop->rule.half_width}}));
+    if (const auto& heartbeat = status.heartbeat)
+        all.push_back(object("heartbeat", {{"host", heartbeat->host},
+                                           {"process", heartbeat->process},
+                                           {"age_s", age_of(*heartbeat)},
+                                           {"stale", !status.at_work}}));
+    all.push_back(timed("under_way", status.under_way));
+    all.push_back(timed("slowest", status.slowest));
+    all.push_back(list("sessions", "started ended outcome host job ranks threads reused computed retried set_aside",
+                       status.sessions, [](const Session& one) -> std::vector<Datum> {
+                           return {one.started, one.ended,  one.outcome,  one.host,    one.job,      one.ranks,
+                                   one.threads, one.reused, one.computed, one.retried, one.set_aside};
+                       }));
+    return json(std::vector{Section{.results = std::move(all)}});
 }
 
 namespace {

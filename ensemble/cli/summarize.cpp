@@ -76,10 +76,6 @@ bool is_wanted(const Finding& finding, const std::vector<std::string>& parts, co
            (finding.name == "points" && campaign.design.active());
 }
 
-bool has_columns(const DataRows& records) {
-    return std::ranges::any_of(records.names, [](const Names& one) { return !one.csv.empty(); });
-}
-
 }  // namespace
 
 std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::string>& parts) {
@@ -94,17 +90,17 @@ std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::st
         std::size_t of_this = 0;
         for (Section& section : finding.sections(evidence))
             for (DataRows& records : records_of(section)) {
-                if (!has_columns(records)) continue;
+                if (!records.in_csv) continue;
                 const std::string name = sheet_name(finding.name);
                 sheets.push_back({++of_this == 1 ? name : fmt::format("{} {}", name, of_this), std::move(records)});
                 contents.emplace_back(sheets.back().name, of_this == 1 ? about(finding.name) : "");
             }
     }
-    contents.emplace_back("units", "stand at the end of a column's name; 1 is a share, not percent");
+    contents.emplace_back("units", "SI: N, m, s, Pa; shares are not in percent");
     sheets.insert(sheets.begin(),
-                  {"contents", make_rows<Line>("", contents,
-                                               {{"sheet", [](const Line& one) { return one.first; }},
-                                                {"holds", [](const Line& one) { return one.second; }}})});
+                  {"contents", data_rows(list("", "sheet holds", contents, [](const Line& one) -> std::vector<Datum> {
+                       return {one.first, one.second};
+                   }))});
     return sheets;
 }
 

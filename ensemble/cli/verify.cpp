@@ -25,7 +25,7 @@
 #include "solver/lane_width.hpp"
 #include "store/journal.hpp"
 #include "store/session.hpp"
-#include "tables/data_rows.hpp"
+#include "tables/section.hpp"
 
 namespace floes {
 
@@ -199,20 +199,17 @@ std::string text_of(const FileVerdict& verdict) {
 }
 
 std::string json_of(const std::vector<FileVerdict>& verdicts) {
-    std::vector<DataRows> all{
-        make_rows<FileVerdict>("files", verdicts,
-                               {{"file", [](const FileVerdict& one) { return Datum(one.file); }},
-                                {"kind", [](const FileVerdict& one) { return Datum(one.kind); }},
-                                {"state", [](const FileVerdict& one) { return Datum(state_word(one)); }},
-                                {"checked", [](const FileVerdict& one) { return Datum(one.counts); }},
-                                {"digest", [](const FileVerdict& one) { return Datum(one.digest); }},
-                                {"whole", [](const FileVerdict& one) { return Datum(one.whole); }},
-                                {"remedy", [](const FileVerdict& one) { return Datum(one.remedy); }}})};
+    std::vector<Results> all{list("files", "file kind state checked digest whole remedy", verdicts,
+                                  [](const FileVerdict& one) -> std::vector<Datum> {
+                                      return {one.file,   one.kind,  state_word(one), one.counts,
+                                              one.digest, one.whole, one.remedy};
+                                  })};
+    const auto sentence = [](const std::string& one) -> std::vector<Datum> { return {one}; };
     for (std::size_t k = 0; k < verdicts.size(); ++k) {
-        all.push_back(make_list(fmt::format("files/{}/faults", k), verdicts[k].faults));
-        all.push_back(make_list(fmt::format("files/{}/notes", k), verdicts[k].notes));
+        all.push_back(list(fmt::format("files/{}/faults", k), ".", verdicts[k].faults, sentence));
+        all.push_back(list(fmt::format("files/{}/notes", k), ".", verdicts[k].notes, sentence));
     }
-    return json(all);
+    return json(std::vector{Section{.results = std::move(all)}});
 }
 
 int verify(const std::vector<std::string>& files, const std::string& format) {

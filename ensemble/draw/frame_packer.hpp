@@ -23,7 +23,7 @@ class Deflater {
     Deflater(Deflater&&) noexcept;
 
     void add(std::span<const std::byte> bytes);
-    /// Of the compressed bytes so far; those that zlib still holds back are not counted.
+    /// Counts the compressed bytes so far; those that zlib still holds back are not counted.
     std::size_t size() const;
     /// All compressed bytes. The last call.
     Bytes finish();

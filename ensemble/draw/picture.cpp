@@ -9,7 +9,7 @@
 #include "draw/canvas.hpp"
 #include "draw/encoder.hpp"
 #include "draw/scene.hpp"
-#include "tables/number_text.hpp"
+#include "tables/units.hpp"
 
 namespace floes {
 
@@ -57,7 +57,7 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
     const double right = style.width - 16 * unit;
     draw_ground(canvas, {style.width - 290 * unit, 0}, {style.width, 100 * unit});
     double y = 28 * unit;
-    const LoadUnit newtons = load_unit(frame.load.norm());
+    const Units::Shown newtons = Units(frame.load.norm()).of("N");
     const auto load = [&](const char* name, double value, const Colour& colour) {
         canvas.text({right - 84 * unit, y}, name, colour, 16 * unit, Align::right, true);
         canvas.text({right, y}, fmt::format("{:.1f} {}", value * newtons.factor, newtons.name), bright, 16 * unit,
@@ -144,7 +144,7 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
     canvas.path(line, {0.10, 0.35, 0.62}, 1.3 * unit);
     canvas.line(at(frame.time, low), at(frame.time, up), ink, 2 * unit);
     const double size = 13 * unit;
-    const LoadUnit newtons = load_unit(up);
+    const Units::Shown newtons = Units(up).of("N");
     canvas.text({left - 8 * unit, ceiling + size / 2}, fmt::format("{:.0f} {}", up * newtons.factor, newtons.name), ink,
                 size, Align::right);
     canvas.text({left - 8 * unit, at(from, 0).y() + size / 3}, "0", ink, size, Align::right);

@@ -192,7 +192,7 @@ json failures(const Recording& recording) {
     return all;
 }
 
-/// Of the steps that end in (from, to], s.
+/// For the steps that end in (from, to], s.
 json history(const Recording& recording, double from, double to) {
     const Scenario& scenario = recording.subject().scenario;
     const LoadHistory& loads = recording.outcome().history;

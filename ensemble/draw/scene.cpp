@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "draw/canvas.hpp"
-#include "tables/number_text.hpp"
+#include "tables/units.hpp"
 
 namespace floes {
 
@@ -118,7 +118,7 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Projection& projectio
         return;
     }
     const double force = round_number(60 * unit / newton);
-    const LoadUnit newtons = load_unit(10 * force);  // the shorter number
+    const Units::Shown newtons = Units(10 * force).of("N");  // the shorter number
     draw_bar(canvas, {left + 150 * unit, corner.y() + 18 * unit}, force * newton,
              fmt::format("{:g} {unit}; on floes {:g} {unit}", force * newtons.factor,
                          force * newtons.factor / contact_stretch, fmt::arg("unit", newtons.name)),
@@ -253,7 +253,7 @@ std::vector<SheetPart> in_parts(const std::vector<IceSheet>& sheets, double long
     return parts;
 }
 
-/// Of each element the sides without a joint at that time, bits of Edge; of a polygon bit k for its edge k.
+/// For each element the sides without a joint at that time, bits of Edge; of a polygon bit k for its edge k.
 std::vector<std::uint32_t> exposed_sides(const IceLayout& layout, const std::vector<bool>& failed) {
     const std::vector<IceLayout::LaidJoint>& joints = layout.joints;
     std::vector<std::uint32_t> exposed;

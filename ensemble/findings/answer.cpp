@@ -17,7 +17,6 @@
 #include "findings/sensitivity.hpp"
 #include "findings/summary.hpp"
 #include "findings/warnings.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -90,7 +89,7 @@ std::vector<std::string> design_sentences(const Summary& summary, const Units& u
     return sentences;
 }
 
-/// Of every case, or of one alone.
+/// For every case, or for one alone.
 std::vector<std::string> load_sentences(const Evidence& evidence, const DesignLoads& designs,
                                         std::optional<std::size_t> alone) {
     const Summary& summary = evidence.summary;

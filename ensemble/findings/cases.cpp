@@ -13,7 +13,6 @@
 #include "findings/summary.hpp"
 #include "inference/interval.hpp"
 #include "scenario/keys.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 

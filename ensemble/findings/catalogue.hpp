@@ -62,7 +62,7 @@ struct Finding {
 /// The part that fits on one screen.
 inline constexpr std::string_view overview_part = "overview";
 
-/// Of the report: what stands before it is for everybody, what comes after it is its appendix.
+/// In the report, what stands before it is for everybody, what comes after it is its appendix.
 inline constexpr std::string_view loads_title = "Loads";
 
 /// In order of output. The first one, the cases, is always part of the JSON.

@@ -237,7 +237,7 @@ std::string value_of(const Key& key) {
     return text.starts_with('"') ? text.substr(1, text.size() - 2) : text;
 }
 
-/// Of the keys in which cases differ. Lists and profiles are left to the conditions, which draw or name them.
+/// For the keys in which cases differ. Lists and profiles are left to the conditions, which draw or name them.
 std::vector<std::pair<std::string, Values>> varied(const Campaign& campaign, const Summary& summary) {
     std::vector<std::pair<std::string, Values>> all;
     for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
@@ -319,7 +319,7 @@ std::vector<std::string> variation_lines(const Campaign& campaign, const Summary
 
 namespace {
 
-constexpr std::size_t most_drawn = 12;  // hulls
+constexpr std::size_t most_hulls = 12;  // hulls
 
 /// "E30, E60", for the label of one drawing among others; empty of the only one.
 std::string names_of(const std::vector<std::size_t>& cases, std::size_t drawings, const Summary& summary) {
@@ -357,7 +357,7 @@ Figure side_view(const Scenario& scenario, const std::string& names, double wide
 /// Every hull once, with the names of its cases.
 std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
     const auto groups = alike(campaign, [](const Scenario& one) -> const Shape& { return one.structure.shape; });
-    const std::size_t drawn = std::min(groups.size(), most_drawn);
+    const std::size_t drawn = std::min(groups.size(), most_hulls);
     std::vector<Figure> figures;
     for (std::size_t k = 0; k < drawn; ++k)
         figures.push_back(side_view(campaign.cases[groups[k].front()].scenario, names_of(groups[k], drawn, summary),

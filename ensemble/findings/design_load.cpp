@@ -13,7 +13,6 @@
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
 #include "statistics/distributions.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -335,7 +334,7 @@ std::string doubt_lines(const Summary& summary, const std::vector<CaseDesignLoad
     return lines;
 }
 
-/// Of a rise or fall that is sure, but too small to matter; empty if there is none.
+/// A sentence on a rise or fall that is sure, but too small to matter; empty if there is none.
 std::string negligible_text(const std::string& name, const JointTrend& trend) {
     if (!trend.negligible()) return "";
     return fmt::format("{}: {}; surely less than {:g} %, it is taken as steady.", name, trend_text(trend),

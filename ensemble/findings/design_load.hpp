@@ -22,7 +22,7 @@ struct CasePeaks {
     Measured measured;
 };
 
-/// Of the done members that averaged their load over `time`, s.
+/// Design load of the done members that averaged their load over `time`, s.
 CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time);
 
 // The design load of each case: the largest averaged load in an exposure, by every method, and what it rests on.
@@ -30,7 +30,7 @@ CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double tim
 /// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
 /// cube.
 struct DesignLoadRequest {
-    /// Of which the peaks are: the load, the mooring force k x that stored loads make, or that of the simulation.
+    /// What the peaks are of: the load, the mooring force k x that stored loads make, or that of the simulation.
     enum class Force { load, k_x, moorings };
 
     double exposure = 3 * unit::hour;    ///< s

@@ -28,7 +28,7 @@ Kind kind_of(const Quantity& quantity);
 /// The mean of the finite ones among the values with the interval of their kind: Student's t or a mixture's, cut to the
 /// range that values can have.
 Interval mean_over(std::vector<double> values, const Kind& kind = {});
-/// Of a quantity over members.
+/// The mean of a quantity over members.
 Interval mean_over(const Sample& sample, const Members& members, const Quantity& quantity);
 
 /// Whether the 95 % limits of an estimate over `runs` arrangements say something: at least three runs, which differ,

@@ -54,7 +54,7 @@ struct Evidence {
 /// read_campaign_file() and with_automatic_window() do, and if there is no case `reference` (empty: no reference).
 Evidence read_evidence(const CampaignFile& file, bool automatic_window = false, std::string_view reference = {});
 
-/// Of members that are in no file yet; findings that read the file must not be asked.
+/// For members that are in no file yet; findings that read the file must not be asked.
 Evidence evidence_of(Campaign campaign, CampaignTable table);
 
 const std::vector<CaseExtremes>& extremes_of(Evidence& evidence);

@@ -9,7 +9,6 @@
 
 #include "core/units.hpp"
 #include "findings/summary.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 

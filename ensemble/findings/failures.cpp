@@ -14,7 +14,6 @@
 #include "ice/failure_mode.hpp"
 #include "ice/floe_grid.hpp"
 #include "scenario/floes.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -25,7 +24,7 @@ struct Stroke {
     const char* words;
 };
 
-/// Of each mode, the same in every report.
+/// For each mode, the same in every report.
 constexpr std::array<Stroke, failure_mode_names.size()> strokes{{{"", "solid line"},
                                                                  {" dashed", "dashed"},
                                                                  {" dotted", "dotted"},
@@ -198,7 +197,7 @@ std::vector<double> areas_of(const FloeSet& floes) {
     return areas;
 }
 
-/// Of each member; drawn again where outlines differ from one arrangement to the next.
+/// For each member; drawn again where outlines differ from one arrangement to the next.
 FloeAreas floe_areas(const Campaign& campaign) {
     std::vector<std::vector<double>> of_cases;
     for (const Case& one : campaign.cases) of_cases.push_back(areas_of(floes_of(one.scenario)));
@@ -330,36 +329,32 @@ Section piece_sizes_section(Evidence& evidence) {
     if (pieces.empty())
         return {.missing = "Sizes of the ice: as at the start, or not kept; no floe is known to be in pieces.\n"};
     const std::vector<SizesOfCase> cases = find_piece_sizes(evidence.table, pieces, floe_areas(evidence.campaign));
-    using Row = const SizesOfCase&;
-    DataRows records = make_rows<SizesOfCase>(
-        "ice_sizes", cases,
-        {{"case", [&](Row row) { return evidence.summary.name_of(row.case_index); }},
-         {"runs", &SizesOfCase::runs},
-         {Names{"floes_cracked_through", "floes_cracked_through"}, &SizesOfCase::split},
-         {Names{"pieces_of_one", "pieces_of_one"}, &SizesOfCase::pieces},
-         {Names{"area_in_pieces", "area_in_pieces"}, &SizesOfCase::in_pieces},
-         {Names{"before_d10_m", "before_m/d10"}, [](Row row) { return row.before.quantile(0.1); }},
-         {Names{"before_d50_m", "before_m/d50"}, [](Row row) { return row.before.quantile(0.5); }},
-         {Names{"before_d90_m", "before_m/d90"}, [](Row row) { return row.before.quantile(0.9); }},
-         {Names{"after_d10_m", "after_m/d10"}, [](Row row) { return row.after.quantile(0.1); }},
-         {Names{"after_d50_m", "after_m/d50"}, [](Row row) { return row.after.quantile(0.5); }},
-         {Names{"after_d90_m", "after_m/d90"}, [](Row row) { return row.after.quantile(0.9); }}});
-    Table table{{"case", "runs", "cracked through", "pieces each", "area, %", "D at start, m", "D at end, m"}};
-    const auto three = [](const IceSizes& of) {
-        return fmt::format("{}, {}, {}", fixed(of.quantile(0.1), 2), fixed(of.quantile(0.5), 2),
-                           fixed(of.quantile(0.9), 2));
-    };
-    for (Row row : cases)
-        table.push_back({evidence.summary.label_of(row.case_index), fmt::format("{}", row.runs), fixed(row.split, 1),
-                         fixed(row.pieces, 1), fixed(row.in_pieces / unit::percent, 1), three(row.before),
-                         three(row.after)});
+    Results results{.place = "ice_sizes",
+                    .columns = {{"case", "case"},
+                                {"runs", "runs"},
+                                {.key = "floes_cracked_through", .words = "cracked through", .decimals = 1},
+                                {.key = "pieces_of_one", .words = "pieces each", .decimals = 1},
+                                {.key = "area_in_pieces", .words = "area", .unit = "share", .decimals = 1}}};
+    constexpr std::array<std::pair<const char*, double>, 3> quantiles{{{"d10", 0.1}, {"d50", 0.5}, {"d90", 0.9}}};
+    for (const char* when : {"before", "after"})
+        for (const auto& [name, share] : quantiles)
+            results.columns.push_back({.key = fmt::format("{}_{}", when, name),
+                                       .words = fmt::format("D{:.0f} {}", 100 * share, when),
+                                       .unit = "m",
+                                       .decimals = 2});
+    for (const SizesOfCase& sizes : cases) {
+        std::vector<Datum> row{evidence.summary.named(sizes.case_index), sizes.runs, sizes.split, sizes.pieces,
+                               sizes.in_pieces};
+        for (const IceSizes* ice : {&sizes.before, &sizes.after})
+            for (const auto& [name, share] : quantiles) row.emplace_back(ice->quantile(share));
+        results.add(std::move(row));
+    }
     return {.title = "Sizes of the ice",
-            .table = std::move(table),
+            .results = {std::move(results)},
             .after =
                 "\nCracked through: floes in more than one piece, and the share of the area in their pieces. D: side "
-                "of the square with the same area; three values, below which a tenth, half and nine tenths "
-                "of the area are: of the floes as they came, and of floes and pieces at the end. Mean over members.\n",
-            .records = {std::move(records)},
+                "of the square with the same area; D10, D50 and D90: below which a tenth, half and nine tenths of the "
+                "area are, of the floes as they came and of floes and pieces at the end. Mean over members.\n",
             .figures = {sizes_figure(evidence.summary, cases)}};
 }
 

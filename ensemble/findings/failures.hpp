@@ -49,7 +49,7 @@ struct SizesOfCase {
 /// entered.
 using FloeAreas = std::function<std::vector<double>(int member)>;
 
-/// Of every case with done members. `pieces`: in order of member and floe.
+/// For every case with done members. `pieces`: in order of member and floe.
 std::vector<SizesOfCase> find_piece_sizes(const CampaignTable& table, std::span<const PieceRow> pieces,
                                           const FloeAreas& floes);
 

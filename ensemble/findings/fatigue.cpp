@@ -12,7 +12,6 @@
 #include "findings/moored_cases.hpp"
 #include "findings/summary.hpp"
 #include "statistics/averaged_load.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -20,7 +19,7 @@ namespace {
 
 constexpr std::size_t edge_count = 12;
 
-/// Of one member.
+/// For one member.
 struct Counted {
     double time;  ///< s
     std::vector<double> loads;
@@ -128,7 +127,7 @@ std::vector<LoadWindow> windows_of(const Evidence& evidence) {
     return windows;
 }
 
-/// Of the mooring force of a moored hull, at full scale.
+/// For the mooring force of a moored hull, at full scale.
 std::vector<LoadWindow> moored_windows(const Evidence& evidence, const MooredRequest& request) {
     std::vector<bool> answered(evidence.table.cases.size(), false);
     for (const MooredCase& one : find_moored(evidence, request)) answered[one.case_index] = one.refused.empty();

@@ -14,7 +14,7 @@ namespace floes {
 /// Slopes of S-N curves: 3, of welded steel, and 5, of its part for many cycles and of other details.
 inline constexpr double fatigue_slopes[]{3, 5};
 
-/// Of one case, over its members with a stored history.
+/// For one case, over its members with a stored history.
 struct CaseFatigue {
     std::size_t case_index = 0;
     int runs = 0;
@@ -44,7 +44,7 @@ struct LoadWindow {
 /// Twelve edges of a round width up to the largest load or range.
 Fatigue find_fatigue(std::span<const LoadWindow> windows);
 
-/// Of the stored histories, averaged over the shortest of analysis.averaging_s; of the mooring force that they make,
+/// For the stored histories, averaged over the shortest of analysis.averaging_s; of the mooring force that they make,
 /// where Evidence::moored has a hull. Reads the file.
 std::vector<Section> fatigue_sections(Evidence& evidence);
 

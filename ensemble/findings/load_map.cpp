@@ -10,7 +10,6 @@
 #include "campaign_file/read.hpp"
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -78,7 +77,7 @@ std::vector<CaseLoadMap> find_load_maps(const CampaignFile& file, const Campaign
 namespace {
 
 constexpr double angle_width = 360.0 / LoadMap::angles;  // degrees
-constexpr Figure::Size panel{404, 250};
+constexpr Figure::Size map_panel{404, 250};
 constexpr Figure::Size square_panel{404, 398};
 constexpr int least_for_interval = 4;  // members; those of fewer would fill the figure
 
@@ -141,8 +140,9 @@ std::vector<Figure> wall_figures(const Evidence& evidence, const std::vector<Cas
         Figure figure{.description = fmt::format("Case {}: mean load by angle and height on the structure", name),
                       .x = {fmt::format("{}: degrees from straight ahead", name), -reach, reach, false, {}, 30},
                       .y = {"height above the water, m", shape.bottom(), shape.top()},
-                      .size = panel,
-                      .heat_scale = fmt::format("up to {:.2g} N; {:.1f} N in all", largest, found.load())};
+                      .size = map_panel,
+                      .heat_scale = fmt::format("up to {}; {} in all", evidence.units.text(largest, "N", 2),
+                                                evidence.units.text(found.load(), "N"))};
         for (std::size_t bin = 0; bin < found.mean.surge.size(); ++bin) {
             if (std::abs(middle_angle(bin % LoadMap::angles)) > reach) continue;
             const double share = found.mean.surge[bin] / largest;
@@ -164,8 +164,8 @@ Figure load_rose(const Evidence& evidence, const std::vector<CaseLoadMap>& maps)
     for (const CaseLoadMap& found : maps) largest = std::max(largest, std::ranges::max(by_angle(found)));
     const double reach = 1.08 * largest;
     Figure figure{.description = "Mean load by angle round the structure, seen from above",
-                  .x = {"ahead, N per 10°", -reach / 2, reach},
-                  .y = {"to the side, N per 10°", -0.75 * reach, 0.75 * reach},
+                  .x = {"ahead, per 10°", -reach / 2, reach, false, {}, 0, "N"},
+                  .y = {"to the side, per 10°", -0.75 * reach, 0.75 * reach, false, {}, 0, "N"},
                   .size = square_panel,
                   .legend = legend_of(evidence, maps)};
     for (const double degrees : {-90.0, -60.0, -30.0, 0.0, 30.0, 60.0, 90.0}) {
@@ -196,7 +196,7 @@ Figure load_profile(const Evidence& evidence, const std::vector<CaseLoadMap>& ma
         high = std::max(high, shape.top());
     }
     Figure figure{.description = "Mean load by height on the structure",
-                  .x = axis_around("N per m of height", loads, true),
+                  .x = axis_around("per height", loads, true, "N m-1"),
                   .y = {"height above the water, m", low, high},
                   .size = square_panel,
                   .legend = legend_of(evidence, maps)};
@@ -230,7 +230,7 @@ Figure load_along_tow(const Evidence& evidence, const std::vector<CaseLoadMap>& 
     const auto [first, last] = std::ranges::minmax(distances);
     Figure figure{.description = "Mean load along the tow, in 24 parts of the window",
                   .x = {"distance towed, m", first, last},
-                  .y = axis_around("surge load, N", loads, true),
+                  .y = axis_around("surge load", loads, true, "N"),
                   .legend = legend_of(evidence, maps)};
     for (const CaseLoadMap& found : maps) {
         Figure::Points mean;
@@ -255,19 +255,22 @@ double waterline(const Shape& shape) {
     return -shape.bottom() / (shape.top() - shape.bottom());
 }
 
-Table shares(const Evidence& evidence, const std::vector<CaseLoadMap>& maps) {
-    Table table{{"share of the mean load, %", "within 30° of ahead", "within 60°", "lower half of the draught",
-                 "upper half", "above water", "normal forces, N"}};
+Results share_table(const Evidence& evidence, const std::vector<CaseLoadMap>& maps) {
+    Results results{.place = "load_shares", .columns = {{"case", "share of the mean load"}}};
+    for (const auto& [key, words] :
+         {std::pair{"within_30_degrees", "within 30° of ahead"}, std::pair{"within_60_degrees", "within 60°"},
+          std::pair{"lower_draught", "lower half of the draught"}, std::pair{"upper_draught", "upper half"},
+          std::pair{"above_water", "above water"}})
+        results.columns.push_back({.key = key, .words = words, .unit = "share", .decimals = 0});
+    results.columns.push_back({.key = "normal_forces", .words = "normal forces", .unit = "N"});
     for (const CaseLoadMap& found : maps) {
         const double water = waterline(evidence.campaign.cases[found.case_index].scenario.structure.shape);
-        const auto percent = [](double share) { return fixed(share / unit::percent, 0); };
-        const double normal = std::accumulate(found.mean.normal.begin(), found.mean.normal.end(), 0.0);
-        table.push_back({evidence.summary.label_of(found.case_index), percent(found.share_within(30)),
-                         percent(found.share_within(60)), percent(found.share_between(0, water / 2)),
-                         percent(found.share_between(water / 2, water)), percent(found.share_between(water, 1)),
-                         fixed(normal, 1)});
+        results.add({evidence.summary.named(found.case_index), found.share_within(30), found.share_within(60),
+                     found.share_between(0, water / 2), found.share_between(water / 2, water),
+                     found.share_between(water, 1),
+                     std::accumulate(found.mean.normal.begin(), found.mean.normal.end(), 0.0)});
     }
-    return table;
+    return results;
 }
 
 }  // namespace
@@ -278,16 +281,15 @@ Section load_map_section(Evidence& evidence) {
     std::vector<CaseLoadMap> maps = find_load_maps(evidence.file, evidence.table);
     std::erase_if(maps, [&](const CaseLoadMap& found) { return !std::ranges::binary_search(drawn, found.case_index); });
     if (maps.empty()) return {.before = "No figure: the file has no maps of the load.\n"};
-    Section section{.table = shares(evidence, maps),
+    Section section{.results = {share_table(evidence, maps)},
                     .after =
                         "Normal forces: mean sum of their magnitudes, in whatever direction they press on the "
                         "wall." +
                         undrawn_text(evidence.summary),
                     .figures = wall_figures(evidence, maps)};
     section.figures.back().caption =
-        "Mean surge load on the wall, unrolled, mean over members: N in each cell of 10° by a twelfth of the depth. "
-        "All "
-        "cases have the same colours. Blue: drags the structure along.";
+        "Mean surge load on the wall, unrolled, mean over members, in each cell of 10° by a twelfth of the depth. "
+        "All cases have the same colours. Blue: drags the structure along.";
     section.figures.push_back(load_rose(evidence, maps));
     section.figures.push_back(load_profile(evidence, maps));
     section.figures.back().caption = "The same by angle, seen from above with the tow to the right, and by height.";

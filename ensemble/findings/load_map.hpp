@@ -33,7 +33,7 @@ std::vector<CaseLoadMap> find_load_maps(const CampaignFile& file, const Campaign
 
 // Figures of where on the structure and when along the tow the load acts. For this module only.
 
-/// Of each map the wall unrolled: angle by height, all in one scale of colours.
+/// For each map, the wall unrolled: angle by height, all in one scale of colours.
 std::vector<Figure> wall_figures(const Evidence& evidence, const std::vector<CaseLoadMap>& maps);
 Figure load_rose(const Evidence& evidence, const std::vector<CaseLoadMap>& maps);       ///< by angle, in plan
 Figure load_profile(const Evidence& evidence, const std::vector<CaseLoadMap>& maps);    ///< by height

@@ -42,7 +42,7 @@ inline constexpr double fewest_periods = 3;
 /// Most of the entry's swing that may be left when the window begins.
 inline constexpr double most_left = 0.05;
 
-/// Of one member, at the scale of the campaign.
+/// For one member, at the scale of the campaign.
 struct MooredRun {
     int member = 0;
     double first_load =

@@ -13,7 +13,6 @@
 #include "core/units.hpp"
 #include "findings/estimates.hpp"
 #include "findings/summary.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 

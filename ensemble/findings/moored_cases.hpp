@@ -48,10 +48,11 @@ Section moored_section(const Summary& summary, const std::vector<MooredCase>& fo
 /// Largest k x over the largest averaged load, over the natural period. Reads the file.
 Section moored_spectrum(const Evidence& evidence, double damping_ratio, double averaging, double scale);
 
-/// Of cases whose structure gave way in the simulation; none where there are none.
+/// For cases whose structure gave way in the simulation; none where there are none.
 std::optional<Section> moored_runs_section(const Evidence& evidence);
 
-/// Of Evidence::moored; without, only the spectrum, at a tenth of the critical damping and the scale of the campaign.
+/// For Evidence::moored; without it, only the spectrum, at a tenth of the critical damping and the scale of the
+/// campaign.
 std::vector<Section> moored_sections(Evidence& evidence);
 
 }  // namespace floes

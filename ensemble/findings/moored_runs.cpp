@@ -15,7 +15,6 @@
 #include "findings/moored_cases.hpp"
 #include "findings/summary.hpp"
 #include "statistics/load_statistics.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -25,7 +24,7 @@ std::vector<double> values_of(const Evidence& evidence, std::size_t of_case, std
     return evidence.sample.values(evidence.sample.done(of_case), *find_quantity(key));
 }
 
-/// Of a case; not known where a run has none: no lines, no tension; no thrusters, no thrust.
+/// For a case; not known where a run has none: no lines, no tension; no thrusters, no thrust.
 Estimate mean_of_runs(const Evidence& evidence, std::size_t of_case, std::string_view key) {
     const std::vector<double> values = values_of(evidence, of_case, key);
     if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return {};
@@ -123,7 +122,7 @@ struct PeriodRange {
     double high = 0;
 };
 
-/// Of every case, at full scale: from the shortest period that its histories have to the longest that its window has.
+/// For every case, at full scale: from the shortest period that its histories have to the longest that its window has.
 PeriodRange range_of(const Evidence& evidence, double scale) {
     PeriodRange range;
     const double to_full = std::sqrt(scale);
@@ -142,7 +141,7 @@ std::vector<double> periods_in(const PeriodRange& range) {
     return periods;
 }
 
-/// Of one case.
+/// For one case.
 struct Ratios {
     double step = 0;
     double first_load = HUGE_VAL;              ///< s, the earliest

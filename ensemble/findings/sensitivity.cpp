@@ -13,7 +13,6 @@
 #include "findings/evidence.hpp"
 #include "inference/sobol_indices.hpp"
 #include "statistics/load_statistics.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
@@ -163,7 +162,7 @@ Results sensitivity_results(const Sensitivity& found) {
     for (const SensitivityRow& row : found.rows) {
         const auto whom = in_front(row.quantity) ? Results::For::everybody : Results::For::folded;
         results.add_heading(fmt::format("{}{}{}", row.base, row.base.empty() ? "" : ": ", row.quantity.label) +
-                                (row.fit ? fmt::format(" (R² {})", fixed(row.fit->r_squared, 2)) : ""),
+                                (row.fit ? fmt::format(" (R² {:.2f})", row.fit->r_squared) : ""),
                             whom, unit_of(row.quantity));
         for (std::size_t k = 0; k < found.axes.size(); ++k) {
             const SensitivityAxis& axis = found.axes[k];

@@ -12,7 +12,7 @@
 namespace floes {
 namespace {
 
-constexpr std::size_t most_drawn = 12;  // figures
+constexpr std::size_t most_figures = 12;  // figures
 
 /// What is drawn of a case: floes by area.
 std::vector<FloeShape> drawn_floes(const Campaign& campaign, std::size_t of_case) {
@@ -106,7 +106,7 @@ std::vector<Figure> single_floes(Evidence& evidence) {
         else
             groups.push_back({std::move(drawn), {k}});
     }
-    const std::size_t count = std::min(groups.size(), most_drawn);
+    const std::size_t count = std::min(groups.size(), most_figures);
     std::vector<Figure> figures;
     for (std::size_t k = 0; k < count; ++k)
         figures.push_back(

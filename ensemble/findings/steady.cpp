@@ -13,7 +13,6 @@
 #include "inference/bootstrap.hpp"
 #include "statistics/load_statistics.hpp"
 #include "statistics/steady_state.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -194,52 +193,43 @@ CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable tabl
 }
 
 Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady) {
-    const auto or_undefined = [](const std::optional<double>& value) { return value ? Datum(*value) : Undefined{}; };
-    const auto case_of = [&](const CaseSteady& one) {
-        return summary.name_of(static_cast<std::size_t>(&one - steady.cases.data()));
-    };
-    const auto case_of_member = [&](const MemberSteady& one) {
-        return summary.name_of(
-            static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(one.member)).case_index));
-    };
-    Section section;
-    section.records = {
-        json_only(make_rows<CaseSteady>(
-            "steady/cases", steady.cases,
-            {{"case", case_of},
-             {"steady_start_s", [=](const CaseSteady& one) { return or_undefined(one.start); }},
-             {"median_member_start_s", [=](const CaseSteady& one) { return or_undefined(one.median_start); }},
-             {"members_without_start", &CaseSteady::without_start},
-             {"median_decorrelation_time_s", &CaseSteady::median_decorrelation_time},
-             {"median_effective_samples", &CaseSteady::median_effective_samples}})),
-        make_rows<MemberSteady>("steady/members", steady.members,
-                                {{"member", &MemberSteady::member},
-                                 {Names{"case", ""}, case_of_member},
-                                 {"steady_start_s", [=](const MemberSteady& one) { return or_undefined(one.start); }},
-                                 {"decorrelation_time_s", &MemberSteady::decorrelation_time},
-                                 {"effective_samples", &MemberSteady::effective_samples}})};
+    const auto seconds = [](const std::optional<double>& time) { return time ? Datum(*time) : Named{"", "none"}; };
+    Results cases{
+        .place = "steady/cases",
+        .columns = {{"case", "case"},
+                    {.key = "window_start", .words = "window from", .unit = "s", .decimals = 1},
+                    {.key = "steady_start", .words = "steady from", .unit = "s", .decimals = 1},
+                    {.key = "median_member_start", .words = "single runs", .unit = "s", .decimals = 1},
+                    {"members_without_start", "without"},
+                    {.key = "median_decorrelation_time", .words = "decorrelation", .unit = "s", .decimals = 2},
+                    {.key = "median_effective_samples", .words = "effective samples", .decimals = 0}},
+        .in_csv = false};
+    Results members{.place = "steady/members",
+                    .columns = program_columns("member case steady_start decorrelation_time effective_samples"),
+                    .view = Results::View::none};
+    for (std::size_t k = 0; k < steady.cases.size(); ++k) {
+        const CaseSteady& one = steady.cases[k];
+        cases.add({summary.named(k), summary.cases[k].about.analysis.steady_start, seconds(one.start),
+                   seconds(one.median_start), one.without_start, one.median_decorrelation_time,
+                   one.median_effective_samples});
+    }
+    for (const MemberSteady& one : steady.members) {
+        const MemberRow& member = table.members.at(static_cast<std::size_t>(one.member));
+        members.add({one.member, summary.name_of(static_cast<std::size_t>(member.case_index)), seconds(one.start),
+                     one.decorrelation_time, one.effective_samples});
+    }
     if (steady.members.empty()) {
-        section.missing = "Steady state: unknown, because the file has no load histories (/history/surge_load).\n";
-        return section;
+        cases.view = Results::View::none;
+        return {.results = {std::move(cases), std::move(members)},
+                .missing = "Steady state: unknown, because the file has no load histories (/history/surge_load).\n"};
     }
-    const auto seconds = [](const std::optional<double>& time) { return time ? fixed(*time, 1) : "none"; };
-    section.title = "Steady state";
-    section.table = {{"case", "window from, s", "steady from, s", "single runs, s", "without", "decorrelation, s",
-                      "effective samples"}};
-    for (const CaseSteady& one : steady.cases) {
-        const CaseRow& about = summary.cases[static_cast<std::size_t>(&one - steady.cases.data())].about;
-        section.table.push_back({summary.label_of(static_cast<std::size_t>(&one - steady.cases.data())),
-                                 fixed(about.analysis.steady_start, 1), seconds(one.start), seconds(one.median_start),
-                                 fmt::format("{}", one.without_start), fixed(one.median_decorrelation_time, 2),
-                                 fixed(one.median_effective_samples, 0)});
-    }
-    section.after =
-        "\nSteady from: MSER of the mean history of the case, or later, where the load of the members has no trend to "
-        "the "
-        "end; none: not in the first half. Single runs: median over its members' own histories; "
-        "without: members in which no steady part was found. Decorrelation: duration of load that counts as one "
-        "independent value; effective samples: of the window. Both are medians over the members.\n";
-    return section;
+    return {.title = "Steady state",
+            .results = {std::move(cases), std::move(members)},
+            .after =
+                "\nSteady from: MSER of the mean history of the case, or later, where the load of the members has no "
+                "trend to the end; none: not in the first half. Single runs: median over its members' own histories; "
+                "without: members in which no steady part was found. Decorrelation: duration of load that counts as "
+                "one independent value; effective samples: of the window. Both are medians over the members.\n"};
 }
 
 namespace {
@@ -248,10 +238,8 @@ namespace {
 constexpr std::size_t fewest_drawn = 3;
 
 struct Curve {
-    std::size_t of_case;
-    Figure::Points mean;
-    Figure::Points low;
-    Figure::Points high;
+    std::size_t of_case = 0;
+    Figure::Points mean = {}, low = {}, high = {};
 };
 
 }  // namespace
@@ -264,29 +252,26 @@ Section convergence_section(Evidence& evidence) {
     std::vector<double> drawn;
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < evidence.table.cases.size(); ++i) {
-        Figure::Points mean;
-        Figure::Points low;
-        Figure::Points high;
+        Curve& curve = curves.emplace_back(Curve{i});
         std::vector<double> so_far;
         for (const MemberRow* member : done_members(evidence.table, i)) {
             so_far.push_back(member->load.mean);
             if (so_far.size() < fewest_drawn) continue;
             const double n = static_cast<double>(so_far.size());
             const Interval interval = mean_interval(so_far);
-            mean.emplace_back(n, interval.estimate);
-            low.emplace_back(n, interval.low);
-            high.emplace_back(n, interval.high);
+            curve.mean.emplace_back(n, interval.estimate);
+            curve.low.emplace_back(n, interval.low);
+            curve.high.emplace_back(n, interval.high);
             drawn.push_back(interval.estimate);
             if (says_something(interval.estimate, {interval.low, interval.high}, static_cast<int>(so_far.size())))
                 drawn.insert(drawn.end(), {interval.low, interval.high});
             figure.x.high = std::max(figure.x.high, n);
         }
-        curves.push_back({i, std::move(mean), std::move(low), std::move(high)});
     }
     figure.x.high *= 1.02;
-    figure.y = axis_around("mean load, N", drawn, true);
+    figure.y = axis_around("mean load", drawn, true, "N");
     for (Curve& curve : curves) {
-        // Of the first few the interval may be far wider than anything else: it ends at the figure's edge.
+        // The interval of the first few may be far wider than anything else: it ends at the figure's edge.
         for (Figure::Points* limit : {&curve.low, &curve.high})
             for (auto& [n, load] : *limit) load = std::clamp(load, figure.y.low, figure.y.high);
         figure.band(std::move(curve.low), curve.high, colour(curve.of_case) + " veil");

@@ -10,19 +10,11 @@
 #include "core/text.hpp"
 #include "inference/interval.hpp"
 #include "statistics/distributions.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
 bool says_something(const Quantity& quantity, double estimate, Limits limits, int runs) {
     return says_something(estimate, limits, runs, kind_of(quantity));
-}
-
-std::string printable_bracket(const Quantity& quantity, double estimate, Limits limits, int runs, int decimals) {
-    if (!std::isfinite(estimate)) return "";
-    if (!says_something(quantity, estimate, limits, runs)) return "–";
-    const double factor = quantity.factor();
-    return bracket(factor * limits.low, factor * limits.high, decimals);
 }
 
 int arrangements_for(const Interval& found, int runs, double share) {

@@ -91,9 +91,6 @@ double difference_percent(const Summary& summary, std::size_t of_case, std::size
 /// The same for the limits of a quantity, which may have its sign by its nature, as a correlation has.
 bool says_something(const Quantity& quantity, double estimate, Limits limits, int runs);
 
-/// "[17.2, 29.6]", "–" where the limits say nothing, "" where there are none.
-std::string printable_bracket(const Quantity& quantity, double estimate, Limits limits, int runs, int decimals);
-
 /// About how many arrangements give the mean to ± `share` of itself, from the scatter of `runs` so far; 0: unknown.
 int arrangements_for(const Interval& found, int runs, double share);
 

@@ -14,7 +14,7 @@
 namespace floes {
 namespace {
 
-constexpr double trend_level = 0.05;  // p of a trend below which a member is not steady
+constexpr double unsteady_level = 0.05;  // p of a trend below which a member is not steady
 
 struct Counts {
     int members = 0, done = 0, failed = 0, missing = 0;
@@ -49,16 +49,16 @@ std::string untouched_text(const Counts& found, std::size_t cases) {
     return text + ". The field may be too open, or the measured window too early.";
 }
 
-/// Of steady members one in twenty looks unsteady by chance, so a few are no news.
+/// One in twenty steady members looks unsteady by chance, so a few are no news.
 bool more_than_chance(int found, int done) {
     if (found == 0) return false;
-    double exactly = std::pow(1 - trend_level, done);  // the probability of that many by chance
+    double exactly = std::pow(1 - unsteady_level, done);  // the probability of that many by chance
     double fewer = 0;
     for (int count = 0; count < found; ++count) {
         fewer += exactly;
-        exactly *= (done - count) * trend_level / ((count + 1) * (1 - trend_level));
+        exactly *= (done - count) * unsteady_level / ((count + 1) * (1 - unsteady_level));
     }
-    return 1 - fewer < trend_level;
+    return 1 - fewer < unsteady_level;
 }
 
 std::string unsteady_text(const Counts& found) {

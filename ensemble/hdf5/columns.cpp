@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <hdf5_hl.h>
 
+#include "core/undefined.hpp"
 #include "hdf5/dataset.hpp"
 #include "hdf5/digest.hpp"
 
@@ -16,7 +16,7 @@ namespace floes::hdf5 {
 
 namespace {
 
-constexpr hsize_t chunk_bytes = hsize_t{1} << 16;  // of each of some eighty columns that are open at a time
+constexpr hsize_t chunk_size = hsize_t{1} << 16;  // of each of some eighty columns that are open at a time
 constexpr std::size_t texts_at_once = 1 << 10;
 
 /// Chunks are written whole, so HDF5 need not hold any.
@@ -29,7 +29,7 @@ Handle access_without_cache(const std::string& name) {
 template <class Value>
 Handle create_column(hid_t parent, const Label& label, std::span<const hsize_t> sizes, std::optional<Value> missing) {
     return create_numbers<Value>(parent, label, sizes, missing,
-                                 checked_properties(sizes, sizeof(Value), label.name, chunk_bytes),
+                                 checked_properties(sizes, sizeof(Value), label.name, chunk_size),
                                  access_without_cache(label.name).id());
 }
 
@@ -44,7 +44,7 @@ Column<Value>::Column(hid_t parent, const Label& label, const Dimensions& dimens
     : name_(label.name),
       sizes_(sizes_of(dimensions)),
       width_(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{})),
-      rows_at_once_(rows_in_a_chunk(sizes_, sizeof(Value), chunk_bytes)),
+      rows_at_once_(rows_in_a_chunk(sizes_, sizeof(Value), chunk_size)),
       dataset_(create_column<Value>(parent, label, sizes_, missing)),
       space_(simple_space(sizes_)) {
     attach(dataset_, dimensions, 0, name_);
@@ -125,7 +125,6 @@ void TextColumn::finish() {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t shuffle_and_deflate = 0b11;  // the filters before the checksum
 
 std::vector<hsize_t> sizes_of(const Scale& rows, const Dimensions& columns) {
@@ -137,13 +136,13 @@ std::vector<hsize_t> sizes_of(const Scale& rows, const Dimensions& columns) {
 Handle create_rows(hid_t parent, const Label& label, std::span<const hsize_t> sizes) {
     std::vector<hsize_t> chunk{1};
     for (const hsize_t size : sizes.subspan(1)) chunk.push_back(std::max<hsize_t>(size, 1));
-    return create_numbers<double>(parent, label, sizes, nan,
+    return create_numbers<double>(parent, label, sizes, undefined,
                                   compressed_properties(chunk, static_cast<unsigned>(compression_level), label.name));
 }
 
 /// Values as a row of a table that is `width` wide.
 std::vector<double> filled_up(std::span<const double> values, std::size_t width) {
-    std::vector<double> row(width, nan);
+    std::vector<double> row(width, undefined);
     std::ranges::copy(values.first(std::min(values.size(), width)), row.begin());
     return row;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <hdf5_hl.h>
 
+#include "core/contract.hpp"
 #include "hdf5/handle.hpp"
 
 namespace floes::hdf5 {
@@ -37,6 +38,7 @@ Handle compressed_properties(std::span<const hsize_t> chunk, unsigned level, con
 }
 
 hsize_t rows_in_a_chunk(std::span<const hsize_t> sizes, std::size_t value_bytes, hsize_t most_in_a_chunk) {
+    FLOES_EXPECTS(!sizes.empty() && value_bytes > 0);
     const hsize_t row = std::accumulate(sizes.begin() + 1, sizes.end(), hsize_t{value_bytes}, std::multiplies{});
     return std::clamp<hsize_t>(most_in_a_chunk / std::max<hsize_t>(row, 1), 1, std::max<hsize_t>(sizes[0], 1));
 }

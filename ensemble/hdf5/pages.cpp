@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "hdf5/handle.hpp"
@@ -44,6 +45,7 @@ std::uint64_t pages_in(std::uint64_t bytes) {
 }
 
 std::span<const std::byte> page(std::span<const std::byte> bytes, std::uint64_t number) {
+    FLOES_EXPECTS(number < pages_in(bytes.size()));
     const auto rest = bytes.subspan(number * page_bytes);
     return rest.first(std::min<std::size_t>(rest.size(), page_bytes));
 }

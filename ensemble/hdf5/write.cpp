@@ -7,12 +7,12 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <limits>
 #include <numeric>
 #include <optional>
 
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
+#include "core/undefined.hpp"
 #include "hdf5/dataset.hpp"
 #include "hdf5/digest.hpp"
 
@@ -67,8 +67,6 @@ Scale as_scale(Handle dataset, hsize_t size, const std::string& name) {
                                std::strerror(errno)));
 }
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 }  // namespace
 
 Handle create_file(const std::filesystem::path& path) {
@@ -100,7 +98,7 @@ Scale write_scale(hid_t parent, const Label& label, std::span<const std::string>
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const double> values) {
-    attach(write_numbers<double>(parent, label, sizes_of(dimensions), values, nan), dimensions, 0, label.name);
+    attach(write_numbers<double>(parent, label, sizes_of(dimensions), values, undefined), dimensions, 0, label.name);
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::string> values) {

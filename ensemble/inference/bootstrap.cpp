@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "core/undefined.hpp"
 #include "statistics/distributions.hpp"
 #include "statistics/load_statistics.hpp"
 
@@ -17,7 +18,6 @@ namespace floes {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr Limits no_limits{undefined, undefined};
 constexpr std::size_t most_draws = 20'000'000;
 
@@ -111,6 +111,7 @@ int default_resamples(std::size_t rows) {
 }
 
 std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options) {
+    FLOES_EXPECTS(rows >= 1);
     const int resamples = options.resamples > 0 ? options.resamples : default_resamples(rows);
     std::vector<double> results(static_cast<std::size_t>(resamples));
     std::vector<std::uint32_t> drawn(rows);
@@ -166,6 +167,7 @@ Limits percentile_interval(std::vector<double> values, double confidence) {
 }
 
 double quantile_of_sorted(std::span<const double> sorted, double p) {
+    FLOES_EXPECTS(!sorted.empty() && p >= 0 && p <= 1);
     const double place = p * static_cast<double>(sorted.size() - 1);
     const auto index = static_cast<std::size_t>(place);
     if (index + 1 >= sorted.size()) return sorted.back();

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 
+#include "core/undefined.hpp"
 #include "inference/posterior_load.hpp"
 #include "inference/tails.hpp"
 
 namespace floes {
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr double fit_budget = 5e5;          // peaks fitted in all resamples; at least 199 resamples, at most 999
+constexpr double peak_budget = 5e5;         // peaks fitted in all resamples; at least 199 resamples, at most 999
 constexpr double no_expected_from = 0.9;    // the shape from which the mean of the largest is near infinite or is
 constexpr std::size_t most_left_out = 100;  // rows, or groups of rows, that the jackknife leaves out in turn
 
@@ -102,9 +101,9 @@ class TailFitter {
 };
 
 /// A draw a row, a figure a column.
-using Draws = std::vector<Figures>;
+using Resamples = std::vector<Figures>;
 
-std::vector<double> column(const Draws& draws, std::size_t figure) {
+std::vector<double> column(const Resamples& draws, std::size_t figure) {
     std::vector<double> values;
     for (const Figures& row : draws) values.push_back(row[figure]);
     return values;
@@ -113,8 +112,8 @@ std::vector<double> column(const Draws& draws, std::size_t figure) {
 /// The figures of each tail from all rows, resampled, and with rows left out in turn.
 struct TailDraws {
     Figures all;
-    Draws resampled;
-    Draws without;
+    Resamples resampled;
+    Resamples without;
 
     /// Sorted draws whose percentiles are the BCa limits.
     std::vector<double> corrected(std::size_t figure) const {
@@ -130,7 +129,7 @@ DesignLoadEstimate estimate(LargestBy method, const Figures& values, const std::
 
 int resamples_for(std::size_t values) {
     return static_cast<int>(
-        std::clamp(fit_budget / static_cast<double>(std::max<std::size_t>(values, 1)), 199.0, 999.0));
+        std::clamp(peak_budget / static_cast<double>(std::max<std::size_t>(values, 1)), 199.0, 999.0));
 }
 
 /// Both tails of members that differ.
@@ -154,7 +153,7 @@ void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const
                const Exposure& exposure, DesignLoad& load) {
     TailDraws pareto{.all = figures_of(tails.pareto, exposure), .resampled = {}, .without = {}};
     TailDraws weibull{.all = figures_of(tails.weibull, exposure), .resampled = {}, .without = {}};
-    const auto take = [&](const BothTails& found, Draws TailDraws::*into) {
+    const auto take = [&](const BothTails& found, Resamples TailDraws::*into) {
         (pareto.*into).push_back(figures_of(found.pareto, exposure));
         (weibull.*into).push_back(figures_of(found.weibull, exposure));
     };
@@ -195,7 +194,7 @@ void add_maxima(const std::vector<PeakRow>& rows, double segment, const Exposure
     };
     const std::vector<double> all = maxima_of(all_rows(rows.size()));
     const ExtremeFit fit = fit_maxima(all, kind);
-    Draws draws;
+    Resamples draws;
     if (fit.valid())
         bootstrap(rows.size(),
                   [&](Rows drawn) {

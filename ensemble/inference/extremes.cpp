@@ -11,14 +11,15 @@
 
 #include <boost/math/tools/roots.hpp>
 
+#include "core/contract.hpp"
 #include "core/random.hpp"
+#include "core/undefined.hpp"
 #include "inference/simplex.hpp"
 
 namespace floes {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double smallest_shape = 1e-9;  // below it log1p(ξ z) / ξ equals z to all relevant digits
 
@@ -47,6 +48,7 @@ double extreme_cdf(const ExtremeFit& fit, double x) {
 }
 
 double extreme_quantile(const ExtremeFit& fit, double p) {
+    FLOES_EXPECTS(p > 0 && p < 1);
     const double y = -std::log(-std::log(p));
     const double z = std::abs(fit.shape) < smallest_shape ? y : std::expm1(fit.shape * y) / fit.shape;
     return fit.location + fit.scale * z;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -12,21 +11,20 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "core/undefined.hpp"
 #include "inference/bootstrap.hpp"
 #include "statistics/distributions.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
 
-namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 Interval mean_interval(std::span<const double> values, double confidence) {
+    FLOES_EXPECTS(confidence > 0 && confidence < 1);
     if (!(confidence > 0 && confidence < 1)) {
         throw InputError(fmt::format("The confidence is {}; it must lie between 0 and 1, such as 0.95.", confidence));
     }
@@ -91,7 +89,7 @@ struct Height {
 
 enum class Tails { upper, both };
 
-/// Of falling values, how far the highest, or the farthest, is from the mean of all, in their SD: Rosner's R.
+/// For falling values, how far the highest, or the farthest, is from the mean of all, in their SD: Rosner's R.
 struct Departure {
     double value;
     bool highest;  ///< else the lowest
@@ -113,7 +111,7 @@ double usual_departure(double count, Tails tails) {
     return (count - 1) * t / std::sqrt((count - 2 + t * t) * count);
 }
 
-/// Of heights in any order.
+/// For heights in any order.
 std::vector<std::size_t> standing_out(std::vector<Height> heights, Tails tails = Tails::upper) {
     std::ranges::stable_sort(heights, [](const Height& a, const Height& b) { return a.value > b.value; });
     if (heights.size() < fewest_to_stand_out) return {};
@@ -197,6 +195,7 @@ double unseen_share(std::size_t members) {
 }
 
 int members_to_see(double share) {
+    FLOES_EXPECTS(share > 0 && share < 1);
     return std::max(1, static_cast<int>(std::ceil(std::log(chance) / std::log1p(-share))));
 }
 
@@ -206,7 +205,7 @@ constexpr int draws = 4000;
 constexpr std::uint32_t own_draws = 0x6d6978;  // none that a bootstrap uses
 constexpr double jeffreys = 0.5;
 constexpr double usual_scatter = 0.3;  // of the logarithm, of members of a kind
-constexpr double worth = 2;            // members
+constexpr double prior_members = 2;    // members
 constexpr double largest_log = 50;     // of a distance that a draw may have, over those seen
 
 /// A sample's mean, sample SD and size.
@@ -295,7 +294,7 @@ Interval mixed_interval(std::span<const double> values, const Interval& plain, c
     for (const std::vector<std::size_t>* side : {&apart.above, &apart.below})
         for (const double value : of_rows(values, *side)) distances.push_back(std::abs(value - of_usual.mean));
     const Moments far(logarithms(distances));
-    const double squares = worth * usual_scatter * usual_scatter + (far.count - 1) * far.sd * far.sd;
+    const double squares = prior_members * usual_scatter * usual_scatter + (far.count - 1) * far.sd * far.sd;
 
     Draws draw(values.size());
     std::vector<double> means, further;
@@ -306,7 +305,7 @@ Interval mixed_interval(std::span<const double> values, const Interval& plain, c
             sides == Sides::both ? draw.gamma(static_cast<double>(apart.below.size()) + jeffreys) : 0.0;
         const double others = draw.gamma(of_usual.count + jeffreys);
         const double all = above + below + others;
-        const double variance = squares / draw.chi_squared(worth + far.count - 1);
+        const double variance = squares / draw.chi_squared(prior_members + far.count - 1);
         const double mean = of_usual.mean + of_usual.sd / std::sqrt(of_usual.count) * draw.student(of_usual.freedom());
         const double moved = std::clamp(std::sqrt(variance / far.count) * draw.normal(), -largest_log, largest_log);
         means.push_back(mean + (above - below) / all * std::exp(far.mean + moved));

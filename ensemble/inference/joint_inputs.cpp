@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "core/contract.hpp"
 #include "inference/simplex.hpp"
 #include "statistics/distributions.hpp"
 
@@ -108,6 +109,7 @@ double contour_radius(double per_year, double states) {
 }
 
 std::vector<ContourPoint> contour(const JointInputs& inputs, double radius, int count) {
+    FLOES_EXPECTS(radius > 0 && count >= 3);
     std::vector<ContourPoint> points;
     for (int k = 0; k < count; ++k) {
         const double angle = 2 * std::numbers::pi * k / count;

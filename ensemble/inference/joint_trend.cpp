@@ -11,8 +11,8 @@
 namespace floes {
 namespace {
 
-constexpr double level = 0.01;
-constexpr std::size_t fewest_members = 3;
+constexpr double trend_level = 0.01;
+constexpr std::size_t fewest_for_trend = 3;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ MemberTrend member_trend(const MemberOutputs& outputs, double window) {
 }
 
 Change change_of(const std::vector<double>& values) {
-    if (values.size() < fewest_members || std::ranges::min(values) == std::ranges::max(values))
+    if (values.size() < fewest_for_trend || std::ranges::min(values) == std::ranges::max(values))
         return {mean_interval(values), std::nan("")};
     const std::vector<double> none(values.size());
     return {mean_interval(values), compare_paired(none, values).t_p};
@@ -62,8 +62,8 @@ std::vector<JointTrend> joint_trends(const std::vector<std::vector<MemberTrend>>
     const std::vector<double> adjusted = holm(p);
     for (std::size_t k = 0; k < trends.size(); ++k) {
         JointTrend& one = trends[k];
-        const bool load = adjusted[2 * k] < level;
-        const bool maxima = adjusted[2 * k + 1] < level;
+        const bool load = adjusted[2 * k] < trend_level;
+        const bool maxima = adjusted[2 * k + 1] < trend_level;
         const bool load_matters = load && matters(one.load, one.mean);
         const bool maxima_matter = maxima && matters(one.maxima, one.largest);
         one.significant = load || maxima;

@@ -57,7 +57,7 @@ Change change_of(const std::vector<double>& values);
 /// Whether the interval has a change that matters to a figure of that size.
 bool matters(const Change& change, double figure);
 
-/// Of each case, in their order, from its members.
+/// For each case, in their order, from its members.
 std::vector<JointTrend> joint_trends(const std::vector<std::vector<MemberTrend>>& cases);
 
 /// "the load rises by 14 N of 24 N over the measured window (24 members, p = 2e-07)", without a full stop.

@@ -1,18 +1,16 @@
 #include "inference/linear_fit.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include <Eigen/Dense>
 
 #include "core/error.hpp"
+#include "core/undefined.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {
 
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 using Decomposition = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
 
@@ -29,13 +27,13 @@ Eigen::MatrixXd model(const PointCoordinates& points) {
     return matrix;
 }
 
-bool solvable(const Eigen::MatrixXd& matrix) {
+bool is_solvable(const Eigen::MatrixXd& matrix) {
     return matrix.rows() > matrix.cols() && matrix.allFinite() && Decomposition(matrix).rank() == matrix.cols();
 }
 
 Eigen::MatrixXd checked_model(const PointCoordinates& points) {
     Eigen::MatrixXd matrix = model(points);
-    if (!solvable(matrix))
+    if (!is_solvable(matrix))
         throw InputError("A plane needs more points than axes + 1, and no axis that depends on the others.");
     return matrix;
 }
@@ -56,7 +54,7 @@ double r_squared(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values, c
 }  // namespace
 
 bool can_fit(const PointCoordinates& points) {
-    return solvable(model(points));
+    return is_solvable(model(points));
 }
 
 LinearFit fit_repetitions(const PointCoordinates& points, std::span<const std::vector<double>> repetitions) {

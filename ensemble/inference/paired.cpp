@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
 #include <boost/math/distributions/non_central_t.hpp>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
+#include "core/undefined.hpp"
 #include "inference/interval.hpp"
 #include "statistics/distributions.hpp"
 
@@ -19,7 +20,6 @@ namespace floes {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr int most_arrangements = 1'000'000;
 
 double sample_variance(std::span<const double> values) {
@@ -66,6 +66,7 @@ PairedComparison compare_paired(std::span<const double> first, std::span<const d
 }
 
 MeanDifference difference_of_means(std::span<const double> first, std::span<const double> second, double confidence) {
+    FLOES_EXPECTS(!first.empty() && !second.empty());
     const double mean = mean_interval(second).estimate - mean_interval(first).estimate;
     if (std::min(first.size(), second.size()) < 2) return {mean, undefined, {undefined, undefined}};
     const auto error = [](std::span<const double> sample) {
@@ -98,6 +99,7 @@ std::vector<double> holm(std::span<const double> p) {
 }
 
 double power_of_paired_test(int pairs, double difference, double sd, double confidence) {
+    FLOES_EXPECTS(pairs >= 2);
     const double freedom = pairs - 1;
     const double noncentrality = std::abs(difference) / sd * std::sqrt(static_cast<double>(pairs));
     const double limit = student_t(freedom, (1 - confidence) / 2);
@@ -165,7 +167,6 @@ SignedRank wilcoxon_signed_rank(std::span<const double> differences) {
     std::vector<double> moved(differences.begin(), differences.end());
     std::erase(moved, 0.0);
     if (moved.empty()) {
-        const double undefined = std::numeric_limits<double>::quiet_NaN();
         return {undefined, undefined, true};
     }
     const std::vector<int> ranks = doubled_ranks(moved);

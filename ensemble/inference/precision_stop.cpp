@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/undefined.hpp"
 #include "inference/interval.hpp"
 #include "member/quantity.hpp"
 #include "statistics/distributions.hpp"
@@ -17,8 +17,6 @@
 namespace floes {
 
 namespace {
-
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 Exposure exposure_of(const Campaign& campaign) {
     const StopRule& stop = campaign.stop;

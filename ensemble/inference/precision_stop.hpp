@@ -37,7 +37,8 @@ class LoadPrecision {
     /// Fits the tails of all watched cases: tenths of a second each. Deterministic.
     void judge();
 
-    /// Of the last judge(): the largest over the watched cases, a fraction; NaN if one has no design load, and before.
+    /// From the last judge(): the largest over the watched cases, a fraction; NaN if one has no design load, and
+    /// before.
     double half_width() const { return half_width_; }
     /// Why it is NaN, "case E60: the load rises by …", without a full stop; empty if it is known or was not judged.
     const std::string& obstacle() const { return obstacle_; }
@@ -75,9 +76,9 @@ class LoadPrecision {
 // chance. After K. Hoad, S. Robinson and R. Davies, "Automated selection of the number of replications for a
 // discrete-event simulation", J. Oper. Res. Soc. 61 (2010) 1632-1644.
 //
-// Of a design load (load_precision.hpp) it is the longer side of its interval over its estimate, for each case that the
-// rule names. A tail is fitted in tenths of a second to seconds, so it is judged at ends of batches only, and not at
-// each while the target is far: the next judgement is at half of the arrangements that an interval would need that
+// For a design load (load_precision.hpp) it is the longer side of its interval over its estimate, for each case that
+// the rule names. A tail is fitted in tenths of a second to seconds, so it is judged at ends of batches only, and not
+// at each while the target is far: the next judgement is at half of the arrangements that an interval would need that
 // shrinks as 1/√n, but a tenth to four tenths more than now. Once it holds it must hold again after `look_ahead`
 // further ones.
 

@@ -128,7 +128,7 @@ Walk walk_at_random(const LogDensity& density, std::span<const double> start, st
 
 namespace {
 
-constexpr double step = 0.1;             // of a parameter, for second differences
+constexpr double nudge = 0.1;            // of a parameter, for second differences
 constexpr double least_curvature = 0.1;  // the prior of each parameter has more
 
 std::vector<double> moved(const std::vector<double>& from, const Eigen::VectorXd& by) {
@@ -139,14 +139,14 @@ std::vector<double> moved(const std::vector<double>& from, const Eigen::VectorXd
 
 Eigen::MatrixXd curvature(const Cost& cost, const Minimum& least) {
     const auto count = static_cast<Eigen::Index>(least.at.size());
-    const Eigen::MatrixXd steps = step * Eigen::MatrixXd::Identity(count, count);
+    const Eigen::MatrixXd steps = nudge * Eigen::MatrixXd::Identity(count, count);
     Eigen::MatrixXd found(count, count);
     for (Eigen::Index a = 0; a < count; ++a) {
         for (Eigen::Index b = 0; b <= a; ++b) {
             const auto at = [&](double along_a, double along_b) {
                 return cost(moved(least.at, along_a * steps.col(a) + along_b * steps.col(b)));
             };
-            found(a, b) = (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4 * step * step);
+            found(a, b) = (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4 * nudge * nudge);
         }
     }
     return found;

@@ -28,13 +28,13 @@ void check(const SaltelliValues& values) {
     for (const std::vector<double>& one : values.ab) check_one(one);
 }
 
-struct Moments {
+struct MeanVariance {
     double mean;
     double variance;
 };
 
-/// Moments of y_A and y_B together, over the rows.
-Moments moments(const SaltelliValues& values, Rows rows) {
+/// MeanVariance of y_A and y_B together, over the rows.
+MeanVariance moments(const SaltelliValues& values, Rows rows) {
     const double count = 2 * static_cast<double>(rows.size());
     double sum = 0;
     for (const std::uint32_t row : rows) sum += values.a[row] + values.b[row];

@@ -10,12 +10,12 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "core/random.hpp"
+#include "core/undefined.hpp"
 
 namespace floes {
 
 namespace {
 
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double lowest_pareto_shape = -0.5;
 constexpr double highest_pareto_shape = 1;
 constexpr double highest_weibull_shape = 8;
@@ -423,7 +423,7 @@ double mean_largest(const UnlikeTail& tail, double window, double members) {
 
 namespace {
 
-constexpr double step = 1e-3;  // of u
+constexpr double u_step = 1e-3;  // of u
 constexpr std::size_t last = 3000;
 
 struct Table {
@@ -441,10 +441,10 @@ Table tabulated() {
     double exponent = 0;
     table.seen[0] = 1;
     for (std::size_t k = 1; k <= last; ++k) {
-        const double u = step * static_cast<double>(k);
-        exponent += 0.5 * step * (exponent_slope(u - step) + exponent_slope(u));
+        const double u = u_step * static_cast<double>(k);
+        exponent += 0.5 * u_step * (exponent_slope(u - u_step) + exponent_slope(u));
         table.seen[k] = std::exp(-2 * exponent);
-        table.kept[k] = table.kept[k - 1] + 0.5 * step * (table.seen[k - 1] + table.seen[k]);
+        table.kept[k] = table.kept[k - 1] + 0.5 * u_step * (table.seen[k - 1] + table.seen[k]);
     }
     return table;
 }

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/random.hpp"
+#include "core/undefined.hpp"
 #include "inference/sobol_indices.hpp"
 #include "statistics/distributions.hpp"
 
@@ -15,7 +16,6 @@ namespace {
 constexpr std::size_t drawn = 800;
 constexpr std::size_t drawn_for_indices = 256;
 constexpr double least_factor = 0.05;  // a load is above 0, however uncertain its emulator
-constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 /// One number in each of `count` equal parts of (0, 1), in random order.
 std::vector<double> latin(std::size_t count, RandomStream& random) {

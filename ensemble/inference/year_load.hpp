@@ -44,7 +44,7 @@ class YearLoad {
 
     /// The load that a year's largest exceeds with this probability, 0 < p < 1.
     YearFigure load(double probability) const;
-    /// Of each regime, at that load of each draw.
+    /// The share of each regime in that load, over the draws.
     std::vector<YearShare> shares(double probability) const;
     /// The part of the variance of the logarithm of that load that would go if the source were known: Sobol's
     /// first-order index (sobol_indices.hpp), of each source.
@@ -54,7 +54,7 @@ class YearLoad {
     std::vector<double> exceeded(double x) const;
 
   private:
-    /// Of a source: one of its tails, and how far its factors are off in their standard uncertainties.
+    /// For a source: one of its tails, and how far its factors are off in their standard uncertainties.
     struct Choice {
         const UnlikeTail* tail;
         double off;

@@ -60,14 +60,9 @@ SmoothParameter parameter_of(const Entry& entry, bool of_first) {
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-const Entry* find_entry(const Block& block, std::string_view path) {
-    const auto found = std::ranges::find(block.entries, path, &Entry::path);
-    return found == block.entries.end() ? nullptr : &*found;
-}
-
 /// The text of an entry that must be there.
 std::string words_of(const Block& block, std::string_view path, std::string_view example) {
-    const Entry* entry = find_entry(block, path);
+    const Entry* entry = block.find(path);
     const std::string* words = entry == nullptr ? nullptr : std::get_if<std::string>(&entry->value.data);
     if (words == nullptr || words->empty())
         throw InputError(fmt::format("{}: this [[input]] wants {} = \"…\" in quotes, as \"{}\"",
@@ -81,8 +76,8 @@ const LawWords& law_of(const Block& block) {
     if (found != laws().end()) return *found;
     std::vector<std::string_view> names;
     for (const LawWords& one : laws()) names.push_back(name_of(one.law));
-    throw InputError(fmt::format("{}: distribution = \"{}\" is not one of {}", find_entry(block, "distribution")->where,
-                                 name, fmt::join(names, ", ")));
+    throw InputError(fmt::format("{}: distribution = \"{}\" is not one of {}", block.find("distribution")->where, name,
+                                 fmt::join(names, ", ")));
 }
 
 InputDistribution distribution_of(const Block& block, bool first) {
@@ -94,7 +89,7 @@ InputDistribution distribution_of(const Block& block, bool first) {
                                          name_of(words.law), fmt::join(words.parameters, " and ")));
     InputDistribution made{.law = words.law, .first = {}, .second = {}};
     for (std::size_t k = 0; k < words.parameters.size(); ++k) {
-        const Entry* entry = find_entry(block, words.parameters[k]);
+        const Entry* entry = block.find(words.parameters[k]);
         if (entry == nullptr)
             throw InputError(fmt::format("{}: this [[input]] has no {}; a {} distribution has {}", block.where,
                                          words.parameters[k], name_of(words.law),
@@ -229,25 +224,23 @@ std::string law_text(const InputDistribution& law, const std::string& key) {
 }
 
 /// Both laws, for programs: each parameter is a + b x^c.
-DataRows law_records(const ContourInputs& inputs) {
-    struct Row {
-        std::string key;
-        InputDistribution law;
+Results laws_of(const ContourInputs& inputs) {
+    Results laws{.place = "inputs",
+                 .columns = program_columns("key distribution first_a first_b first_c second_a second_b second_c"),
+                 .view = Results::View::none,
+                 .in_csv = false};
+    const auto add = [&](const std::string& key, const InputDistribution& law) {
+        laws.add(
+            {key, name_of(law.law), law.first.a, law.first.b, law.first.c, law.second.a, law.second.b, law.second.c});
     };
-    const std::vector<Row> rows{{inputs.keys[0], inputs.inputs.one}, {inputs.keys[1], inputs.inputs.other}};
-    using Parameter = SmoothParameter InputDistribution::*;
-    const auto column = [](const char* name, Parameter parameter, double SmoothParameter::*part) {
-        return DataColumn<Row>{name, [=](const Row& row) { return Datum(row.law.*parameter.*part); }};
-    };
-    return json_only(make_rows<Row>("inputs", rows,
-                                    {{"key", [](const Row& row) { return Datum(row.key); }},
-                                     {"distribution", [](const Row& row) { return Datum(name_of(row.law.law)); }},
-                                     column("first/a", &InputDistribution::first, &SmoothParameter::a),
-                                     column("first/b", &InputDistribution::first, &SmoothParameter::b),
-                                     column("first/c", &InputDistribution::first, &SmoothParameter::c),
-                                     column("second/a", &InputDistribution::second, &SmoothParameter::a),
-                                     column("second/b", &InputDistribution::second, &SmoothParameter::b),
-                                     column("second/c", &InputDistribution::second, &SmoothParameter::c)}));
+    add(inputs.keys[0], inputs.inputs.one);
+    add(inputs.keys[1], inputs.inputs.other);
+    return laws;
+}
+
+/// Values of an input.
+ResultColumn column_of(const std::string& key, int digits) {
+    return {.key = key, .words = key_words(key).heading(), .digits = digits};
 }
 
 Section ice_section(const ContourInputs& inputs, const ContourRequest& request) {
@@ -258,7 +251,7 @@ Section ice_section(const ContourInputs& inputs, const ContourRequest& request) 
                     request.state / unit::hour, law_text(inputs.inputs.one, inputs.keys[0]),
                     law_text(inputs.inputs.other, inputs.keys[1]),
                     smooth ? fmt::format("; x is the {}", key_words(inputs.keys[0]).name) : "");
-    if (!inputs.fit) return {.before = std::move(text), .records = {law_records(inputs)}};
+    if (!inputs.fit) return {.before = std::move(text), .results = {laws_of(inputs)}};
     const bool weibull = inputs.inputs.one.law == InputLaw::weibull;
     text += fmt::format(
         "Fitted to the hours of {} classes by maximum likelihood; for the {} {} is likelier than {} (mean "
@@ -268,36 +261,28 @@ Section ice_section(const ContourInputs& inputs, const ContourRequest& request) 
         weibull ? "log-normal" : "Weibull", inputs.fit->ahead,
         inputs.fit->scatter_fixed ? " Too few classes tell whether the scatter of the second depends on the first."
                                   : "");
-    Table table{{key_words(inputs.keys[0]).heading(), {"h a year"}, {"by the law, h"}}};
-    for (const ClassCheck& one : inputs.fit->classes)
-        table.push_back(
-            {fmt::format("{:g}", one.value), fmt::format("{:.4g}", one.hours), fmt::format("{:.4g}", one.by_law)});
-    return {.before = std::move(text), .table = std::move(table), .records = {law_records(inputs)}};
+    Results classes{.place = "classes",
+                    .columns = {column_of(inputs.keys[0], 6),
+                                {.key = "hours", .words = "a year", .unit = "h", .digits = 4},
+                                {.key = "hours_by_law", .words = "by the law", .unit = "h", .digits = 4}},
+                    .in_csv = false};
+    for (const ClassCheck& one : inputs.fit->classes) classes.add({one.value, one.hours, one.by_law});
+    return {.before = std::move(text), .results = {std::move(classes), laws_of(inputs)}};
 }
 
-struct PointRow {
-    const ContourOf* of;
-    const ContourPoint* point;
-};
-
 Section points_section(const ContourInputs& inputs, const std::vector<ContourOf>& contours) {
-    Table table{
-        {"exceeded in a year with, at", {key_words(inputs.keys[0]).heading()}, {key_words(inputs.keys[1]).heading()}}};
-    std::vector<PointRow> rows;
+    Results rows{.place = "contours",
+                 .columns = {{"per_year"},
+                             {"radius"},
+                             {"", "exceeded in a year with, at"},
+                             {"angle_deg"},
+                             column_of(inputs.keys[0], 4),
+                             column_of(inputs.keys[1], 4)}};
     for (const ContourOf& one : contours)
-        for (const ContourPoint& point : one.points) {
-            rows.push_back({&one, &point});
-            table.push_back({fmt::format("{}, {:.0f}°", per_year_text(one.per_year), point.degrees),
-                             fmt::format("{:.4g}", point.value[0]), fmt::format("{:.4g}", point.value[1])});
-        }
-    Section made{.title = "Environmental contours (IFORM)", .table = std::move(table)};
-    made.records = {
-        make_rows<PointRow>("contours", rows,
-                            {{"per_year", [](const PointRow& row) { return Datum(row.of->per_year); }},
-                             {"radius", [](const PointRow& row) { return Datum(row.of->radius); }},
-                             {"angle_deg", [](const PointRow& row) { return Datum(row.point->degrees); }},
-                             {inputs.keys[0], [](const PointRow& row) { return Datum(row.point->value[0]); }},
-                             {inputs.keys[1], [](const PointRow& row) { return Datum(row.point->value[1]); }}})};
+        for (const ContourPoint& point : one.points)
+            rows.add({one.per_year, one.radius, fmt::format("{}, {:.0f}°", per_year_text(one.per_year), point.degrees),
+                      point.degrees, point.value[0], point.value[1]});
+    Section made{.title = "Environmental contours (IFORM)", .results = {std::move(rows)}};
     for (const ContourOf& one : contours)
         made.after += fmt::format("{}{}: radius {:.4g} in standard normal space.", made.after.empty() ? "\n" : " ",
                                   per_year_text(one.per_year), one.radius);

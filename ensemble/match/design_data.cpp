@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -15,13 +14,12 @@
 #include "campaign/identity.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/undefined.hpp"
 #include "keys/edit_distance.hpp"
 
 namespace floes {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 double mean_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -66,7 +64,7 @@ double covariance(std::span<const PointRuns> points, const std::vector<double>& 
 }  // namespace
 
 Scatter scatter_of(std::span<const PointRuns> points, double pooled_weight) {
-    Scatter found{{}, {}, {}, nan, 0};
+    Scatter found{{}, {}, {}, undefined, 0};
     double squares = 0;
     double freedom = 0;
     std::vector<double> own_squares;
@@ -74,7 +72,7 @@ Scatter scatter_of(std::span<const PointRuns> points, double pooled_weight) {
         const double own_freedom = static_cast<double>(point.values.size()) - 1;
         found.mean.push_back(mean_of(point.values));
         own_squares.push_back(squares_about(point.values, found.mean.back()));
-        found.sample_variance.push_back(own_freedom > 0 ? own_squares.back() / own_freedom : nan);
+        found.sample_variance.push_back(own_freedom > 0 ? own_squares.back() / own_freedom : undefined);
         squares += own_squares.back();
         freedom += own_freedom;
     }

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/text.hpp"
+#include "core/undefined.hpp"
 #include "core/units.hpp"
+#include "findings/estimates.hpp"
 #include "match/predict.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -113,16 +113,6 @@ Figure inputs_figure(const MatchData& data, const Matching& found) {
 
 namespace {
 
-struct TargetRow {
-    const EmulatedTarget* target;
-    const TargetVerdict* verdict;
-};
-
-struct AxisRow {
-    const MatchAxis* axis;
-    const AxisLeft* left;  ///< null where nothing is left
-};
-
 const char* kind_word(const EmulatedTarget& target) {
     if (!target.emulated()) return "none";
     switch (target.mean().kind()) {
@@ -140,7 +130,7 @@ const char* kind_word(const EmulatedTarget& target) {
 
 /// Root of the mean of the squared errors in standard deviations: 1 for a right emulator.
 double error_of_left_out(const EmulatedTarget& target) {
-    if (!target.emulated()) return std::numeric_limits<double>::quiet_NaN();
+    if (!target.emulated()) return undefined;
     double sum = 0;
     for (const LeftOut& one : target.mean().left_out()) sum += one.standardised() * one.standardised();
     return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, target.mean().left_out().size())));
@@ -148,7 +138,7 @@ double error_of_left_out(const EmulatedTarget& target) {
 
 std::string percent(double share) {
     const double shown = share / unit::percent;
-    return shown > 0 && shown < 0.1 ? "< 0.1" : fixed(shown, shown < 10 ? 1 : 0);
+    return shown > 0 && shown < 0.1 ? "< 0.1" : fmt::format("{:.{}f}", shown, shown < 10 ? 1 : 0);
 }
 
 /// The names of the targets that are not used, by the reason, in the order of the first.
@@ -181,79 +171,79 @@ std::string verdict_text(const std::vector<EmulatedTarget>& targets, const Match
     return told;
 }
 
+/// For a target: what people call it, and its names for programs.
+std::vector<ResultColumn> target_columns() {
+    return {{"", "target"}, {"quantity"}, {"case"}};
+}
+
+std::vector<Datum> named(const Target& target) {
+    return {target.name(), std::string{target.quantity.key.view()}, target.case_name};
+}
+
 Section target_section(const std::vector<EmulatedTarget>& targets, const Matching& found) {
-    std::vector<TargetRow> rows;
-    for (std::size_t k = 0; k < targets.size(); ++k) rows.push_back({&targets[k], &found.verdicts[k]});
-    Section section{.title = "Targets", .before = verdict_text(targets, found) + "\n"};
-    section.table = {
-        {"target", "measured", "emulator", "left-out error", "least implausibility", "rules out, %", "alone, %"}};
-    for (const auto& [target, verdict] : rows) {
-        const Target& about = target->target();
-        const bool used = target->unused().empty();
-        section.table.push_back({about.name(), about.shown(about.value), kind_word(*target),
-                                 fixed(error_of_left_out(*target), 2), fixed(verdict->least, 2),
-                                 used ? percent(verdict->rules_out) : "-", used ? percent(verdict->alone) : "-"});
+    Results whole{.place = "match",
+                  .columns = program_columns("left sampled best_implausibility"),
+                  .view = Results::View::none,
+                  .object = true};
+    whole.add({found.share(), found.sampled, found.best_implausibility});
+    Results rows{.place = "match/targets",
+                 .columns = target_columns() +
+                            std::vector<ResultColumn>{
+                                {"", "measured"},
+                                {"value"},
+                                {"uncertainty"},
+                                {"discrepancy"},
+                                {"runs"},
+                                {"emulator", "emulator"},
+                                {.key = "left_out_error", .words = "left-out error", .decimals = 2},
+                                {"unused"},
+                                {.key = "least_implausibility", .words = "least implausibility", .decimals = 2},
+                                {.key = "rules_out", .words = "rules out", .unit = "share", .decimals = 1},
+                                {.key = "alone", .words = "alone", .unit = "share", .decimals = 1}}};
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+        const Target& about = targets[k].target();
+        const TargetVerdict& verdict = found.verdicts[k];
+        rows.add(named(about) + std::vector<Datum>{about.shown(about.value), about.value, about.uncertainty,
+                                                   about.discrepancy, about.runs, kind_word(targets[k]),
+                                                   error_of_left_out(targets[k]), targets[k].unused(), verdict.least,
+                                                   verdict.rules_out, verdict.alone});
     }
-    section.after =
-        "\nLeft-out error: of points predicted from the others, in standard deviations; 1 is right. Least "
-        "implausibility: "
-        "how far the target is from its prediction at the best point for it, in standard deviations. Rules out: share "
-        "of the inputs' ranges where that is above 3; alone: that no other target rules out.\n";
+    Section section{
+        .title = "Targets",
+        .before = verdict_text(targets, found) + "\n",
+        .results = {std::move(whole), std::move(rows)},
+        .after =
+            "\nLeft-out error: of points predicted from the others, in standard deviations; 1 is right. Least "
+            "implausibility: how far the target is from its prediction at the best point for it, in standard "
+            "deviations. Rules out: share of the inputs' ranges where that is above 3; alone: that no other target "
+            "rules out.\n"};
     for (const auto& [reason, names] : unused_by_reason(targets))
         section.notes.push_back(fmt::format("Not used: {}: {}", fmt::join(names, ", "), reason));
     if (std::ranges::any_of(found.verdicts, [](const TargetVerdict& one) { return one.rules_out > 0; }))
         section.figures = {ruled_out_figure(targets, found)};
-    using Row = const TargetRow&;
-    using Whole = const Matching&;
-    section.records = {
-        make_object<Matching>("match", found,
-                              {{"left", [](Whole all) { return all.share(); }},
-                               {"sampled", [](Whole all) { return all.sampled; }},
-                               {"best_implausibility", [](Whole all) { return all.best_implausibility; }}}),
-        make_rows<TargetRow>(
-            "match/targets", rows,
-            {{"quantity", [](Row row) { return std::string(row.target->target().quantity.key.view()); }},
-             {"case", [](Row row) { return row.target->target().case_name; }},
-             {"value", [](Row row) { return row.target->target().value; }},
-             {"uncertainty", [](Row row) { return row.target->target().uncertainty; }},
-             {"discrepancy", [](Row row) { return row.target->target().discrepancy; }},
-             {"runs", [](Row row) { return row.target->target().runs; }},
-             {"emulator", [](Row row) { return kind_word(*row.target); }},
-             {"left_out_error", [](Row row) { return error_of_left_out(*row.target); }},
-             {"unused", [](Row row) { return row.target->unused(); }},
-             {"least_implausibility", [](Row row) { return row.verdict->least; }},
-             {"rules_out", [](Row row) { return row.verdict->rules_out; }},
-             {"alone", [](Row row) { return row.verdict->alone; }}})};
     return section;
 }
 
 Section axis_section(const MatchData& data, const Matching& found) {
-    std::vector<AxisRow> rows;
-    for (std::size_t k = 0; k < data.axes.size(); ++k)
-        rows.push_back({&data.axes[k], found.axes.empty() ? nullptr : &found.axes[k]});
-    Section section{.title = "Inputs", .figures = {inputs_figure(data, found)}};
-    section.table = {{"input", "range", "not ruled out", "median", "best point"}};
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        const auto& [axis, left] = rows[k];
-        section.table.push_back({axis->key, fmt::format("{:.4g} to {:.4g}", axis->from, axis->to),
-                                 left != nullptr ? fmt::format("{:.4g} to {:.4g}", left->low, left->high) : "nothing",
-                                 left != nullptr ? fmt::format("{:.4g}", left->middle) : "",
-                                 fmt::format("{:.4g}", axis->value(found.best[static_cast<Eigen::Index>(k)]))});
+    Results rows{.place = "match/inputs",
+                 .columns = {{"key", "input"},
+                             {.key = "from", .words = "from", .digits = 4},
+                             {.key = "to", .words = "to", .digits = 4},
+                             {.key = "low", .words = "not ruled out from", .digits = 4},
+                             {.key = "high", .words = "to", .digits = 4},
+                             {.key = "median", .words = "median", .digits = 4},
+                             {.key = "best", .words = "best point", .digits = 4}}};
+    for (std::size_t k = 0; k < data.axes.size(); ++k) {
+        const MatchAxis& axis = data.axes[k];
+        const AxisLeft left = found.axes.empty() ? AxisLeft{undefined, undefined, undefined} : found.axes[k];
+        rows.add({axis.key, axis.from, axis.to, left.low, left.high, left.middle,
+                  axis.value(found.best[static_cast<Eigen::Index>(k)])});
     }
-    section.after =
-        fmt::format("\nBest point: the largest implausibility there is {:.2f}.\n", found.best_implausibility);
-    using Row = const AxisRow&;
-    const auto of_left = [](double AxisLeft::*field) {
-        return [field](Row row) { return row.left != nullptr ? Datum(row.left->*field) : Datum(Undefined{}); };
-    };
-    section.records = {make_rows<AxisRow>("match/inputs", rows,
-                                          {{"key", [](Row row) { return row.axis->key; }},
-                                           {"from", [](Row row) { return row.axis->from; }},
-                                           {"to", [](Row row) { return row.axis->to; }},
-                                           {"low", of_left(&AxisLeft::low)},
-                                           {"high", of_left(&AxisLeft::high)},
-                                           {"median", of_left(&AxisLeft::middle)}})};
-    return section;
+    return {
+        .title = "Inputs",
+        .results = {std::move(rows)},
+        .after = fmt::format("\nBest point: the largest implausibility there is {:.2f}.\n", found.best_implausibility),
+        .figures = {inputs_figure(data, found)}};
 }
 
 Section correlation_section(const MatchData& data, const Matching& found) {
@@ -262,14 +252,15 @@ Section correlation_section(const MatchData& data, const Matching& found) {
         section.before = "Too few points are left.\n";
         return section;
     }
-    section.table = {{""}};
-    for (const MatchAxis& axis : data.axes) section.table.front().emplace_back(axis.key);
+    Results rows{.place = "match/correlations", .columns = {{"key", "input"}}};
+    for (const MatchAxis& axis : data.axes) rows.columns.push_back({.key = axis.key, .words = axis.key, .decimals = 2});
     for (std::size_t i = 0; i < data.axes.size(); ++i) {
-        std::vector<Cell> line{data.axes[i].key};
+        std::vector<Datum> row{data.axes[i].key};
         for (std::size_t k = 0; k < data.axes.size(); ++k)
-            line.emplace_back(fixed(found.correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)), 2));
-        section.table.push_back(std::move(line));
+            row.emplace_back(found.correlations(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)));
+        rows.add(std::move(row));
     }
+    section.results = {std::move(rows)};
     return section;
 }
 
@@ -300,42 +291,36 @@ Section check_section(const std::vector<EmulatedTarget>& targets) {
 }
 
 Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& targets, const Eigen::VectorXd& at) {
-    struct Row {
-        const EmulatedTarget* target;
-        double predicted;
-        double difference;
-        double implausibility;
-    };
-    std::vector<Row> rows;
+    Results rows{
+        .place = "match/point",
+        .columns = target_columns() +
+                   std::vector<ResultColumn>{{"", "measured"},
+                                             {"", "predicted"},
+                                             {"", "expected to differ by"},
+                                             {"predicted"},
+                                             {"difference"},
+                                             {.key = "implausibility", .words = "implausibility", .decimals = 2}}};
     std::vector<std::string> against;
     for (const EmulatedTarget& one : targets) {
         if (!one.emulated()) continue;
-        rows.push_back({&one, one.mean().at(at).mean, one.expected_difference(at), one.implausibility(at)});
-        if (one.rules_out(at)) against.push_back(one.target().name());
+        const Target& about = one.target();
+        const double predicted = one.mean().at(at).mean, difference = one.expected_difference(at);
+        rows.add(named(about) + std::vector<Datum>{about.shown(about.value), about.shown(predicted),
+                                                   about.shown(difference, 3), predicted, difference,
+                                                   one.implausibility(at)});
+        if (one.rules_out(at)) against.push_back(about.name());
     }
     std::string place;
     for (std::size_t k = 0; k < data.axes.size(); ++k)
         place += fmt::format("{}{} = {:.4g}", k > 0 ? ", " : "", data.axes[k].key,
                              data.axes[k].value(at[static_cast<Eigen::Index>(k)]));
-    Section section{.title = "At " + place,
-                    .before = against.empty() ? "Not ruled out.\n\n"
-                                              : fmt::format("Ruled out by {}.\n\n", fmt::join(against, ", "))};
-    section.table = {{"target", "measured", "predicted", "expected to differ by", "implausibility"}};
-    for (const Row& row : rows) {
-        const Target& about = row.target->target();
-        section.table.push_back({about.name(), about.shown(about.value), about.shown(row.predicted),
-                                 about.shown(row.difference, 3), fixed(row.implausibility, 2)});
-    }
-    section.after =
-        "\nExpected to differ by: one standard deviation, of the emulator, single runs, measurement and model.\n";
-    section.records = {make_rows<Row>(
-        "match/point", rows,
-        {{"quantity", [](const Row& row) { return std::string(row.target->target().quantity.key.view()); }},
-         {"case", [](const Row& row) { return row.target->target().case_name; }},
-         {"predicted", [](const Row& row) { return row.predicted; }},
-         {"difference", [](const Row& row) { return row.difference; }},
-         {"implausibility", [](const Row& row) { return row.implausibility; }}})};
-    return section;
+    return {.title = "At " + place,
+            .before =
+                against.empty() ? "Not ruled out.\n\n" : fmt::format("Ruled out by {}.\n\n", fmt::join(against, ", ")),
+            .results = {std::move(rows)},
+            .after =
+                "\nExpected to differ by: one standard deviation, of the emulator, single runs, measurement and "
+                "model.\n"};
 }
 
 namespace {
@@ -344,49 +329,32 @@ std::string exceeded_words(const DesignLoadRequest& request) {
     return fmt::format("exceeded with {:.3g} %", (1 - request.quantiles.front()) / unit::percent);
 }
 
-Table table_of(const std::vector<PredictedDesignLoad>& designs, const DesignLoadRequest& request) {
-    double largest = 0;
-    for (const PredictedDesignLoad& one : designs) largest = std::max(largest, one.quantile.high);
-    const LoadUnit unit = load_unit(largest);
-    const auto cell = [&](const PredictedRange& range) { return range_cell(range, unit.factor); };
-    Table table{{"case", fmt::format("expected, {}", unit.name), "weighed",
-                 fmt::format("{}, {}", exceeded_words(request), unit.name), "weighed", "growth", "lower half",
-                 "upper half", "runs"}};
-    for (const PredictedDesignLoad& one : designs)
-        table.push_back({one.case_name.empty() ? "all" : one.case_name, cell(one.expected), cell(one.expected_weighed),
-                         cell(one.quantile), cell(one.quantile_weighed),
-                         Cell{fixed(one.growth_quantile.value, 2),
-                              bracket(one.growth_quantile.interval.low, one.growth_quantile.interval.high, 2)},
-                         fixed(one.growth_lower_half, 2), fixed(one.growth_upper_half, 2),
-                         fmt::format("{}{}", one.runs, one.only_left ? "" : " *")});
-    return table;
-}
-
-DataRows records_of(const std::vector<PredictedDesignLoad>& designs, const DesignLoadRequest& request) {
-    using Row = const PredictedDesignLoad&;
-    std::vector<DataColumn<PredictedDesignLoad>> columns{{"case", &PredictedDesignLoad::case_name},
-                                                         {"exposure_s", [&](Row) { return request.exposure; }},
-                                                         {"averaging_s", [&](Row) { return request.averaging; }},
-                                                         {"scale", [&](Row) { return request.scale; }},
-                                                         {"quantile", [&](Row) { return request.quantiles.front(); }}};
-    const auto add_range = [&](const std::string& name, PredictedRange PredictedDesignLoad::*range) {
-        columns.push_back({name + "_N", [=](Row row) { return Datum((row.*range).mean); }});
-        columns.push_back({name + "_low_N", [=](Row row) { return Datum((row.*range).low); }});
-        columns.push_back({name + "_high_N", [=](Row row) { return Datum((row.*range).high); }});
-    };
-    add_range("expected", &PredictedDesignLoad::expected);
-    add_range("expected_weighted", &PredictedDesignLoad::expected_weighed);
-    add_range("quantile", &PredictedDesignLoad::quantile);
-    add_range("quantile_weighted", &PredictedDesignLoad::quantile_weighed);
-    columns.push_back({"growth_expected", [](Row row) { return row.growth_expected.value; }});
-    columns.push_back({"growth_quantile", [](Row row) { return row.growth_quantile.value; }});
-    columns.push_back({"growth_quantile_low", [](Row row) { return row.growth_quantile.interval.low; }});
-    columns.push_back({"growth_quantile_high", [](Row row) { return row.growth_quantile.interval.high; }});
-    columns.push_back({"growth_lower_half", &PredictedDesignLoad::growth_lower_half});
-    columns.push_back({"growth_upper_half", &PredictedDesignLoad::growth_upper_half});
-    columns.push_back({"runs", &PredictedDesignLoad::runs});
-    columns.push_back({"only_left", &PredictedDesignLoad::only_left});
-    return make_rows<PredictedDesignLoad>("match/design_load", designs, columns);
+Results results_of(const std::vector<PredictedDesignLoad>& designs, const DesignLoadRequest& request) {
+    Results rows{.place = "match/design_load",
+                 .columns = {{"case", "case"},
+                             {"exposure"},
+                             {"averaging"},
+                             {"scale"},
+                             {"quantile"},
+                             estimates("expected", "expected", "N"),
+                             estimates("expected_weighted", "weighed", "N"),
+                             estimates("quantile_load", exceeded_words(request), "N"),
+                             estimates("quantile_load_weighted", "weighed", "N"),
+                             {"growth_expected"},
+                             estimates("growth_quantile", "growth"),
+                             {.key = "growth_lower_half", .words = "lower half", .decimals = 2},
+                             {.key = "growth_upper_half", .words = "upper half", .decimals = 2},
+                             {"runs", "runs"},
+                             {"only_left", "at inputs left"}}};
+    for (const PredictedDesignLoad& one : designs) {
+        const Limits& limits = one.growth_quantile.interval;
+        rows.add({Named{one.case_name, one.case_name.empty() ? "all" : one.case_name}, request.exposure,
+                  request.averaging, request.scale, request.quantiles.front(), estimate(one.expected),
+                  estimate(one.expected_weighed), estimate(one.quantile), estimate(one.quantile_weighed),
+                  one.growth_expected.value, Estimate{one.growth_quantile.value, limits.low, limits.high},
+                  one.growth_lower_half, one.growth_upper_half, one.runs, one.only_left});
+    }
+    return rows;
 }
 
 }  // namespace
@@ -396,20 +364,19 @@ Section design_section(const std::vector<PredictedDesignLoad>& designs, const De
     return {
         .title = fmt::format("Design load over what is not ruled out: the largest load averaged over {:g} s in {:g} h",
                              request.averaging, request.exposure / unit::hour),
-        .table = table_of(designs, request),
+        .results = {results_of(designs, request)},
         .after = fmt::format(
             "\nIn brackets 95 %, of the inputs, the emulator and the tail together; weighed: by the likelihood of the "
             "targets.\n"
             "The emulated mean of the segment maxima times a growth: that to the load {}, from both tails of all runs "
             "at inputs that are left, each divided by its mean maximum. The halves have the runs with the smaller and "
-            "the "
-            "larger mean maxima; where they differ by more than the interval, the growth depends on the inputs.\n{}",
+            "the larger mean maxima; where they differ by more than the interval, the growth depends on the "
+            "inputs.\n{}",
             exceeded_words(request),
             all_left
                 ? ""
-                : fmt::format("* Fewer than {} runs are at inputs that are left, so the runs at all points count.\n",
-                              fewest_growth_runs)),
-        .records = {records_of(designs, request)}};
+                : fmt::format("Where fewer than {} runs are at inputs that are left, the runs at all points count.\n",
+                              fewest_growth_runs))};
 }
 
 }  // namespace floes

@@ -11,6 +11,7 @@
 #include <boost/math/special_functions/trigamma.hpp>
 
 #include "campaign/design.hpp"
+#include "core/undefined.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
 #include "statistics/distributions.hpp"
@@ -53,8 +54,6 @@ CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const 
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 /// Points of [-1, 1]^d, a row each.
 Eigen::MatrixXd sample_of(std::size_t axes, int samples, std::uint64_t seed) {
     Design design;
@@ -84,7 +83,7 @@ EmulatorData data_of(const MatchData& data, const std::vector<int>& points, std:
     return made;
 }
 
-/// Of the logarithm of the variance of single runs. With f degrees of freedom the logarithm of a sample variance lies
+/// Emulates the logarithm of the variance of single runs. With f degrees of freedom that of a sample variance lies
 /// ψ(f/2) + ln(2/f) off on average, and has the variance ψ'(f/2), if single runs are normal.
 std::shared_ptr<const Emulator> scatter_emulator(const MatchData& data, const TargetData& target) {
     std::vector<int> points;
@@ -135,7 +134,7 @@ Eigen::MatrixXd implausibilities(const std::vector<EmulatedTarget>& targets, con
     for (Eigen::Index t = 0; t < implausible.cols(); ++t) {
         const EmulatedTarget& target = targets[static_cast<std::size_t>(t)];
         for (Eigen::Index k = 0; k < points.rows(); ++k)
-            implausible(k, t) = target.emulated() ? target.implausibility(points.row(k).transpose()) : nan;
+            implausible(k, t) = target.emulated() ? target.implausibility(points.row(k).transpose()) : undefined;
     }
     return implausible;
 }
@@ -276,8 +275,8 @@ Matching match(const MatchData& data, const std::vector<EmulatedTarget>& targets
         TargetVerdict& verdict = found.verdicts[t];
         const auto column = static_cast<Eigen::Index>(t);
         const bool emulated = targets[t].emulated();
-        verdict.least = emulated ? implausible.col(column).minCoeff() : nan;
-        verdict.least_of_left = emulated && !left.empty() ? implausible(left, column).minCoeff() : nan;
+        verdict.least = emulated ? implausible.col(column).minCoeff() : undefined;
+        verdict.least_of_left = emulated && !left.empty() ? implausible(left, column).minCoeff() : undefined;
     }
     if (left.empty()) {
         found.conflicts = conflicts(targets, implausible);

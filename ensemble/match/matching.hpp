@@ -45,7 +45,7 @@ class EmulatedTarget {
     const Target& target() const { return target_; }
     /// Whether there is any data of it; only then may the next three be asked.
     bool emulated() const { return mean_ != nullptr; }
-    /// Of the mean over arrangements.
+    /// For the mean over arrangements.
     const Emulator& mean() const { return *mean_; }
     /// Variance of a single run there.
     double scatter(const Eigen::VectorXd& x) const { return scatter_at(x).variance; }

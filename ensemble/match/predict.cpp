@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "findings/estimates.hpp"
 #include "match/matching.hpp"
 #include "statistics/distributions.hpp"
 
@@ -28,7 +29,7 @@ std::vector<double> log_likelihoods(const Eigen::MatrixXd& points, const std::ve
     return logs;
 }
 
-/// Of the mixture of normal distributions.
+/// For the mixture of normal distributions.
 PredictedRange range_of(const AtPoints& at, const std::vector<double>& weights, double least, double most) {
     std::vector<double> sd;
     for (const double variance : at.variance) sd.push_back(std::sqrt(std::max(variance, 1e-300)));
@@ -120,40 +121,30 @@ Predicted predict(const OverLeft& left, const EmulatedTarget& quantity) {
             left.effective()};
 }
 
-Cell range_cell(const PredictedRange& range, double factor) {
-    return {fmt::format("{:.4g}", factor * range.mean),
-            fmt::format("[{:.4g}, {:.4g}]", factor * range.low, factor * range.high)};
+Estimate estimate(const PredictedRange& range) {
+    return {range.mean, range.low, range.high};
 }
 
 Section predicted_section(const std::vector<Predicted>& predicted) {
-    Section section{.title = "Predicted over what is not ruled out"};
-    section.table = {{"quantity", "mean of runs", "weighed", "a single run"}};
-    for (const Predicted& one : predicted) {
-        const double factor = one.quantity.factor();
-        section.table.push_back(
-            {fmt::format("{}{}{}", one.case_name, one.case_name.empty() ? "" : " ", one.quantity.label),
-             range_cell(one.mean, factor), range_cell(one.weighted, factor), range_cell(one.run, factor)});
+    Results rows{.place = "match/predicted", .columns = {{"case", "quantity"}, {"quantity"}}};
+    for (const auto& [key, words] :
+         {std::pair{"mean", "mean of runs"}, std::pair{"weighted", "weighed"}, std::pair{"run", "a single run"}}) {
+        rows.columns.push_back(estimates(key, words, ""));
+        rows.columns.back().digits = 4;
     }
-    section.after =
-        "\nIn brackets 95 %. Mean of runs: every combination of inputs that is left counts the same; weighed: by the "
-        "likelihood of the targets, normal and independent of each other. A single run adds the scatter.\n";
-    const auto of = [](PredictedRange Predicted::*range, double PredictedRange::*field) {
-        return [range, field](const Predicted& one) { return one.*range.*field; };
-    };
-    section.records = {
-        make_rows<Predicted>("match/predicted", predicted,
-                             {{"quantity", [](const Predicted& one) { return std::string(one.quantity.key.view()); }},
-                              {"case", &Predicted::case_name},
-                              {"mean", of(&Predicted::mean, &PredictedRange::mean)},
-                              {"mean_low", of(&Predicted::mean, &PredictedRange::low)},
-                              {"mean_high", of(&Predicted::mean, &PredictedRange::high)},
-                              {"weighted", of(&Predicted::weighted, &PredictedRange::mean)},
-                              {"weighted_low", of(&Predicted::weighted, &PredictedRange::low)},
-                              {"weighted_high", of(&Predicted::weighted, &PredictedRange::high)},
-                              {"run_low", of(&Predicted::run, &PredictedRange::low)},
-                              {"run_high", of(&Predicted::run, &PredictedRange::high)},
-                              {"effective_points", &Predicted::effective}})};
-    return section;
+    rows.columns.push_back({"effective_points"});
+    for (const Predicted& one : predicted) {
+        rows.add_heading(std::string{one.quantity.label.view()}, Results::For::people, unit_of(one.quantity));
+        rows.add({Named{one.case_name, one.case_name.empty() ? "all" : one.case_name},
+                  std::string{one.quantity.key.view()}, estimate(one.mean), estimate(one.weighted), estimate(one.run),
+                  one.effective});
+    }
+    return {.title = "Predicted over what is not ruled out",
+            .results = {std::move(rows)},
+            .after =
+                "\nIn brackets 95 %. Mean of runs: every combination of inputs that is left counts the same; weighed: "
+                "by the likelihood of the targets, normal and independent of each other. A single run adds the "
+                "scatter.\n"};
 }
 
 namespace {

@@ -54,7 +54,7 @@ class OverLeft {
 
 // A quantity over the inputs that are left.
 
-/// Of one quantity of one case, over the points that are not ruled out, in the quantity's stored unit.
+/// For one quantity of one case, over the points that are not ruled out, in the quantity's stored unit.
 struct Predicted {
     Quantity quantity;
     std::string case_name;
@@ -70,8 +70,8 @@ Predicted predict(const OverLeft& left, const EmulatedTarget& quantity);
 /// A target without a measured value, so that match_data() gathers the quantity.
 Target to_predict(const std::string& quantity, const std::string& case_name);
 
-/// The mean with the bounds of 95 % in brackets, times the factor.
-Cell range_cell(const PredictedRange& range, double factor);
+/// As one cell of a table.
+Estimate estimate(const PredictedRange& range);
 
 Section predicted_section(const std::vector<Predicted>& predicted);
 
@@ -85,7 +85,7 @@ Section predicted_section(const std::vector<Predicted>& predicted);
 // at any inputs. This assumes the same growth at all inputs; to check it, the growth is also computed for the lower and
 // the upper half of the mean maxima.
 
-/// Of one case. Loads are in N, at the scale that was asked for.
+/// For one case. Loads are in N, at the scale that was asked for.
 struct PredictedDesignLoad {
     std::string case_name;
     std::size_t runs = 0;              ///< behind the growth

@@ -26,11 +26,6 @@ namespace {
 
 constexpr const char* target_block = "target";
 
-const Entry* find_entry(const Block& block, const std::string& path) {
-    const auto found = std::ranges::find(block.entries, path, &Entry::path);
-    return found == block.entries.end() ? nullptr : &*found;
-}
-
 /// The time that a key ends in, s: 0.5 of "mean_maximum_0.5s"; none where it ends in something else.
 std::vector<double> time_in(std::string_view key) {
     double time = 0;
@@ -73,11 +68,11 @@ class TargetReader {
             switch_key("held_out", target_.held_out, "", ""),
         };
         for (const Entry& entry : block_.entries) assign_known(keys, entry);
-        if (find_entry(block_, "value") == nullptr)
+        if (block_.find("value") == nullptr)
             throw InputError(fmt::format("{}: the target {} has no value; give the measured one, {}", block_.where,
                                          target_.name(), unit_words()));
-        const Entry* relative = find_entry(block_, "discrepancy_percent");
-        if (relative != nullptr && find_entry(block_, "discrepancy") != nullptr)
+        const Entry* relative = block_.find("discrepancy_percent");
+        if (relative != nullptr && block_.find("discrepancy") != nullptr)
             throw InputError(fmt::format("{}: discrepancy_percent = {} and discrepancy are both given; keep one",
                                          relative->where, to_text(relative->value)));
         if (relative != nullptr) target_.discrepancy = percent_of_value * std::abs(target_.value);
@@ -86,7 +81,7 @@ class TargetReader {
 
   private:
     Quantity find_quantity() const {
-        const Entry* entry = find_entry(block_, "quantity");
+        const Entry* entry = block_.find("quantity");
         if (entry == nullptr)
             throw InputError(fmt::format("{}: this [[target]] has no quantity; begin it with quantity = \"mean_load\"",
                                          block_.where));

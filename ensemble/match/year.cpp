@@ -240,7 +240,7 @@ namespace {
 
 constexpr double counts_from = 0.1;  // of the peaks: a regime that has them decides the load
 
-/// Of the curve: nine in ten years, then two to a power of ten, down to the rarest asked for.
+/// Frequencies of the curve: nine in ten years, then two to a power of ten, down to the rarest asked for.
 std::vector<double> curve_probabilities(const std::vector<double>& asked) {
     std::vector<double> made{0.9, 0.63, 0.3};
     const double rarest = std::ranges::min(asked);

@@ -16,7 +16,6 @@
 #include "match/matching.hpp"
 #include "match/regimes.hpp"
 #include "match/waves.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 
@@ -27,10 +26,10 @@ inline std::string per_year_text(double per_year) {
                                                             : fmt::format("{:g}", per_year);
 }
 
-/// Of whole percent.
+/// In whole percent.
 inline std::string percent_of(double share) {
     if (!std::isfinite(share)) return "–";
-    return share > 0 && share < 0.005 ? "<1 %" : fixed(share / unit::percent, 0) + " %";
+    return share > 0 && share < 0.005 ? "<1 %" : fmt::format("{:.0f} %", share / unit::percent);
 }
 
 // The loads of a year: which are exceeded with given probabilities a year, over all regimes of ice, what each regime

@@ -13,7 +13,6 @@
 #include "findings/estimates.hpp"
 #include "findings/summary.hpp"
 #include "match/year.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 

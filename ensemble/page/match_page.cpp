@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
+#include "core/undefined.hpp"
 #include "core/units.hpp"
 #include "match/match_sections.hpp"
 #include "page/section_html.hpp"
@@ -23,7 +25,7 @@ int cell_of(double coordinate, int count) {
 std::vector<double> shares(const std::vector<int>& left, const std::vector<int>& points) {
     std::vector<double> made;
     for (std::size_t k = 0; k < points.size(); ++k)
-        made.push_back(points[k] > 0 ? static_cast<double>(left[k]) / points[k] : nan);
+        made.push_back(points[k] > 0 ? static_cast<double>(left[k]) / points[k] : undefined);
     return made;
 }
 
@@ -34,8 +36,9 @@ int match_cell_count(const Matching& found) {
 }
 
 MatchCells match_cells(const Matching& found, int first_axis, int second_axis, int side) {
+    FLOES_EXPECTS(side >= 1 && first_axis >= 0 && second_axis >= 0);
     const auto cells = static_cast<std::size_t>(side * side);
-    MatchCells made{side, std::vector<double>(cells, nan), {}};
+    MatchCells made{side, std::vector<double>(cells, undefined), {}};
     std::vector<int> points(cells, 0);
     std::vector<int> left(cells, 0);
     for (int row = 0; row < found.sampled; ++row) {
@@ -64,7 +67,7 @@ std::vector<double> share_along(const Matching& found, int axis, int count) {
 namespace {
 
 constexpr double whole_width = 800;
-constexpr double letter = 5.7;  // approximate width of one in small print
+constexpr double small_letter = 5.7;  // approximate width of one in small print
 constexpr double line_height = 12;
 constexpr double gap = 6;
 constexpr double key_height = 46;
@@ -236,7 +239,7 @@ Scale scale_of(const MatchAxis& axis, double room) {
     };
     Scale made{told(-1), told(0), told(1)};
     const std::size_t longest = std::max(made.low.size(), made.high.size());
-    const double needed = letter * static_cast<double>(2 * longest + made.middle.size() + 3);
+    const double needed = small_letter * static_cast<double>(2 * longest + made.middle.size() + 3);
     if (needed > room) made.middle.clear();
     return made;
 }
@@ -248,7 +251,7 @@ std::string key_row(double x, double y, const char* title, const Band (&bands)[N
     for (const Band& band : bands) {
         body += fill(band, fmt::format("M{:.1f} {:.1f}h14v11h-14z", x, y));
         body += words(x + 18, y + 10, "start", band.words);
-        x += 30 + letter * static_cast<double>(text_width(band.words));
+        x += 30 + small_letter * static_cast<double>(text_width(band.words));
     }
     return body;
 }
@@ -263,7 +266,7 @@ std::string match_grid(const MatchData& data, const Matching& found) {
     std::vector<std::vector<std::string>> names;
     std::size_t lines = 1;
     for (const MatchAxis& axis : data.axes) {
-        names.push_back(name_lines(axis, static_cast<std::size_t>(rough / letter)));
+        names.push_back(name_lines(axis, static_cast<std::size_t>(rough / small_letter)));
         lines = std::max(lines, names.back().size());
     }
     const double name_room = line_height * static_cast<double>(lines);
@@ -324,11 +327,11 @@ std::string pairs(const MatchPageData& told) {
 }
 
 std::string trail(const std::vector<MatchTrail>& waves) {
-    Table table{{"up to wave", "points simulated", "not ruled out, %"}};
-    for (const MatchTrail& wave : waves)
-        table.push_back({wave.file, fmt::format("{}", wave.points),
-                         std::isnan(wave.share) ? "-" : fmt::format("{:.3g}", wave.share / unit::percent)});
-    return titled({.title = "Wave by wave", .table = std::move(table)});
+    Results results{.columns = {{"", "up to wave"},
+                                {"", "points simulated"},
+                                {.words = "not ruled out", .unit = "share", .digits = 3}}};
+    for (const MatchTrail& wave : waves) results.add({wave.file, wave.points, wave.share});
+    return titled({.title = "Wave by wave", .results = {std::move(results)}});
 }
 
 }  // namespace

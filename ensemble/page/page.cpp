@@ -78,7 +78,7 @@ std::string report_page(ReportData data) {
     data.evidence.pictured = !data.moments.empty();
     std::string body = fmt::format("<h1>Loads of managed ice floes: {}</h1>\n", html_escaped(title));
     body += answer_html("The answer", find_answer(data.evidence));
-    // Of a design the points come first: one of its members is no picture of it.
+    // In a design the points come first: one of its members is no picture of it.
     const bool design = data.evidence.campaign.design.active();
     if (!design) body += worst_moments(data);
     body += findings_html(data.evidence, design ? worst_moments(data) : "");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contract.hpp"
 #include "tables/table.hpp"
 
 namespace floes {
@@ -184,6 +185,7 @@ void Drawing::draw_heat_scale() {
 }  // namespace
 
 std::vector<double> ticks(const Axis& axis, int most) {
+    FLOES_EXPECTS(axis.low < axis.high && most >= 1 && (!axis.logarithmic || axis.low > 0));
     std::vector<double> found;
     if (axis.logarithmic) {
         const double first = std::ceil(std::log10(axis.low) - 1e-9);

@@ -46,16 +46,6 @@ std::string results_html(const Results& results, const Units& units) {
     return open_table(shown_table(results, units)) + (further.empty() ? "" : closed_table("Further rows", further));
 }
 
-std::string tables_html(const Section& told, const Units& units) {
-    std::string html;
-    for (const Results& one : told.results) html += results_html(one, units);
-    html += open_table(told.table);
-    if (told.folded.empty() && told.on_page.empty()) return html;
-    Table further{told.table.front()};
-    for (const Table* rows : {&told.folded, &told.on_page}) further.insert(further.end(), rows->begin(), rows->end());
-    return html + closed_table("Further rows", further);
-}
-
 /// Figures without a caption stand beside the next one.
 std::string figures_html(const std::vector<Figure>& figures, const Units& units) {
     std::string html;
@@ -74,7 +64,8 @@ std::string figures_html(const std::vector<Figure>& figures, const Units& units)
 std::string section_html(const Section& told, std::string_view heading, const Units& units) {
     std::string html;
     if (!heading.starts_with(told.title)) html = fmt::format("<h3>{}</h3>\n", html_escaped(told.title));
-    html += paragraphs(told.before) + tables_html(told, units);
+    html += paragraphs(told.before);
+    for (const Results& one : told.results) html += results_html(one, units);
     if (!told.after.empty()) html += note(told.after);
     if (!told.notes.empty()) html += listed(told.notes);
     return html + paragraphs(told.missing) + figures_html(told.figures, units);

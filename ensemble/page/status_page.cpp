@@ -6,9 +6,9 @@
 
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "findings/estimates.hpp"
 #include "page/section_html.hpp"
 #include "run/campaign_status.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
@@ -50,23 +50,26 @@ std::string counts(const CampaignStatus& status) {
     return counts_of(rows);
 }
 
-/// "23.4 ± 2.1" and the second over the first.
-std::vector<Cell> precision_cells(const CaseEstimate& found) {
-    const double half_width = (found.high - found.low) / 2;
-    if (!std::isfinite(half_width)) return {fixed(found.estimate, 1), "not known yet"};
-    return {fmt::format("{} ± {}", fixed(found.estimate, 1), fixed(half_width, 1)),
-            fmt::format("{} %", fixed(half_width / std::abs(found.estimate) / unit::percent, 1))};
-}
-
-std::string precision(const Summary& summary, const std::optional<StopStatus>& stop) {
-    Table table{{"case", "arrangements", "mean load, N", "half-width", "mean maximum, N", "half-width"}};
-    for (const CaseSummary& one : summary.cases) {
-        std::vector<Cell> row{one.about.name, fmt::format("{}", one.done)};
-        for (const char* key : {"mean_load", "mean_maximum"})
-            for (const Cell& cell : precision_cells(one.of(*find_quantity(key)))) row.push_back(cell);
-        table.push_back(row);
+std::string precision(const Evidence& evidence, const std::optional<StopStatus>& stop) {
+    Results results{.columns = {{"", "case"}, {"", "arrangements"}}};
+    for (const char* words : {"mean load", "mean maximum"}) {
+        results.columns.push_back({.words = words,
+                                   .unit = "N",
+                                   .holds = ResultColumn::Holds::estimates,
+                                   .form = ResultColumn::Form::plus_minus});
+        results.columns.push_back({.words = "half-width", .unit = "share", .decimals = 1});
     }
-    return html_table(table) +
+    for (const CaseSummary& one : evidence.summary.cases) {
+        std::vector<Datum> row{one.about.name, one.done};
+        for (const char* key : {"mean_load", "mean_maximum"}) {
+            const CaseEstimate& found = one.of(*find_quantity(key));
+            const double share = (found.high - found.low) / 2 / std::abs(found.estimate);
+            row.emplace_back(Estimate{found.estimate, found.low, found.high});
+            row.push_back(std::isfinite(share) ? Datum(share) : Datum("not known yet"));
+        }
+        results.add(std::move(row));
+    }
+    return section_html({.results = {std::move(results)}}, "", evidence.units) +
            note(
                "95 % confidence intervals over the arrangements that are done; maxima of the "
                "segments, of single steps.") +
@@ -133,7 +136,7 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
                                  html_escaped(work_sentence(status))) +
                          next_step(status, campaign_file.string()) + counts(status) + note(when) +
                          answer_html(whole ? "The answer" : "The answer so far", find_answer(evidence)) +
-                         section(whole ? "Precision" : "Precision so far", precision(evidence.summary, status.stop)) +
+                         section(whole ? "Precision" : "Precision so far", precision(evidence, status.stop)) +
                          failed(status) +
                          section("The run", run(status) + timed("Running members, longest first", status.under_way) +
                                                 timed("Slowest members", status.slowest)));

@@ -31,7 +31,7 @@ namespace {
 
 constexpr double most_elements = 1e6;  // of a floe; a damaged number is not to ask for all memory
 
-/// Of a field without end, which the file has.
+/// The roll of a field without end, which the file has.
 FloeSet read_own_floes(hid_t file, const Scenario& scenario) {
     const auto length = hdf5::read_values<double>(file, "floes/length");
     const std::size_t count = length.size();
@@ -213,7 +213,7 @@ class Recording::File {
         hdf5::RowReader<std::int32_t> piece;
     };
 
-    /// Of a field without end: which rows of the elements are of a frame.
+    /// In a field without end, which rows of the elements are of a frame.
     struct States {
         explicit States(hid_t file)
             : first(hdf5::read_values<std::int32_t>(file, "frames/first_state")),

@@ -40,7 +40,7 @@ struct RecordingSubject {
     FloeSet floes;      ///< of the member; where they lie, frames tell. Of a field without end: those that frames show
     Vec2 way = Vec2::Zero();  ///< least and largest x of the structure in the frames, of a field without end, m
 
-    /// Of a field without end what stands beside the ice that frames show: its sides are too long for any picture.
+    /// In a field without end, what stands beside the ice that frames show: its sides are too long for any picture.
     Channel channel() const;
     /// How far ahead of the structure's axis, and behind it, a field without end is to be seen, m.
     double seen_ahead() const;
@@ -53,7 +53,7 @@ struct RecordingOutcome {
     std::vector<BreakEvent> breaks;  ///< in order of time
 };
 
-/// Of each floe, whether a joint of it has failed by `time`, s: 1 or 0. `breaks`: in order of time.
+/// For each floe, whether a joint of it has failed by `time`, s: 1 or 0. `breaks`: in order of time.
 std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time);
 
 /// Writes a recording beside its place and renames it when it is finished; a recording that is not leaves nothing.
@@ -65,7 +65,7 @@ class RecordingWriter {
 
     void add(const Frame& frame);
     void finish(const RecordingOutcome& outcome);
-    /// Of a field without end, whose frames and breaks are in the numbers of `roll`.
+    /// For a field without end, whose frames and breaks are in the numbers of `roll`.
     void finish(const RecordingOutcome& outcome, const FloeRoll& roll);
 
   private:

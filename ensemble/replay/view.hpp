@@ -39,7 +39,7 @@ Camera camera(View view, const RecordingSubject& subject, double structure, doub
 
 class Projection {
   public:
-    /// Of a picture of this size, pixels.
+    /// For a picture of this size, pixels.
     Projection(const Camera& camera, double width, double height);
 
     /// x to the right and y down, pixels from the upper left. The point must lie before the eye.
@@ -106,13 +106,13 @@ inline constexpr Colour normal_magenta{0.80, 0.10, 0.62};
 inline constexpr Colour tow_orange{0.95, 0.50, 0.02};
 inline constexpr Colour friction_teal{0.00, 0.62, 0.66};
 
-/// Of a number from 0 to 1: dark blue, green, yellow.
+/// The colour of a number from 0 to 1: dark blue, green, yellow.
 Colour scale_colour(double share);
 
-/// Of a piece: neighbouring numbers differ well.
+/// The colour of a piece: neighbouring numbers differ well.
 Colour piece_colour(int piece);
 
-/// Of a face with this outward normal in the light of the pictures' sun.
+/// The colour of a face with this outward normal in the light of the pictures' sun.
 Colour lit(const Colour& colour, const Vec3& normal);
 
 /// What is left of it below `depth` m of water, seen from above; `clear`, m: where nearly all is gone.

@@ -79,7 +79,7 @@ std::optional<RequestWithDescriptor> receive(int control) {
     return RequestWithDescriptor{request, Descriptor(descriptor)};
 }
 
-void send_frames(int socket, Frame kind, std::span<const std::byte> bytes) {
+void send_frames(int socket, PacketKind kind, std::span<const std::byte> bytes) {
     std::vector<std::byte> packet;
     while (!bytes.empty()) {
         const auto part = bytes.first(std::min(bytes.size(), most_bytes_in_a_frame));
@@ -108,7 +108,7 @@ struct Child {
     bool at_deadline = false;
 };
 
-std::string no_file(const std::string& path) {
+std::string no_file_for_a_helper(const std::string& path) {
     throw RunError(fmt::format("The campaign given to a helper refers to the file {}.", path));
 }
 
@@ -121,7 +121,7 @@ Campaign read_from(const Descriptor& file) {
         if (more <= 0) break;
         got += static_cast<std::size_t>(more);
     }
-    return read_campaign({text, "campaign of this run", {}}, no_file);
+    return read_campaign({text, "campaign of this run", {}}, no_file_for_a_helper);
 }
 
 class Server {
@@ -187,7 +187,7 @@ class Server {
                 std::find_if(children_.begin(), children_.end(), [&](const Child& c) { return c.pid == pid; });
             if (child == children_.end()) continue;
             const Ending ending{status, child->at_deadline, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
-            send_frames(child->socket.get(), Frame::ending, std::as_bytes(std::span(&ending, 1)));
+            send_frames(child->socket.get(), PacketKind::ending, std::as_bytes(std::span(&ending, 1)));
             children_.erase(child);
         }
     }
@@ -216,9 +216,9 @@ class Server {
             ByteWriter answer;
             answer.u8(static_cast<std::uint8_t>(AnswerKind::sentence));
             answer.text(fmt::format("Cannot create a process for the member ({}).", std::strerror(errno)));
-            send_frames(socket.get(), Frame::part, answer.bytes());
+            send_frames(socket.get(), PacketKind::part, answer.bytes());
             const Ending none;
-            send_frames(socket.get(), Frame::ending, std::as_bytes(std::span(&none, 1)));
+            send_frames(socket.get(), PacketKind::ending, std::as_bytes(std::span(&none, 1)));
             return;
         }
         std::optional<Clock::time_point> deadline;
@@ -311,7 +311,7 @@ void compute_and_leave(const Request& request, const Descriptor& socket, const C
     reset_signals();
     limit_memory(request.limits.memory);
     const Bytes answer = compute_answer(request, campaign, compute);
-    send_frames(socket.get(), Frame::part, answer);
+    send_frames(socket.get(), PacketKind::part, answer);
     ::_exit(0);
 }
 
@@ -368,7 +368,7 @@ Answered listen(int socket, const std::optional<Clock::time_point>& end) {
         if (size < 0 && errno == EINTR) continue;
         if (size <= 0) {
             answer.closed = true;
-        } else if (static_cast<helper_protocol::Frame>(packet[0]) == helper_protocol::Frame::ending) {
+        } else if (static_cast<helper_protocol::PacketKind>(packet[0]) == helper_protocol::PacketKind::ending) {
             std::memcpy(&answer.ending.emplace(), packet.data() + 1, sizeof(Ending));
         } else {
             answer.bytes.insert(answer.bytes.end(), packet.begin() + 1, packet.begin() + size);

@@ -33,11 +33,11 @@ struct RequestWithDescriptor {
 
 enum class AnswerKind : std::uint8_t { result, sentence };
 
-enum class Frame : std::uint8_t { part, ending };  // the first byte of each packet
+enum class PacketKind : std::uint8_t { part, ending };  // the first byte of each packet
 constexpr std::size_t most_bytes_in_a_frame = 32768;
 
 /// Sends the bytes in as many frames as needed; gives up if the other end is closed.
-void send_frames(int socket, Frame kind, std::span<const std::byte> bytes);
+void send_frames(int socket, PacketKind kind, std::span<const std::byte> bytes);
 
 /// False if the other end is closed.
 bool send(int control, const Request& request, int descriptor);

@@ -19,6 +19,8 @@
 
 namespace floes {
 
+inline constexpr int master_rank = 0;
+
 /// All kinds of messages between ranks. Their contents: driver/messages.hpp.
 enum class Tag : int {
     // master -> worker

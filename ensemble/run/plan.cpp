@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/text.hpp"
+#include "core/undefined.hpp"
 #include "run/simulate.hpp"
 #include "store/journal.hpp"
 #include "store/member_record.hpp"
@@ -21,14 +21,12 @@ namespace floes {
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesystem::path& campaign_file) {
     const JournalContents contents = read_journal(journal);
     MeasuredRun run{read_stored_campaign(contents, journal), {}, 0};
     for (const std::optional<std::size_t>& record : match_records(run.campaign, contents.members)) {
         const bool done = record && contents.members[*record].done();
-        run.wall_time.push_back(done ? contents.members[*record].wall_time : nan);
+        run.wall_time.push_back(done ? contents.members[*record].wall_time : undefined);
     }
     // During a run the file is older than the journal.
     const bool complete = !contents.sessions.empty() && !contents.sessions.back().ended.empty();
@@ -44,7 +42,7 @@ MeasuredRun of_campaign_file(const std::filesystem::path& path) {
     const CampaignTable table = read_campaign_file(file);
     MeasuredRun run{file.campaign(), read_wall_times(file), 0};
     for (std::size_t k = 0; k < run.wall_time.size(); ++k)
-        if (table.members.at(k).status != RowStatus::done) run.wall_time[k] = nan;
+        if (table.members.at(k).status != RowStatus::done) run.wall_time[k] = undefined;
     return run;
 }
 

@@ -18,8 +18,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int self = 0;
-
 // A process by descriptor, because its number may be reused before it is needed. (The wrappers of glibc 2.36 have no
 // C++ linkage.)
 Descriptor open_process(int pid) {
@@ -86,7 +84,7 @@ Muster muster(Link& link, const Campaign& campaign, const Hello& own, const Sile
 
 RankWatch::RankWatch(Link& link, const Muster& mustered, const SilenceLimits& patience, Time now)
     : link_(link), patience_(patience), silence_(link.size(), now) {
-    const std::string& here = mustered.hellos.at(self).host;
+    const std::string& here = mustered.hellos.at(master_rank).host;
     for (int rank = 1; rank < link.size(); ++rank) {
         const Hello& hello = mustered.hellos.at(static_cast<std::size_t>(rank));
         if (hello.host == here) processes_.emplace(rank, open_process(hello.pid));

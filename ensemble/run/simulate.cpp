@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "run/link.hpp"
 #include "schedule/scheduler.hpp"
 
 // Measured by
@@ -52,7 +53,7 @@ DriverCosts measured_costs() {
         .member_per_byte = 21e-9,
         .report = 11e-6,
         .report_per_byte = 1.1e-9,
-        .longest_held_back = 0.05,  // as in driver/silence.hpp; the next as in driver/worker.cpp
+        .longest_held_back = 0.05,  // as in run/worker.hpp; the next as in run/worker.cpp
         .most_held_back = 256,
         .latency = 5e-6,  // between ranks of one machine
         .transfer_per_byte = 0.2e-9,
@@ -144,8 +145,6 @@ void MasterClock::publish() {
 }
 
 namespace {
-
-constexpr int master = 0;
 
 enum class Kind : std::uint8_t {
     assigned,  // a member has reached a rank
@@ -252,9 +251,9 @@ class Play {
     void hand_out() {
         for (const auto& [worker, assigns] : handed_out_) {
             const auto members = static_cast<double>(assigns.size());
-            if (worker == master) {
+            if (worker == master_rank) {
                 clock_.work(members * costs_.own_member / 2);
-                for (const Assign& assign : assigns) foresee(clock_.now(), Kind::assigned, master, assign);
+                for (const Assign& assign : assigns) foresee(clock_.now(), Kind::assigned, master_rank, assign);
                 continue;
             }
             clock_.work(costs_.send + members * costs_.assign);
@@ -288,7 +287,7 @@ class Play {
         begin_next(here, at.time);
         if (here.answers.empty()) {
             here.first_answer = at.time;
-            if (at.rank != master) foresee(at.time + costs_.longest_held_back, Kind::held, at.rank, {});
+            if (at.rank != master_rank) foresee(at.time + costs_.longest_held_back, Kind::held, at.rank, {});
         }
         here.answers.push_back({at.rank, at.number, at.attempt});
         send_answers(at.rank, at.time);
@@ -297,12 +296,12 @@ class Play {
     void send_answers(int from, double time) {
         Rank& here = rank(from);
         if (here.answers.empty()) return;
-        const bool waits = from != master && static_cast<int>(here.waiting.size()) >= here.cores &&
+        const bool waits = from != master_rank && static_cast<int>(here.waiting.size()) >= here.cores &&
                            static_cast<double>(here.answers.size()) < costs_.most_held_back &&
                            time - here.first_answer < costs_.longest_held_back;
         if (waits) return;
         double arrival = time;
-        if (from != master) {
+        if (from != master_rank) {
             double bytes = 0;
             for (const Assign& one : here.answers) bytes += member(one.number).record_bytes;
             const double work =
@@ -317,7 +316,7 @@ class Play {
 
     void answered(const Happening& at) {
         const auto message = messages_.extract(at.number);
-        const bool own = at.rank == master;
+        const bool own = at.rank == master_rank;
         clock_.notice(at.time, !own);
         if (!own) clock_.work(costs_.receive);
         for (const Assign& one : message.mapped()) {

@@ -26,7 +26,6 @@ namespace floes {
 
 namespace {
 
-constexpr int master = 0;
 constexpr std::size_t most_held_back = 256;  // answers; bounds the size of a message
 
 std::string no_file(const std::string& path) {
@@ -48,7 +47,8 @@ class Worker {
     Worker(Link& link, const Campaign& campaign, const CrewSetup& setup, const SilenceLimits& patience,
            const StopSignals& signals)
         : link_(link), patience_(patience), signals_(signals), scribe_(campaign, link.rank()), crew_(campaign, setup) {
-        link_.send(master, Tag::hello, encode(Hello{setup.threads, host_name(), fingerprint(campaign), ::getpid()}));
+        link_.send(master_rank, Tag::hello,
+                   encode(Hello{setup.threads, host_name(), fingerprint(campaign), ::getpid()}));
     }
 
     int run() {
@@ -64,7 +64,7 @@ class Worker {
     bool advance() {
         bool something = link_.moving();
         while (const auto message = link_.poll()) {
-            silence_.heard(master);
+            silence_.heard(master_rank);
             obey(*message);
             something = true;
         }
@@ -75,11 +75,11 @@ class Worker {
         send_answers();
         if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
         if (dismissed_ && !said_farewell_ && crew_.held() == 0) {
-            link_.send(master, Tag::farewell, {});
+            link_.send(master_rank, Tag::farewell, {});
             said_farewell_ = true;
         }
         if (signals_.received() != 0 && !passed_signal_) {
-            link_.send(master, Tag::stop_request, {});
+            link_.send(master_rank, Tag::stop_request, {});
             passed_signal_ = true;
         }
         watch_master();
@@ -90,12 +90,12 @@ class Worker {
         silence_.listened(std::chrono::steady_clock::now());
         if (silence_.total() < next_sign_) return;
         next_sign_ = silence_.total() + patience_.sign_of_life;
-        link_.send(master, Tag::alive, {});
-        if (silence_.of(master) < patience_.with_the_master) return;
+        link_.send(master_rank, Tag::alive, {});
+        if (silence_.of(master_rank) < patience_.with_the_master) return;
         fmt::print(stderr,
                    "floes: rank {} leaves, because the master has been silent for {:.0f} s; continue with --resume\n",
-                   link_.rank(), silence_.of(master));
-        link_.abandon(master);
+                   link_.rank(), silence_.of(master_rank));
+        link_.abandon(master_rank);
         exit_status_ = 1;
     }
 
@@ -114,7 +114,7 @@ class Worker {
                 ranks_are_missing_ = true;
                 return;
             case Tag::leave:
-                if (ranks_are_missing_) link_.abandon(master);
+                if (ranks_are_missing_) link_.abandon(master_rank);
                 exit_status_ = decode_status(message.bytes);
                 return;
             default:
@@ -135,7 +135,7 @@ class Worker {
         const bool waits = crew_.waiting() >= crew_.threads() && answers_.size() < most_held_back &&
                            held_back.count() < patience_.with_answers;
         if (waits) return;
-        link_.send(master, Tag::answer, encode(answers_));
+        link_.send(master_rank, Tag::answer, encode(answers_));
         answers_.clear();
     }
 
@@ -184,7 +184,7 @@ int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helpe
     try {
         return serve(link, {compute, threads_of(link, threads), helper}, patience, signals);
     } catch (const std::exception& error) {
-        link.send(master, Tag::trouble, encode_text(error.what()));
+        link.send(master_rank, Tag::trouble, encode_text(error.what()));
     }
     while (true) {
         const Message message = wait_for_message(link);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/contract.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "member/array_output.hpp"
@@ -49,6 +50,7 @@ PackedArray read_array(ByteReader& in) {
 }  // namespace
 
 PackedArray MemberRecord::array(std::size_t number) const {
+    FLOES_EXPECTS(number < arrays.size());
     return arrays[number].empty() ? pack(array_outputs[number].access.get(result)) : arrays[number];
 }
 

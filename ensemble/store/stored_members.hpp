@@ -53,7 +53,7 @@ class StoredMembers {
 
     /// `notes` must outlive these.
     StoredMembers(const MemberNotes& notes, Read read);
-    /// Of records at hand, which must outlive these.
+    /// For records at hand, which must outlive these.
     StoredMembers(std::span<const MemberRecord> records = {});
     StoredMembers(const std::vector<MemberRecord>& records) : StoredMembers(std::span(records)) {}
     StoredMembers(const StoredMembers&) = delete;

@@ -38,25 +38,13 @@ Datum if_known(bool known, Datum value) {
     return value;
 }
 
-DataRows csv_only(DataRows records) {
-    for (Names& one : records.names) one.json.clear();
-    return records;
-}
-
-DataRows json_only(DataRows records) {
-    for (Names& one : records.names) one.csv.clear();
-    return records;
-}
-
 std::string csv(const DataRows& records) {
     std::string text;
-    for (const Names& one : records.names)
-        if (!one.csv.empty()) text += Field{}(one.csv) + ",";
-    if (text.empty()) return text;
+    if (!records.in_csv) return text;
+    for (const std::string& name : records.names) text += Field{}(name) + ",";
     end_line(text);
     for (const std::vector<Datum>& row : records.rows) {
-        for (std::size_t k = 0; k < row.size(); ++k)
-            if (!records.names[k].csv.empty()) text += std::visit(Field{}, row[k].get()) + ",";
+        for (const Datum& value : row) text += std::visit(Field{}, value.get()) + ",";
         end_line(text);
     }
     return text;
@@ -83,23 +71,15 @@ Json& at(Json& parent, const std::string& place) {
     return place.empty() || place == "." ? parent : parent[Json::json_pointer("/" + place)];
 }
 
-void put(Json& record, const std::vector<Names>& names, const std::vector<Datum>& row) {
-    for (std::size_t k = 0; k < names.size(); ++k) {
-        if (names[k].json.empty() || std::holds_alternative<Absent>(row[k].get())) continue;
-        at(record, names[k].json) = std::visit(ToJson{}, row[k].get());
-    }
-}
-
-bool has_names(const DataRows& records) {
-    for (const Names& one : records.names)
-        if (!one.json.empty()) return true;
-    return false;
+void put(Json& record, const std::vector<std::string>& names, const std::vector<Datum>& row) {
+    for (std::size_t k = 0; k < names.size(); ++k)
+        if (!std::holds_alternative<Absent>(row[k].get())) at(record, names[k]) = std::visit(ToJson{}, row[k].get());
 }
 
 void add(Json& document, const DataRows& records) {
-    if (!has_names(records)) return;
+    if (!records.in_json) return;
     Json& place = at(document, records.place);
-    if (records.shape == DataRows::Shape::object) {
+    if (records.object) {
         put(place, records.names, records.rows.front());
         return;
     }

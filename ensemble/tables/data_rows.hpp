@@ -3,7 +3,6 @@
 
 #include <concepts>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -35,7 +34,8 @@ struct Bracket {
     bool said = true;
 };
 
-/// What programs call something, and what people do: "k17", "thickness 0.02 m".
+/// What programs call something, and what people do: "k17", "thickness 0.02 m". Without a name it is undefined for
+/// programs.
 struct Named {
     std::string name;
     std::string label;
@@ -68,64 +68,16 @@ Datum if_known(bool known, Datum value);
 
 // Records for programs: the same values as CSV and as JSON, under the names of their columns.
 
-/// Where a value is written.
-struct Names {
-    std::string csv;   ///< column; empty: not in CSV
-    std::string json;  ///< place in the record's object, "interval/low"; ".": the record itself; empty: not in JSON
-};
-
-/// A column of records: its names, and how a row gives its value.
-template <class Row>
-struct DataColumn {
-    /// One name for both.
-    DataColumn(std::string name, std::function<Datum(const Row&)> of) : names{name, name}, value(std::move(of)) {}
-    DataColumn(Names both, std::function<Datum(const Row&)> of) : names(std::move(both)), value(std::move(of)) {}
-
-    Names names;
-    std::function<Datum(const Row&)> value;
-};
-
 struct DataRows {
-    enum class Shape { list, object };
-
-    std::string place;  ///< in JSON: of the list, or of the object if there is one record; empty: the root
-    std::vector<Names> names;
-    std::vector<std::vector<Datum>> rows;  ///< each as long as names
-    Shape shape = Shape::list;
+    std::string place;                          ///< in JSON: of the list, or of the object; empty: the root
+    std::vector<std::string> names;             ///< of the columns; of a list of plain values one, "."
+    std::vector<std::vector<Datum>> rows = {};  ///< each as long as names
+    bool object = false;                        ///< one record, an object of JSON and no list
+    bool in_csv = true;
+    bool in_json = true;
 };
 
-template <class Row>
-DataRows make_rows(std::string place, std::span<const Row> rows, const std::vector<DataColumn<Row>>& columns) {
-    DataRows records{std::move(place), {}, {}};
-    for (const DataColumn<Row>& column : columns) records.names.push_back(column.names);
-    for (const Row& row : rows) {
-        std::vector<Datum>& values = records.rows.emplace_back();
-        values.reserve(columns.size());
-        for (const DataColumn<Row>& column : columns) values.push_back(column.value(row));
-    }
-    return records;
-}
-
-/// An object of JSON.
-template <class Row>
-DataRows make_object(std::string place, const Row& row, const std::vector<DataColumn<Row>>& columns) {
-    DataRows records = make_rows(std::move(place), std::span<const Row>(&row, 1), columns);
-    records.shape = DataRows::Shape::object;
-    return records;
-}
-
-/// A list of values in JSON.
-template <class Element>
-DataRows make_list(std::string place, const std::vector<Element>& values) {
-    return make_rows<Element>(std::move(place), values,
-                              {{Names{"", "."}, [](const Element& value) { return Datum(value); }}});
-}
-
-/// The same records for CSV or JSON only.
-DataRows csv_only(DataRows records);
-DataRows json_only(DataRows records);
-
-/// A header line and a line for each record (RFC 4180), numbers with all digits; empty if no column is for CSV.
+/// A header line and a line for each record (RFC 4180), numbers with all digits; empty if the records are not for CSV.
 std::string csv(const DataRows& records);
 
 /// All of them in one JSON document, names in order; ends in a newline. If two write to one place, the later one wins.

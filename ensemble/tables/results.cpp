@@ -5,16 +5,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
-#include "tables/number_text.hpp"
 
 namespace floes {
 namespace {
 
+/// Decimals that give a quantity as large as `largest` about four digits.
+int decimals_for(double largest) {
+    return largest >= 1000 ? 0 : largest >= 100 ? 1 : largest >= 1 ? 2 : 4;
+}
+
+/// About three digits.
+int few_decimals(double largest) {
+    return largest >= 100 ? 0 : largest >= 1 ? 1 : largest >= 0.1 ? 2 : largest > 0 ? 3 : 1;
+}
+
+/// "–" where undefined.
+std::string with_decimals(double value, int decimals) {
+    return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "–";
+}
+
+/// "0.034", "<0.001"; "–" where undefined.
+std::string p_text(double p) {
+    return !std::isfinite(p) ? "–" : p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p);
+}
+
 /// The magnitude that decides decimals; 0 of what is no number.
 struct Magnitude {
     double operator()(double value) const { return std::isfinite(value) ? std::abs(value) : 0; }
-    /// Of a difference near 0 the width of its interval.
+    /// For a difference near 0 the width of its interval.
     double operator()(const Estimate& one) const {
         return std::max((*this)(one.value), one.said ? (*this)(0.5 * (one.high - one.low)) : 0);
     }
@@ -26,7 +46,7 @@ bool is_heading(const Results& results, std::size_t row) {
     return results.rows[row].size() == 1 && results.columns.size() > 1;
 }
 
-/// Of a column in the rows [first, end).
+/// For a column in the rows [first, end).
 int decimals_of(const Results& results, std::size_t column, const std::string& unit, const Units& units,
                 std::size_t first, std::size_t end) {
     if (const int fixed = results.columns[column].decimals; fixed >= 0) return fixed;
@@ -52,7 +72,7 @@ struct ToCell {
         if (column.p) return p_text(value);
         if (!std::isfinite(value)) return "–";
         return column.digits > 0 ? significant(factor * value, column.digits)
-                                 : without_minus_zero(fixed(factor * value, decimals));
+                                 : without_minus_zero(with_decimals(factor * value, decimals));
     }
     std::string limits(double low, double high, bool said) const {
         return said && (std::isfinite(low) || std::isfinite(high)) ? fmt::format("[{}, {}]", number(low), number(high))
@@ -88,7 +108,7 @@ struct ToData {
     void operator()(Undefined none) const { fill(none); }
     void operator()(const Estimate& one) const { row.insert(row.end(), {one.value, one.low, one.high}); }
     void operator()(const Bracket& one) const { row.insert(row.end(), {one.limits.low, one.limits.high}); }
-    void operator()(const Named& one) const { row.emplace_back(one.name); }
+    void operator()(const Named& one) const { row.push_back(if_known(!one.name.empty(), one.name)); }
     void operator()(const auto& value) const { row.emplace_back(value); }
 
     void fill(Datum none) const {
@@ -192,6 +212,7 @@ void Results::add(std::vector<Datum> row, For whom) {
 }
 
 const Datum& Results::at(std::size_t row, std::string_view key) const {
+    FLOES_EXPECTS(row < rows.size());
     return rows.at(row).at(column_of(*this, key));
 }
 
@@ -206,6 +227,17 @@ std::string Results::name(std::size_t row, std::string_view key) const {
 void Results::add_heading(std::string words, For whom, std::string unit) {
     rows.push_back({Datum(Named{std::move(unit), std::move(words)})});
     rows_for.push_back(whom == For::everybody ? For::people : whom);
+}
+
+Results object(std::string place, std::vector<std::pair<std::string, Datum>> values) {
+    Results made{.place = std::move(place), .view = Results::View::none, .object = true, .in_csv = false};
+    std::vector<Datum> row;
+    for (auto& [key, value] : values) {
+        made.columns.push_back({.key = std::move(key)});
+        row.push_back(std::move(value));
+    }
+    made.add(std::move(row));
+    return made;
 }
 
 std::vector<ResultColumn> program_columns(std::string_view keys) {
@@ -223,6 +255,11 @@ std::vector<ResultColumn> operator+(std::vector<ResultColumn> first, const std::
     return first;
 }
 
+std::vector<Datum> operator+(std::vector<Datum> first, const std::vector<Datum>& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
 Cell shown_cell(const Datum& value, const ResultColumn& column, int decimals, const Units& units) {
     return std::visit(ToCell{column, decimals, units.of(column.unit).factor}, value.get());
 }
@@ -235,19 +272,20 @@ Table shown_table(const Results& results, const Units& units, Results::For whom)
 }
 
 DataRows data_rows(const Results& results) {
-    DataRows records{results.place, {}, {}, results.object ? DataRows::Shape::object : DataRows::Shape::list};
+    DataRows records{.place = results.place,
+                     .names = {},
+                     .object = results.object,
+                     .in_csv = results.in_csv,
+                     .in_json = results.in_json};
     std::vector<std::size_t> shown;
     for (std::size_t k = 0; k < results.columns.size(); ++k) {
         const ResultColumn& one = results.columns[k];
         if (one.key.empty()) continue;
         shown.push_back(k);
-        const auto add = [&](const std::string& key) {
-            records.names.push_back({results.in_csv ? key : "", results.in_json ? key : ""});
-        };
-        if (one.holds != ResultColumn::Holds::brackets) add(one.key);
+        if (one.holds != ResultColumn::Holds::brackets) records.names.push_back(one.key);
         if (one.holds == ResultColumn::Holds::values) continue;
-        add(one.key + "_low");
-        add(one.key + "_high");
+        records.names.push_back(one.key + "_low");
+        records.names.push_back(one.key + "_high");
     }
     for (std::size_t r = 0; r < results.rows.size(); ++r) {
         if (is_heading(results, r) || results.rows_for[r] == Results::For::people) continue;

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tables/data_rows.hpp"
@@ -68,10 +69,22 @@ struct Results {
     std::string name(std::size_t row, std::string_view key) const;
 };
 
+/// An object of JSON, for programs alone.
+Results object(std::string place, std::vector<std::pair<std::string, Datum>> values);
+
 /// Columns for programs alone: "base axis from to".
 std::vector<ResultColumn> program_columns(std::string_view keys);
-/// One list of columns after another.
+/// A list for programs alone, with what `values` makes of each row: a Datum for each key.
+template <class Row>
+Results list(std::string place, std::string_view keys, const std::vector<Row>& rows, auto values) {
+    Results made{.place = std::move(place), .columns = program_columns(keys), .view = Results::View::none};
+    for (const Row& row : rows) made.add(values(row));
+    return made;
+}
+
+/// One list after another: of columns, and of the values under them.
 std::vector<ResultColumn> operator+(std::vector<ResultColumn> first, const std::vector<ResultColumn>& second);
+std::vector<Datum> operator+(std::vector<Datum> first, const std::vector<Datum>& second);
 
 /// The columns and rows that people see in text and first on a page.
 Table shown_table(const Results& results, const Units& units, Results::For whom = Results::For::everybody);

@@ -27,10 +27,7 @@ std::string table_text(const Section& section, int width, const Units& units) {
     std::vector<std::string> parts;
     for (const Results& one : section.results)
         if (std::string part = results_text(one, width, units); !part.empty()) parts.push_back(std::move(part));
-    if (section.table.empty()) return joined(parts);
-    Table all = section.table;
-    all.insert(all.end(), section.folded.begin(), section.folded.end());
-    return section.layout == Section::Layout::panels ? text_panels(all, width) : text_columns(all, width);
+    return joined(parts);
 }
 
 }  // namespace
@@ -70,7 +67,7 @@ std::string json(std::span<const Section> sections) {
 }
 
 std::vector<DataRows> records_of(const Section& section) {
-    std::vector<DataRows> records = section.records;
+    std::vector<DataRows> records;
     for (const Results& one : section.results)
         if (std::ranges::any_of(one.columns, [](const ResultColumn& column) { return !column.key.empty(); }))
             records.push_back(data_rows(one));

@@ -14,18 +14,11 @@
 namespace floes {
 
 struct Section {
-    enum class Layout { columns, panels };
-
-    std::string title = {};             ///< a line of its own; empty: the section belongs to the one before
-    std::string before = {};            ///< between title and table; where there is no table, it says why
-    std::vector<Results> results = {};  ///< tables for people and records for programs, in order
-    Table table = {};
-    Table folded = {};                    ///< further rows of the table, closed at first on a page
-    Table on_page = {};                   ///< as folded, but only a page has room for them
-    std::string after = {};               ///< below the table: the meaning of its columns
+    std::string title = {};               ///< a line of its own; empty: the section belongs to the one before
+    std::string before = {};              ///< between title and tables; where there is none, it says why
+    std::vector<Results> results = {};    ///< tables for people and records for programs, in order
+    std::string after = {};               ///< below the tables: the meaning of their columns
     std::vector<std::string> notes = {};  ///< below that, sentences, each on a line of its own
-    std::vector<DataRows> records = {};
-    Layout layout = Layout::columns;
     std::string missing = {};  ///< a sentence if the file lacks the data; for CSV and JSON it goes to standard error
     std::vector<Figure> figures = {};  ///< below all this, on a page only
 };
@@ -40,7 +33,7 @@ std::string csv(std::span<const Section> sections);
 /// All records in one document.
 std::string json(std::span<const Section> sections);
 
-/// All records of a section.
+/// The records of a section, for a workbook.
 std::vector<DataRows> records_of(const Section& section);
 
 }  // namespace floes

@@ -6,9 +6,12 @@
 #include <array>
 #include <cmath>
 
-#include "tables/number_text.hpp"
-
 namespace floes {
+
+std::string significant(double value, int digits) {
+    const int before = value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+    return before > digits ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
+}
 
 Units::Units(double largest) {
     const double load = std::abs(largest);

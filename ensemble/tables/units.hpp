@@ -7,6 +7,9 @@
 
 namespace floes {
 
+/// So many significant digits, and all digits before the point: "1230", not "1.23e+03".
+std::string significant(double value, int digits);
+
 class Units {
   public:
     /// How values of an SI unit are shown: "kN", 1e-3.

@@ -43,36 +43,27 @@ struct Writer {
     }
 };
 
-/// The columns of the records that a sheet has.
-std::vector<std::size_t> columns_of(const DataRows& records) {
-    std::vector<std::size_t> columns;
-    for (std::size_t k = 0; k < records.names.size(); ++k)
-        if (!records.names[k].csv.empty()) columns.push_back(k);
-    return columns;
-}
-
 /// Wide enough for the name of a column, or for a text in it.
 double width_of(const DataRows& records, std::size_t column) {
-    std::size_t longest = std::max<std::size_t>(records.names[column].csv.size() + 2, 9);
+    std::size_t longest = std::max<std::size_t>(records.names[column].size() + 2, 9);
     for (const std::vector<Datum>& row : records.rows)
         if (const auto* text = std::get_if<std::string>(&row[column].get())) longest = std::max(longest, text->size());
     return std::min(widest_column, 1.0 + static_cast<double>(longest));
 }
 
 void fill(lxw_worksheet* sheet, const DataRows& records, lxw_format* heading) {
-    const std::vector<std::size_t> columns = columns_of(records);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
+    for (std::size_t k = 0; k < records.names.size(); ++k) {
         const auto column = static_cast<lxw_col_t>(k);
-        worksheet_set_column(sheet, column, column, width_of(records, columns[k]), nullptr);
-        worksheet_write_string(sheet, 0, column, records.names[columns[k]].csv.c_str(), heading);
+        worksheet_set_column(sheet, column, column, width_of(records, k), nullptr);
+        worksheet_write_string(sheet, 0, column, records.names[k].c_str(), heading);
     }
     for (std::size_t row = 0; row < records.rows.size(); ++row)
-        for (std::size_t k = 0; k < columns.size(); ++k)
+        for (std::size_t k = 0; k < records.names.size(); ++k)
             std::visit(Writer{sheet, static_cast<lxw_row_t>(row + 1), static_cast<lxw_col_t>(k)},
-                       records.rows[row][columns[k]].get());
+                       records.rows[row][k].get());
     worksheet_freeze_panes(sheet, 1, 1);
     worksheet_autofilter(sheet, 0, 0, static_cast<lxw_row_t>(records.rows.size()),
-                         static_cast<lxw_col_t>(columns.size() - 1));
+                         static_cast<lxw_col_t>(records.names.size() - 1));
 }
 
 }  // namespace
@@ -95,8 +86,7 @@ void write_workbook(const std::filesystem::path& path, std::span<const Sheet> sh
     format_set_bold(heading);
     format_set_bottom(heading, LXW_BORDER_THIN);
     for (const Sheet& sheet : sheets)
-        if (!columns_of(sheet.records).empty())
-            fill(workbook_add_worksheet(book, sheet.name.c_str()), sheet.records, heading);
+        if (sheet.records.in_csv) fill(workbook_add_worksheet(book, sheet.name.c_str()), sheet.records, heading);
     if (const lxw_error error = workbook_close(book); error != LXW_NO_ERROR) refuse(lxw_strerror(error));
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "arrangement/order.hpp"
 #include "arrangement/sampler.hpp"
 #include "arrangement/scattered.hpp"
+#include "core/contract.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "scenario/floes.hpp"
@@ -62,7 +64,7 @@ std::vector<PlanarPose> lattice(const Scenario& scenario, Rectangles shapes, Ran
     return jittered_lattice(field_walls(scenario), shapes, rule.clearance, {rule.jitter, rule.jitter_angle}, random);
 }
 
-/// Of random streams that do not depend on ordering_sweeps: more sweeps continue the same chain.
+/// Key of random streams that do not depend on ordering_sweeps: more sweeps continue the same chain.
 std::uint64_t unordered_key(const Scenario& scenario) {
     Scenario unordered = scenario;
     unordered.arrangement.ordering_sweeps = 0;
@@ -159,7 +161,7 @@ std::string outlines_text(const TracedOutlines& traced) {
     return text;
 }
 
-/// Of a field without end, one after another.
+/// Parts of a field without end, one after another.
 std::function<FieldPart()> parts_of(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
     if (scenario.shapes.kind == ShapeKind::voronoi)
         return [field = std::make_shared<CellField>(scenario, seed, number)] { return field->next(); };
@@ -223,6 +225,7 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
                                    fault->sentence));
     }
     measure(made, scenario);
+    FLOES_ENSURES(std::ranges::all_of(made.floes, [](const Floe& floe) { return std::isfinite(floe.pose.x); }));
     return made;
 }
 

@@ -16,7 +16,6 @@ namespace floes {
 
 namespace {
 
-constexpr double rounding = 1e-9;        // m
 constexpr double area_rounding = 1e-12;  // relative
 constexpr double tidied_area = 1e-6;     // likewise, of polygons, which lose their shortest edges
 
@@ -44,9 +43,9 @@ Gap widest_gap(const TurnedRectangle& first, const TurnedRectangle& second, doub
 }
 
 std::string gap_text(const Gap& gap, double clearance) {
-    const std::string found = std::abs(gap.width) < rounding ? "touch"
-                              : gap.width < 0                ? fmt::format("overlap by {:.4g} m", -gap.width)
-                                                             : fmt::format("are {:.4g} m apart", gap.width);
+    const std::string found = std::abs(gap.width) < length_rounding ? "touch"
+                              : gap.width < 0                       ? fmt::format("overlap by {:.4g} m", -gap.width)
+                                                                    : fmt::format("are {:.4g} m apart", gap.width);
     const bool at_an_angle = gap.wanted > 1.0001 * clearance;
     return fmt::format("{}; they are to be {:.4g} m apart, the clearance{}", found, gap.wanted,
                        at_an_angle ? fmt::format(" of {} m at the angle between them", clearance) : "");
@@ -159,9 +158,9 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
     if (!(std::abs(concentration - field.concentration) <= exact * field.concentration)) {
         return Fault{fmt::format("the floes cover {} of the field instead of {}", concentration, field.concentration)};
     }
-    const Walls walls = field_walls(scenario).shrunk(clearance - rounding);
-    if (scenario.shapes.any()) return fault_of_polygons(walls, outlines_on_water(floes), clearance - rounding);
-    const double margin = 0.5 * (clearance - rounding);
+    const Walls walls = field_walls(scenario).shrunk(clearance - length_rounding);
+    if (scenario.shapes.any()) return fault_of_polygons(walls, outlines_on_water(floes), clearance - length_rounding);
+    const double margin = 0.5 * (clearance - length_rounding);
     const std::vector<Rectangle> shapes = rectangles(floes);
     std::vector<TurnedRectangle> grown;
     for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -191,12 +190,12 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
 
 std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Rectangle> shapes,
                                           std::span<const PlanarPose> poses, double clearance) {
-    const double margin = 0.5 * (clearance - rounding);
+    const double margin = 0.5 * (clearance - length_rounding);
     std::vector<TurnedRectangle> grown;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const Turn turn = turn_of(poses[i].yaw);
         grown.push_back({shapes[i].grown(margin), turn});
-        if (std::abs(poses[i].z) + extent(shapes[i], turn).z > 0.5 * walls.breadth - clearance + rounding)
+        if (std::abs(poses[i].z) + extent(shapes[i], turn).z > 0.5 * walls.breadth - clearance + length_rounding)
             return fmt::format("the floe at x = {:.4f} m, z = {:.4f} m crosses a side", poses[i].x, poses[i].z);
     }
     const auto pair = overlapping_pair(walls, grown, poses);
@@ -210,10 +209,10 @@ std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Ou
                                           std::span<const PlanarPose> poses, double clearance) {
     // Parts of a field without end go on beyond its ends, so only its sides are walls here.
     constexpr double far = 1e9;
-    const Walls sides = Walls{-far, walls.low_z, 2 * far, walls.breadth}.shrunk(clearance - rounding);
+    const Walls sides = Walls{-far, walls.low_z, 2 * far, walls.breadth}.shrunk(clearance - length_rounding);
     std::vector<Outline> laid;
     for (std::size_t i = 0; i < poses.size(); ++i) laid.push_back(on_water(outlines[i], poses[i]));
-    if (const auto fault = fault_of_polygons(sides, laid, clearance - rounding)) return fault->sentence;
+    if (const auto fault = fault_of_polygons(sides, laid, clearance - length_rounding)) return fault->sentence;
     return std::nullopt;
 }
 

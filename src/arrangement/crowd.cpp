@@ -14,11 +14,11 @@ namespace floes {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // relative
+constexpr double relative_rounding = 1e-9;  // relative
 
 /// At least as wide as the floes lie apart on average: a wide area with few of them is not divided into millions.
 double width_of(const CellArea& area, double reach, std::size_t floes) {
-    const double wanted = reach * (1 + rounding);
+    const double wanted = reach * (1 + relative_rounding);
     if (area.periodic) return wanted;
     return std::max(wanted,
                     std::sqrt(area.length * area.breadth / static_cast<double>(std::max<std::size_t>(floes, 1))));
@@ -107,13 +107,6 @@ void Cells::move(const Resident& resident) {
 }
 
 namespace {
-
-// A push removes this many times the overlap. Above 1, chains of floes separate in several times fewer sweeps.
-constexpr double over_relaxation = 1.5;
-
-// Weight of turning; with 1 a corner moves as far by the turn as by the shift. Then floes turn until their sides are
-// parallel where a shift would do, and the field becomes more ordered.
-constexpr double turning = 0.3;
 
 const std::array<Vec2, 4> wall_normals{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};  // into the field
 

@@ -17,6 +17,13 @@
 
 namespace floes {
 
+// A push removes this many times the overlap. Above 1, chains of floes separate in several times fewer sweeps.
+inline constexpr double over_relaxation = 1.5;
+
+// Weight of turning; with 1 a corner moves as far by the turn as by the shift. Then floes turn until their sides are
+// parallel where a shift would do, and the field becomes more ordered.
+inline constexpr double turning = 0.3;
+
 /// Half the sides of a rectangle, m: length along its own x, breadth along its own z.
 struct Rectangle {
     double half_length = 0;
@@ -211,7 +218,7 @@ class Cells {
         int index = 0;
     };
 
-    /// Of the cell at a point; a point beyond an edge belongs to the cell at that edge.
+    /// Index of the cell at a point; a point beyond an edge belongs to the cell at that edge.
     int cell_at(double x, double z) const;
 
     /// The cell itself and those around it, the nearest kinds first.

@@ -104,10 +104,10 @@ namespace {
 constexpr double diagonals_at_the_wall = 1.5;
 constexpr double waiting_diagonals = 4;
 
-/// Of the draws of the floes that wait when nothing is laid yet; no field has so many parts.
+/// Part number of the draws of the floes that wait when nothing is laid yet; no field has so many parts.
 constexpr std::uint64_t first_waiting = 1U << 31U;
 
-/// Of a polygon twice as far as it reaches from its centroid.
+/// For a polygon, twice as far as it reaches from its centroid.
 double diagonal(const SingleFloe& floe) {
     if (floe.shape.is_polygon()) return 2 * reach_of(floe.shape.outline);
     return std::hypot(floe.shape.length, floe.shape.breadth);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "arrangement/crowd.hpp"
+#include "core/contract.hpp"
 #include "core/turn.hpp"
 
 namespace floes {
@@ -63,8 +64,9 @@ CellArea area_around(std::span<const PlanarPose> poses) {
     return {left.x, low.z, right.x - left.x, high.z - low.z};
 }
 
-/// Of floes spread over an area, or along a line, m.
+/// Mean spacing of floes spread over an area, or along a line, m.
 double mean_spacing(const CellArea& area, std::size_t floes) {
+    FLOES_EXPECTS(floes >= 1);
     const auto count = static_cast<double>(floes);
     return std::max(std::sqrt(area.length * area.breadth / count), std::max(area.length, area.breadth) / count);
 }

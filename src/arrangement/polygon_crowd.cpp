@@ -12,12 +12,9 @@
 namespace floes {
 namespace {
 
-// As in crowd.cpp.
-constexpr double over_relaxation = 1.5;
-constexpr double turning = 0.3;
 constexpr double skin = 0.25;  // of the largest reach
 
-constexpr std::array<Corner, 4> wall_normals{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};  // into the field
+constexpr std::array<Corner, 4> field_normals{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};  // into the field
 
 /// How fast a point at arm from the middle moves along a direction as yaw grows, m/rad.
 double lever(const Corner& arm, const Corner& direction) {
@@ -128,7 +125,7 @@ double PolygonCrowd::sweep() {
         if (second < free_) other.shift(met->arm_second, met->normal, push * other.weight);
     }
     for (Body& body : std::span(bodies_).first(free_)) {
-        for (const Corner& normal : wall_normals) {
+        for (const Corner& normal : field_normals) {
             const auto met = contact(body, normal);
             if (!met) continue;
             deepest = std::max(deepest, met->depth);
@@ -148,7 +145,7 @@ void PolygonCrowd::for_each_overlap(const See& see) const {
         see(second, met->depth);
     }
     for (std::size_t i = 0; i < free_; ++i)
-        for (const Corner& normal : wall_normals)
+        for (const Corner& normal : field_normals)
             if (const auto met = contact(bodies_[i], normal)) see(i, met->depth);
 }
 
@@ -173,7 +170,7 @@ double PolygonCrowd::overlap_at(std::size_t polygon, const PlanarPose& pose) con
         if (i == polygon) continue;
         if (const auto met = contact(there, bodies_[i])) sum += met->depth;
     }
-    for (const Corner& normal : wall_normals)
+    for (const Corner& normal : field_normals)
         if (const auto met = contact(there, normal)) sum += met->depth;
     return sum;
 }

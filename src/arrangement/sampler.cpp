@@ -15,8 +15,8 @@ namespace floes {
 
 namespace {
 
-// Tolerance for rounding of equal lengths, m.
-constexpr double rounding = 1e-12;
+// Tolerance for equal_lengths of equal lengths, m.
+constexpr double equal_lengths = 1e-12;
 
 // Columns pushed together, leaning by angle; lengths in m along x and z.
 struct Leaning {
@@ -61,7 +61,7 @@ LatticeSize lattice_size(const Walls& walls, const Rectangle& shape, double clea
             best = {columns, rows, gap_x, gap_z};
         }
     }
-    if (best_gap < clearance - rounding) {
+    if (best_gap < clearance - equal_lengths) {
         throw InputError(fmt::format(
             "{} floes of {} m x {} m with a clearance of {} m do not fit on a lattice in a field of {:.3f} m x {:.3f} "
             "m; "

@@ -54,7 +54,7 @@ class HardRectangles {
     /// Where the floes are now. Yaw in [-pi, pi].
     const std::vector<PlanarPose>& poses() const { return poses_; }
 
-    /// Of the largest rectangle, with half the clearance round it, m.
+    /// Reach of the largest rectangle, with half the clearance round it, m.
     double half_diagonal() const { return half_diagonal_; }
 
   private:
@@ -114,8 +114,8 @@ struct Tuning {
     double target = 0.45;  ///< accepted moves per trial
 };
 
-/// Of HardRectangles or HardPolygons. Runs the rounds, which are part of the chain and also equilibrate it. Returns the
-/// step to use from then on.
+/// Samples HardRectangles or HardPolygons. Runs the rounds, which are part of the chain and also equilibrate it.
+/// Returns the step to use from then on.
 template <class HardFloes>
 Step tune(HardFloes& floes, RandomStream& random, const Tuning& tuning = {}) {
     const double half_diagonal = floes.half_diagonal();

@@ -22,7 +22,7 @@ constexpr int attempts = 10;
 constexpr int rounds = 20;  // more would order the field, because they redraw the floes that do not fit
 constexpr int sweeps_per_round = 1000;
 constexpr std::size_t floes_per_redraw = 250;
-// Of mixed sizes
+// With mixed sizes
 constexpr int pocket_rounds = 150;
 constexpr int pocket_sweeps = 200;
 constexpr std::size_t pocket_choice = 8;  // the smallest of every eighth floe
@@ -55,8 +55,8 @@ double reach(const Outline& shape) {
     return reach_of(shape);
 }
 
-/// Of mixed sizes the smallest of the floes that overlap most, where it overlaps least among many throws: a pocket that
-/// a small floe fills loosens the rest, and large floes stay as they were thrown.
+/// With mixed sizes, the smallest of the floes that overlap most, where it overlaps least among many throws: a pocket
+/// that a small floe fills loosens the rest, and large floes stay as they were thrown.
 template <class AnyCrowd, class Shape>
 void fill_a_pocket(AnyCrowd& crowd, std::span<const Shape> shapes, const Walls& thrown, RandomStream& random) {
     const std::vector<double> overlaps = crowd.overlaps();

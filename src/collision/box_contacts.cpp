@@ -5,6 +5,7 @@
 #include <map>
 
 #include "collision/prism_prism.hpp"
+#include "core/contract.hpp"
 
 namespace floes {
 namespace {
@@ -32,6 +33,7 @@ void BoxContacts::add(const ContactBox& box) {
 }
 
 void BoxContacts::take_out(std::uint32_t box) {
+    FLOES_EXPECTS(box < is_box_.size());
     move(box);
     is_box_[box] = 0;
     piece_[box] = -1;
@@ -39,6 +41,7 @@ void BoxContacts::take_out(std::uint32_t box) {
 }
 
 void BoxContacts::put_in(std::uint32_t number, const ContactBox& box) {
+    FLOES_EXPECTS(number < is_box_.size() && box.reach >= 0);
     move(number);
     half_extent_[number] = box.half_extent;
     is_prism_[number] = box.corners.empty() ? 0 : 1;
@@ -52,6 +55,7 @@ void BoxContacts::put_in(std::uint32_t number, const ContactBox& box) {
 }
 
 void BoxContacts::set_piece(std::uint32_t box, int piece) {
+    FLOES_EXPECTS(box < piece_.size());
     pieces_changed_ = pieces_changed_ || piece_[box] != piece;
     piece_[box] = piece;
 }

@@ -10,7 +10,7 @@ namespace {
 /// As of boxes (solver/contact_limits.inl): flush faces reach their whole area within micrometres.
 constexpr double flattest = 1e-5;
 
-/// Of the part of a polygon whose height n . p lies below a bound: its area and the chord at the bound over |n|.
+/// For the part of a polygon whose height n . p lies below a bound: its area and the chord at the bound over |n|.
 struct Below {
     double area = 0;
     double chord = 0;

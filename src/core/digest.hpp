@@ -28,7 +28,7 @@ class StreamingDigest {
     void add(std::span<const std::byte> bytes);
     /// The length (u64, little endian), then the text: two texts are not one.
     void add_text(std::string_view text);
-    /// Of all bytes so far, as 32 hex digits.
+    /// The digest of all bytes so far, as 32 hex digits.
     std::string hex() const;
 
   private:

@@ -2,6 +2,8 @@
 
 #include <Random123/philox.h>
 
+#include "core/contract.hpp"
+
 namespace floes {
 
 namespace {
@@ -42,6 +44,7 @@ void RandomStream::refill() {
 }
 
 std::uint32_t RandomStream::below(std::uint32_t n) {
+    FLOES_EXPECTS(n >= 1);
     std::uint64_t product = (next() >> 32) * n;
     if (low_word(product) < n) {
         const std::uint32_t surplus = -n % n;  // 2^32 mod n: this many low words would favour small results

@@ -11,6 +11,9 @@
 
 namespace floes {
 
+/// Lengths that differ by less are equal, m.
+inline constexpr double length_rounding = 1e-9;
+
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;

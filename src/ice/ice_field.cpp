@@ -458,7 +458,7 @@ Vec3 flat(const Corner& point) {
 
 }  // namespace
 
-/// Of as many elements, in whatever outline.
+/// A place of as many elements, in whatever outline.
 std::size_t IceField::free_place(const CutFloe& cut) const {
     const auto fits = [&](const Sheet& sheet) {
         return !sheet.there && sheet.cut && sheet.cut->elements.size() == cut.elements.size();

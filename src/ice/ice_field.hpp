@@ -140,7 +140,7 @@ class IceField {
     double fracture_work() const { return fracture_work_; }  ///< J, that cracks have taken, of joints that soften
     double share_of_floes(int some) const { return entered_ == 0 ? 0.0 : static_cast<double>(some) / floes(); }
     int pieces() const;  ///< of all floes
-    /// Of the floes in more than one piece, by floe, as the break log knows it.
+    /// Pieces of the floes in more than one piece, by floe, as the break log knows it.
     std::vector<PieceArea> piece_areas() const;
     int live_joints() const { return static_cast<int>(joints_.size()); }
 
@@ -175,7 +175,7 @@ class IceField {
         }
     };
 
-    /// Of floes that have left.
+    /// What floes that have left leave behind.
     struct Left {
         int broken = 0, split = 0, cracked = 0, pieces = 0;
         std::vector<PieceArea> areas{};  // of those in more than one piece

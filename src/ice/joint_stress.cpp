@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contract.hpp"
+
 namespace floes {
 
 double ElasticIce::flexural_rigidity() const {
@@ -14,6 +16,7 @@ ElasticIce elastic_ice(const FloeShape& shape, const Material& material) {
 }
 
 JointSpring beam_joint(const ElasticIce& ice, double width, double span) {
+    FLOES_EXPECTS(width > 0 && span > 0);
     const double bending = ice.flexural_rigidity() * width / span;
     const double stretching = ice.elastic_modulus * ice.thickness * width / span;
     const double shear_modulus = ice.elastic_modulus / (2 * (1 + ice.poisson_ratio));
@@ -32,6 +35,7 @@ std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& 
 }
 
 JointStrength joint_strength(const FloeShape& shape, const Material& material, double length, double span) {
+    FLOES_EXPECTS(length > 0 && span > 0);
     const Ice& ice = material.ice;
     const bool beam = material.joint.model == JointModel::beam;
     return {.thresholds = make_thresholds(length, span, shape.thickness, material),

@@ -81,7 +81,7 @@ struct JointStrength {
     double length_over_span = 1;  ///< of the joint, cracking()
 };
 
-/// Of joints of this length across and this span between centres, m: of squares both are the element's side.
+/// For joints of this length across and this span between centres, m: of squares both are the element's side.
 JointStrength joint_strength(const FloeShape& shape, const Material& material, double length, double span);
 
 /// Stress that a contact adds, Pa, tension in the lower fibre positive.

@@ -38,7 +38,7 @@ struct Press {
     double down = 0;  ///< N, along -y
 };
 
-/// Of one direction, along x or z: the stress that the nearer joint in that direction does not see.
+/// In one direction, along x or z: the stress that the nearer joint in that direction does not see.
 struct SideStress {
     double stress = 0;      ///< Pa, tension in the lower fibre positive
     std::uint8_t face = 0;  ///< bit of Edge: the face of that joint; 0: there is none
@@ -112,7 +112,7 @@ struct PressedPrism {
     std::vector<PrismJoint> joints{};
 };
 
-/// Of the nearest joint along x and the nearest along z, Pa; tension in the lower fibre positive.
+/// Stress of the nearest joint along x and the nearest along z, Pa; tension in the lower fibre positive.
 struct PrismStress {
     static constexpr std::size_t none = ~std::size_t{0};
 

@@ -63,7 +63,7 @@ struct ArrayAccess {
     void (*set)(MemberResult&, const ArrayValues&);
 };
 
-/// Of a field that holds fewer numbers than doubles: throws RunError for those that it cannot.
+/// Access to a field that holds fewer numbers than doubles: throws RunError for those that it cannot.
 template <class Field>
 Field as_field(double value) {
     if constexpr (std::is_same_v<Field, double>) {

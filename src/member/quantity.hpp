@@ -205,12 +205,12 @@ inline constexpr std::array work_quantities{
 // The quantities of structures that are not towed straight on: offsets, mooring forces, yaw. Part of quantity.hpp's
 // list.
 
-/// Of the motion of a structure that is not towed straight on; NaN in other members.
+/// Motion of a structure that is not towed straight on; NaN in other members.
 constexpr Quantity motion_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
     return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = no_least, .since = 13};
 }
 
-/// Of thrusters; NaN in other members.
+/// Thrust; NaN in other members.
 constexpr Quantity thrust_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
     Quantity quantity = motion_quantity(key, unit, long_name, place);
     quantity.since = 14;
@@ -298,7 +298,7 @@ inline constexpr std::array motion_quantities{
 // The list of scalar quantities of a member: of the journal, the campaign file and its page, the stop rule, summaries,
 // pairs and designs. CONTRIBUTING.md says how to add one. Those of the averaged load are made of it: quantities_with().
 
-/// Of the load and the ice, in the order in which they are shown; those of the structure's motion follow.
+/// Load and ice, in the order in which they are shown; those of the structure's motion follow.
 inline constexpr std::array load_quantities{
     Quantity{.key = "mean_load",
              .unit = "N",

@@ -89,7 +89,7 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_sweeps = simulation.mean_sweeps();
 }
 
-/// Of its thrusters, which are at their limit to the bit where they want more.
+/// The thrusters' share: they are at their limit to the bit where they want more.
 void take_thrust(MooredResponse& response, const MotionHistory& motion, const Scenario& scenario) {
     const auto in_window = window_of(scenario);
     const std::array histories{in_window(motion.surge_thrust), in_window(motion.sway_thrust),
@@ -109,7 +109,7 @@ void take_thrust(MooredResponse& response, const MotionHistory& motion, const Sc
     response.thrust_at_limit = static_cast<double>(at_limit) / static_cast<double>(histories[0].size());
 }
 
-/// Of a structure on moorings that give way.
+/// The response of a structure on moorings that give way.
 void take_response(MemberResult& result, const Scenario& scenario) {
     const auto in_window = window_of(scenario);
     const MotionHistory& motion = result.motion;

@@ -1,8 +1,11 @@
 #include "scenario/baumgarte.hpp"
 
+#include "core/contract.hpp"
+
 namespace floes {
 
 Stabilization paper_stabilization(const SpringDamper& row, double time_step) {
+    FLOES_EXPECTS(time_step > 0);
     const double sum = time_step * row.stiffness + row.damping;
     return {1.0 / sum, time_step * row.stiffness / sum};
 }
@@ -12,6 +15,7 @@ SpringDamper paper_spring(const Stabilization& numbers, double time_step) {
 }
 
 Stabilization bullet_stabilization(const SpringDamper& row, double time_step, double inverse_mass) {
+    FLOES_EXPECTS(time_step > 0 && inverse_mass > 0);
     const Stabilization paper = paper_stabilization(row, time_step);
     return {paper.cfm / (time_step * inverse_mass), paper.erp};
 }
@@ -21,6 +25,7 @@ SpringDamper bullet_spring(const Stabilization& numbers, double time_step, doubl
 }
 
 JointRows joint_rows(double side, double thickness, double density) {
+    FLOES_EXPECTS(side > 0 && thickness > 0 && density > 0);
     const double mass = density * side * side * thickness;
     const double horizontal_inertia = mass * (side * side + thickness * thickness) / 12.0;
     const double vertical_inertia = mass * side * side / 6.0;

@@ -18,7 +18,6 @@ namespace floes {
 namespace {
 
 constexpr double longest_tow = 1e5;  // m: as far as the sides of the field reach
-constexpr double rounding = 1e-9;    // m
 
 const std::string far_end = "field.far_end";
 
@@ -54,7 +53,7 @@ void check_way_back(const Scenario& scenario, Contradictions& found) {
     for (const PathPlace& place : scenario.places()) {
         const double x = place.pose.x;
         farthest = std::max(farthest, x);
-        if (farthest - x > room - rounding) {
+        if (farthest - x > room - length_rounding) {
             found.push_back(
                 {{scenario.path.legs.empty() ? "path.places" : "path.legs", far_end, "field.behind_m"},
                  fmt::format("the path takes the structure back by {:.4g} m to x = {:.4g} m after {:.6g} s, "

@@ -21,12 +21,12 @@ namespace floes {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // relative: 0.6 / 0.2 is not 3 in binary
+constexpr double relative_rounding = 1e-9;  // relative: 0.6 / 0.2 is not 3 in binary
 constexpr double most_elements = 1e7;
 constexpr double most_steps = 2e7;  // a member holds three loads of each, 480 MB
 
 bool is_whole(double ratio) {
-    return std::abs(ratio - std::round(ratio)) <= rounding * std::max(1.0, std::abs(ratio));
+    return std::abs(ratio - std::round(ratio)) <= relative_rounding * std::max(1.0, std::abs(ratio));
 }
 
 void check_side(const Scenario& scenario, double side, const std::string& key, Contradictions& found) {

@@ -20,8 +20,6 @@ namespace floes {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // m
-
 void refuse(Contradictions& found, std::vector<std::string> keys, std::string sentence) {
     found.push_back({std::move(keys), std::move(sentence)});
 }
@@ -67,9 +65,9 @@ void check_way(const Scenario& scenario, const std::vector<PathPlace>& places, C
     const std::string key = scenario.path.legs.empty() ? "path.places" : "path.legs";
     const double radius = scenario.structure.shape.largest_radius();
     const double step = scenario.general.time_step;
-    const double begin = scenario.structure.start - rounding;
+    const double begin = scenario.structure.start - length_rounding;
     const bool endless = scenario.field.endless();
-    const double end = endless ? std::numeric_limits<double>::infinity() : scenario.field_end() + rounding;
+    const double end = endless ? std::numeric_limits<double>::infinity() : scenario.field_end() + length_rounding;
     bool meets = false;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const PathPlace& place = places[k];
@@ -77,7 +75,7 @@ void check_way(const Scenario& scenario, const std::vector<PathPlace>& places, C
         const double time = step * static_cast<double>(k);
         const auto stop = [&](const std::string& what) { refuse(found, {key}, what); };
         meets = meets || x + radius >= scenario.field.begin;
-        if (std::abs(place.pose.z) + radius > scenario.field.half_width + rounding)
+        if (std::abs(place.pose.z) + radius > scenario.field.half_width + length_rounding)
             return stop(
                 fmt::format("the path takes the structure, of radius {:.4g} m, to z = {:.4g} m after {:.6g} s, "
                             "into the bank at {}; turn earlier or widen the field",
@@ -315,7 +313,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                  "the field or make the structure slimmer",
                  radius, given(scenario, "field.half_width_m"))});
     }
-    if (structure.start + ahead > scenario.field.begin + rounding) {
+    if (structure.start + ahead > scenario.field.begin + length_rounding) {
         found.push_back(
             {{"structure.start_m", "field.begin_m"},
              fmt::format("{} puts the structure's waterline to x = {:.4g} m, inside the ice that begins at {}; start "
@@ -331,7 +329,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                  "s, before {}; start nearer, tow faster or longer",
                  course(), end + ahead, duration, given(scenario, "field.begin_m"))});
     }
-    if (!scenario.field.endless() && end + ahead > scenario.field_end() + rounding && !scenario.path.any()) {
+    if (!scenario.field.endless() && end + ahead > scenario.field_end() + length_rounding && !scenario.path.any()) {
         const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
         found.push_back(
             {{"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m",
@@ -383,7 +381,7 @@ void check_lattice(const Scenario& scenario, Contradictions& found) {
     if (scenario.arrangement.given()) return;
     const double clearance = scenario.arrangement.clearance;
     const auto fitting = [&](double room, double side) {
-        return std::max(0.0, std::floor((room - clearance) / (side + clearance) + rounding));
+        return std::max(0.0, std::floor((room - clearance) / (side + clearance) + length_rounding));
     };
     FloeShape cell = scenario.floe;
     if (sizes_may_differ(scenario)) {

@@ -214,7 +214,7 @@ class PropertyDraws {
         if (spread.any()) factors_.emplace(spread.factors());
     }
 
-    /// Of the next floe; one draw, whether or not there is a law.
+    /// Size of the next floe; one draw, whether or not there is a law.
     double next() { return at(share()); }
 
     double share() { return random_.uniform(); }

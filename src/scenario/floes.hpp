@@ -45,7 +45,7 @@ struct FieldPart {
     double end = 0;  ///< x, m
 };
 
-/// Of a field without end: what is laid already ends at `end`, x in m, and next() lays one part more.
+/// In a field without end, what is laid already ends at `end`, x in m, and next() lays one part more.
 struct IceAhead {
     double end = 0;
     std::function<FieldPart()> next;
@@ -77,10 +77,10 @@ bool sizes_may_differ(const Scenario& scenario);
 /// Floes of a scenario that are computed at a time: all of them, or about those in the window of a field without end.
 double computed_floes(const Scenario& scenario);
 
-/// Of all floes, m².
+/// Area of all floes, m².
 double covered_area(const FloeSet& floes);
 
-/// Of all floes together; a double, since what a user asks for may be more than any integer.
+/// Elements of all floes together; a double, since what a user asks for may be more than any integer.
 double element_count(const FloeSet& floes);
 
 /// The largest side of any floe, m.

@@ -67,7 +67,7 @@ double normal_at(double u);
 // off at the smallest and the largest. A law that is stated for the share of the area is turned into that of numbers: a
 // floe covers D², so the number density is the density of the area over D².
 
-/// Of diameters, between low and high (m), 0 < low < high.
+/// A law of diameters, between low and high (m), 0 < low < high.
 struct SizeBounds {
     double low = 0;
     double high = 0;

@@ -12,7 +12,7 @@ namespace floes {
 
 namespace {
 
-// Of a field without end, in widths of the field (docs/endless.md).
+// Lengths in a field without end, in widths of the field (docs/endless.md).
 constexpr double widths_ahead = 2;
 constexpr double widths_behind = 1;
 
@@ -107,7 +107,7 @@ int Scenario::first_window_step() const {
 
 namespace {
 
-/// Of all floes, m². Of drawn sizes in the order of their law, so that it has the same bits for every arrangement.
+/// Area of all floes, m². Of drawn sizes in the order of their law, so that it has the same bits for every arrangement.
 double area_of_floes(const Scenario& scenario) {
     if (!scenario.arrangement.columns.empty()) return covered_area(floes_of(scenario));
     if (!sizes_may_differ(scenario)) return scenario.field.floes * scenario.floe.length * scenario.floe.breadth;

@@ -209,7 +209,8 @@ struct FloeShape {
     double area() const { return outline.empty() ? length * breadth : area_of(outline); }  ///< m²
     bool is_polygon() const { return !outline.empty(); }
     double element_mass(const Ice&) const;  ///< of ice, kg
-    /// Of the middle of the floe above the water at rest, m; negative above half draught. Density of the water: kg/m³.
+    /// Height of the middle of the floe above the water at rest, m; negative above half draught. Density of the water:
+    /// kg/m³.
     double floating_height(const Ice&, double water_density) const;
 
     friend auto operator<=>(const FloeShape&, const FloeShape&) = default;

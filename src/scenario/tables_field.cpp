@@ -101,7 +101,7 @@ void add_confinement(Keys& keys, Field& field) {
                    "field.confining_N_m at rest to nothing at this speed. 0: the speed of the tow."))));
 }
 
-/// Of a field without end.
+/// For a field without end.
 void add_window(Keys& keys, Field& field) {
     const auto add = [&](const char* path, double& length, const char* source, const char* doc) {
         keys.push_back(late_key(only_with(

@@ -140,12 +140,12 @@ void add_hull(Keys& keys, Structure& structure) {
 
 namespace {
 
-constexpr double farthest = 1e5;  // m and s, as for the straight tow
+constexpr double farthest_way = 1e5;  // m and s, as for the straight tow
 
 RowsField leg_rows(std::vector<PathLeg>& legs) {
     return {{{"heading_deg", unit::degree, at_least(-3600).at_most(3600)},
              {"speed_m_s", unit::one, at_least(0).at_most(100)},
-             {"time_s", unit::one, above(0).at_most(farthest)},
+             {"time_s", unit::one, above(0).at_most(farthest_way)},
              {"turn_deg_s", unit::degree, at_least(-90).at_most(90)}},
             [&legs] {
                 std::vector<std::vector<double>> rows;
@@ -159,8 +159,8 @@ RowsField leg_rows(std::vector<PathLeg>& legs) {
 }
 
 RowsField place_rows(std::vector<PathPoint>& places) {
-    const Range place = at_least(-farthest).at_most(farthest);
-    return {{{"time_s", unit::one, at_least(0).at_most(farthest)},
+    const Range place = at_least(-farthest_way).at_most(farthest_way);
+    return {{{"time_s", unit::one, at_least(0).at_most(farthest_way)},
              {"x_m", unit::one, place},
              {"z_m", unit::one, place},
              {"yaw_deg", unit::degree, at_least(-3600).at_most(3600)}},
@@ -181,7 +181,7 @@ RowsField line_rows(std::vector<MooringLine>& lines) {
     return {{{"x_m", unit::one, arm},
              {"z_m", unit::one, arm},
              {"azimuth_deg", unit::degree, at_least(-360).at_most(360)},
-             {"distance_m", unit::one, above(0).at_most(farthest)},
+             {"distance_m", unit::one, above(0).at_most(farthest_way)},
              {"pretension_kN", unit::kilonewton, load},
              {"stiffness_kN_m", unit::kilonewton, load},
              {"break_load_kN", unit::kilonewton, load}},
@@ -200,7 +200,7 @@ RowsField line_rows(std::vector<MooringLine>& lines) {
 }
 
 RowsField curve_rows(std::vector<TensionPoint>& curve, const std::string& extension, const std::string& tension) {
-    return {{{extension, unit::one, at_least(-farthest).at_most(farthest)},
+    return {{{extension, unit::one, at_least(-farthest_way).at_most(farthest_way)},
              {tension, unit::kilonewton, at_least(0).at_most(1e6)}},
             [&curve] {
                 std::vector<std::vector<double>> rows;
@@ -267,7 +267,7 @@ void add_path(Keys& keys, Path& path) {
                                     "ahead: the structure turns with its heading, as a ship does; unturned: its bow "
                                     "stays towards +x.")));
     keys.push_back(of_legs(
-        number_key("path.ramp_s", path.ramp, unit::one, at_least(0).at_most(farthest), "none: at once, as the tow",
+        number_key("path.ramp_s", path.ramp, unit::one, at_least(0).at_most(farthest_way), "none: at once, as the tow",
                    "Time at the beginning of each leg in which speed and heading change evenly from those of the leg "
                    "before; the first begins from rest. At most the shortest leg.")));
     keys.push_back(late_key({"path.places", place_rows(path.table), "none",

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -69,6 +70,7 @@ Polyhedron Polyhedron::inside(double depth) const {
 }
 
 Polyhedron Polyhedron::scaled(double factor) const {
+    FLOES_EXPECTS(factor > 0);
     Polyhedron other = *this;
     for (Vec3& corner : other.corners) corner *= factor;
     for (Plane& plane : other.planes) plane.offset *= factor;
@@ -145,6 +147,7 @@ double area_of(std::span<const Vec2> outline) {
 namespace {
 
 double frustum_volume(double height, double a, double b) {
+    FLOES_EXPECTS(height >= 0 && a >= 0 && b >= 0);
     return std::numbers::pi / 3 * height * (a * a + a * b + b * b);
 }
 
@@ -216,6 +219,7 @@ ConvexSolid ConvexSolid::inside(double depth) const {
 }
 
 ConvexSolid ConvexSolid::scaled(double factor) const {
+    FLOES_EXPECTS(factor > 0);
     ConvexSolid other = *this;
     other.place *= factor;
     std::visit([&](auto& one) { one = one.scaled(factor); }, other.form);
@@ -484,6 +488,7 @@ class Growth {
 }  // namespace
 
 Polyhedron convex_hull(std::span<const Vec3> points) {
+    FLOES_EXPECTS(points.size() >= 4);
     if (points.size() < 4) return {};
     return Growth(points).grown();
 }

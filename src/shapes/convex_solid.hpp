@@ -123,7 +123,7 @@ struct ConvexSolid {
 
 // When faces of the pieces of a body lie in one plane. For this module only.
 
-/// Of a body's size: what lies nearer than this to a plane is in it.
+/// Relative to a body's size: what lies nearer than this to a plane is in it.
 inline constexpr double plane_rounding = 1e-6;
 
 /// The diagonal of the box that holds the corners of all, which are polyhedra, m.

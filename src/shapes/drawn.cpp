@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/contract.hpp"
 #include "core/turn.hpp"
 
 namespace floes {
@@ -77,6 +78,7 @@ std::vector<Outline> all_eroded(const std::vector<Outline>& outlines, double off
 }  // namespace
 
 std::vector<Outline> voronoi_cells(const WaterArea& area, int count, int relaxations, RandomStream& random) {
+    FLOES_EXPECTS(count >= 1 && relaxations >= 0);
     std::vector<Corner> points;
     for (int i = 0; i < count; ++i) {
         const double x = random.uniform(area.low_x, area.low_x + area.length);
@@ -91,6 +93,7 @@ std::vector<Outline> voronoi_cells(const WaterArea& area, int count, int relaxat
 }
 
 Shrunk shrunk_to(const std::vector<Outline>& outlines, double area) {
+    FLOES_EXPECTS(area > 0);
     double low = 0;
     double high = 0;
     for (const Outline& one : outlines) high = std::max(high, 0.5 * std::min(size_of(one).x, size_of(one).z));
@@ -103,6 +106,7 @@ Shrunk shrunk_to(const std::vector<Outline>& outlines, double area) {
 }
 
 Outline polygon_about(double length, double breadth, int corners, double irregularity, RandomStream& random) {
+    FLOES_EXPECTS(length > 0 && breadth > 0 && corners >= 3 && irregularity >= 0);
     Outline outline;
     for (int k = 0; k < corners; ++k) {
         const double way = (k + irregularity * (random.uniform() - 0.5)) / corners;

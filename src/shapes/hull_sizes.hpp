@@ -44,7 +44,7 @@ std::optional<std::string> fault_of(HullKind kind, const HullSizes& sizes);
 /// Heights and radii from the keel up, m, of a cylinder or a cone.
 std::vector<Vec2> profile_of(HullKind kind, const HullSizes& sizes);
 
-/// Of legs, ships and barges without fault.
+/// For legs, ships and barges without fault.
 HullSolids solids_of(HullKind kind, const HullSizes& sizes);
 
 /// "barge, 100 m x 20 m at the waterline, draught 6 m, ends 45° and sides 90° from the horizontal".

@@ -102,7 +102,7 @@ struct Moorings {
     int directions() const { return 1 + static_cast<int>(free); }
     Vec3 inertia() const;    ///< with the water: kg, kg, kg m²
     Vec3 quadratic() const;  ///< N s²/m², N s²/m², N m s²
-    /// Of springs, lines and turret without an offset, each direction by itself: N/m, N/m, N m/rad.
+    /// Stiffness of springs, lines and turret without an offset, each direction by itself: N/m, N/m, N m/rad.
     Vec3 stiffness() const;
     /// 2π √(m/k) of each direction, s, with the thrusters' gain in k: without damping; infinite where nothing holds it.
     Vec3 periods() const;
@@ -120,7 +120,7 @@ struct LinePull {
     Vec2 anchor = Vec2::Zero();    ///< likewise
 };
 
-/// Of a line at an offset of the structure.
+/// Pull of a line at an offset of the structure.
 LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec3& offset);
 
 /// On the structure by the turret's curve at an offset of the structure: N, N, N m.

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
+
 namespace floes {
 
 namespace {
@@ -14,7 +16,7 @@ double length_of(const Corner& a) {
     return std::sqrt(dot(a, a));
 }
 
-/// Of a corner between its neighbours: how far the way turns there, positive towards z.
+/// At a corner between its neighbours: how far the way turns there, positive towards z.
 double bend(Corners polygon, std::size_t k) {
     const Corner& here = polygon[k];
     const Corner& before = polygon[k > 0 ? k - 1 : polygon.size() - 1];
@@ -29,12 +31,14 @@ bool cross_each_other(const Corner& a, const Corner& b, const Corner& c, const C
 }  // namespace
 
 Corner outward(Corners polygon, std::size_t k) {
+    FLOES_EXPECTS(k < polygon.size());
     const Corner along = after(polygon, k) - polygon[k];
     const double length = length_of(along);
     return {along.z / length, -along.x / length};
 }
 
 double edge_length(Corners polygon, std::size_t k) {
+    FLOES_EXPECTS(k < polygon.size());
     return length_of(after(polygon, k) - polygon[k]);
 }
 
@@ -93,6 +97,7 @@ Outline clipped(Corners polygon, const HalfPlane& within) {
 }
 
 Outline eroded(Corners polygon, double offset) {
+    FLOES_EXPECTS(offset >= 0);
     Outline left(polygon.begin(), polygon.end());
     for (std::size_t k = 0; k < polygon.size() && !left.empty(); ++k) {
         const Corner normal = outward(polygon, k);
@@ -102,6 +107,7 @@ Outline eroded(Corners polygon, double offset) {
 }
 
 Outline grown(Corners polygon, double offset) {
+    FLOES_EXPECTS(offset >= 0);
     Outline larger;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Corner one = outward(polygon, k > 0 ? k - 1 : polygon.size() - 1);
@@ -156,6 +162,7 @@ double separation(Corners a, Corners b) {
 }
 
 double inner_radius(Corners polygon) {
+    FLOES_EXPECTS(polygon.size() >= 3);
     double low = 0;
     double high = reach_of(in_axes(polygon, measures_of(polygon).centroid, {1, 0}));
     const double exact = 1e-6 * high;
@@ -173,6 +180,7 @@ double reach_of(Corners polygon) {
 }
 
 Corner size_of(Corners polygon) {
+    FLOES_EXPECTS(!polygon.empty());
     const auto [left, right] = std::ranges::minmax(polygon, {}, &Corner::x);
     const auto [low, high] = std::ranges::minmax(polygon, {}, &Corner::z);
     return {right.x - left.x, high.z - low.z};
@@ -225,6 +233,7 @@ std::optional<std::string> fault_of(Corners polygon) {
 }
 
 double distance_between(Corners a, Corners b) {
+    FLOES_EXPECTS(!a.empty() && !b.empty());
     const double apart = separation(a, b);
     if (apart <= 0) return apart;
     double least = std::numeric_limits<double>::infinity();
@@ -278,6 +287,7 @@ std::optional<std::string> ring_fault_of(Corners ring) {
 }
 
 Outline with_fewer_corners(Corners convex, std::size_t most) {
+    FLOES_EXPECTS(most >= 3);
     Outline kept(convex.begin(), convex.end());
     if (kept.size() <= most) return kept;
     while (kept.size() > most) {

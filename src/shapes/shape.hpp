@@ -18,7 +18,7 @@ namespace floes {
 /// Sides of the polygons that stand for circles in outlines; a tenth of a percent of the area is lost.
 inline constexpr int round_sides = 72;
 
-/// Of what at least one of them holds, m³, by the lengths that they cover on lines along x through a grid of
+/// Volume that at least one of them holds, m³, by the lengths that they cover on lines along x through a grid of
 /// lines_across x lines_across cells. Exact for one solid, or for solids whose boxes do not meet. Where one of several
 /// is round it is the sum of theirs, as if they did not overlap.
 double union_volume(std::span<const ConvexSolid> solids);
@@ -120,8 +120,8 @@ class Shape {
     /// shape: at a waist the rims at which solids meet then lie inside, where nothing can touch them.
     std::vector<ConvexSolid> overlapping_solids() const;
 
-    /// Of the circle that it cuts out of the water, m; at a flat ring the larger. Of a hull that is none of revolution
-    /// half its breadth there. 0 if it does not span the waterline.
+    /// Radius of the circle that it cuts out of the water, m; at a flat ring the larger. Of a hull that is none of
+    /// revolution half its breadth there. 0 if it does not span the waterline.
     double waterline_radius() const;
     double waterline_ahead() const;               ///< from the axis to where the waterline ends ahead, m
     double largest_radius() const;                ///< m, from the axis

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "ice/failure.hpp"
 #include "ice/joint_stress.hpp"
@@ -95,6 +96,7 @@ double swing_frequency(Strip& strip, double time_step) {
 }  // namespace
 
 BeamStiffness measure_beam_stiffness(const Scenario& scenario, int elements) {
+    FLOES_EXPECTS(elements >= 1);
     if (elements < 1)
         throw InputError(fmt::format("A beam of {} elements cannot be tested; it needs at least 1.", elements));
     if (scenario.joint.model != JointModel::beam) {
@@ -221,6 +223,7 @@ class Beam {
 
 /// Strength shown by a load, Pa, and its inverse: load = strength * scale.
 double load_per_strength(const Scenario& scenario, BeamLoad kind, double length) {
+    FLOES_EXPECTS(length > 0);
     const double b = scenario.floe.element;
     const double h = scenario.floe.thickness;
     if (kind == BeamLoad::bending) return 1 / nominal_flexural_strength(1, length, b, h);

@@ -25,7 +25,7 @@ class HullLoads {
     /// One step, at the end of which the structure is at motion.after(). `contacts`: of the structure.
     void add(std::span<const ContactForce> contacts, BodyId structure, const StructureMotion& motion);
 
-    /// Of each part; a structure that is one part has none.
+    /// For each part; a structure that is one part has none.
     std::vector<PartLoad> parts(const Averaging& how) const;
     Swing yaw() const { return swing_of(yaw_); }
     Swing roll() const { return swing_of(roll_); }

@@ -68,7 +68,7 @@ class SleepingFloes {
 
     void wake_all(World& world);
 
-    /// Of a field without end (moving_window.hpp). The floe at this place of the ice, at rest in these states of all
+    /// In a field without end (moving_window.hpp), the floe at this place of the ice, at rest in these states of all
     /// elements, is laid down, and waits for rouse() whatever touches it; it may be new there.
     void rest(World& world, const IceField& ice, int place, std::span<const BodyState> states);
     void rouse(World& world, int place) { set_asleep(world, floes_[static_cast<std::size_t>(place)], false); }

@@ -99,7 +99,7 @@ std::vector<ConvexSolid> solids_of(const Scenario& scenario) {
     return scenario.contact.internal_edges ? shape.solids() : shape.overlapping_solids();
 }
 
-/// Of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
+/// Contacts of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
 constexpr std::size_t most_contacts = 1024;
 
 }  // namespace

@@ -127,7 +127,7 @@ class Simulation {
     /// Floes of a field without end that rest ahead of what is computed.
     int floes_resting() const { return window_ ? sleeping_.resting() : 0; }
 
-    /// Of a field without end: what was laid at a place of the ice.
+    /// In a field without end, what was laid at a place of the ice.
     const SingleFloe& laid(int place) const { return window_.value().places().at(static_cast<std::size_t>(place)); }
 
     /// Where on the structure the load acted, over the steps of the analysis window so far; at least one.

@@ -44,10 +44,10 @@ class MooredMotion {
     /// A step that ends at `time` s, under a load that is constant in it: N, N, N m.
     void advance(const Vec3& load, double time);
 
-    /// Of springs, lines and turret at the offset, on the structure: N, N, N m.
+    /// Force of springs, lines and turret at the offset, on the structure: N, N, N m.
     Vec3 restoring() const;
 
-    /// Of thrusters, on the structure and in its own axes, ahead and towards +z without yaw: N, N, N m.
+    /// Force of the thrusters, on the structure and in its own axes, ahead and towards +z without yaw: N, N, N m.
     Vec3 thrust() const;
     bool has_thrusters() const { return moorings_.thrusters.any(); }
 
@@ -55,7 +55,7 @@ class MooredMotion {
     std::optional<LinePull> line(std::size_t number) const;
     std::size_t lines() const { return moorings_.lines.size(); }
 
-    /// Of each line so far, N.
+    /// The largest pull of each line so far, N.
     const std::vector<double>& largest_tensions() const { return largest_; }
 
   private:

@@ -7,7 +7,7 @@ struct Box {
     M3 turn;
 };
 
-/// Of the weaker of two bodies, Pa. `of_law`: of bodies without a pressure of their own.
+/// Crushing pressure of the weaker of two bodies, Pa. `of_law`: that of bodies without a pressure of their own.
 inline Pack crushing_pressure(const LaneArrays& arrays, const std::uint32_t* slots, double of_law) {
     Pack a[1], b[1];
     pick(arrays.body, body_field::count, body_field::crushing_pressure, slots, a);
@@ -133,7 +133,8 @@ void prepare_all_limits(const LaneArrays& arrays, const ContactPacks& packs, con
             store(to.give, static_cast<int>(row), acts);  // until the row has its limit
             touching = touching + (load(point_of(row), point_field::distance) < 0.0 ? acts : none);
         }
-        const Pack share = crushing_pressure(arrays, slots, contact.crushing_pressure) * time_step / most(touching, one);
+        const Pack share =
+            crushing_pressure(arrays, slots, contact.crushing_pressure) * time_step / most(touching, one);
         for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
             const int i = static_cast<int>(row);
             const double* point = point_of(row);

@@ -4,6 +4,8 @@
 #include <bit>
 #include <numeric>
 
+#include "core/contract.hpp"
+
 namespace floes {
 namespace {
 
@@ -81,6 +83,7 @@ void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const P
 }
 
 void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns, Order order) {
+    FLOES_EXPECTS(width >= 1 && turns >= 1);
     spare_ = spare;
     find_pairs(contacts, order);
     sort_pairs();

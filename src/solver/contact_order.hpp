@@ -32,7 +32,7 @@ class ContactOrder {
     ContactPacks packs() const { return {pack_slots_.data(), packs_.data(), packs_.size(), spare_}; }
     std::size_t rows() const { return packs_.empty() ? 0 : packs_.back().end_row; }
 
-    /// Of a contact's rows: row * width + lane.
+    /// Places of a contact's rows: row * width + lane.
     std::uint32_t slot(std::size_t contact) const { return row_slots_[contact]; }
 
   private:

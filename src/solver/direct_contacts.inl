@@ -251,7 +251,7 @@ inline double largest_of(Pack x) {
 
 template <bool limited>
 double solve_all_direct(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
-                      const DirectRowArrays& all, const LimitArrays& limits) {
+                        const DirectRowArrays& all, const LimitArrays& limits) {
     const ConeArrays cones{{all.target[0], all.target[1], all.target[2]},
                            {all.impulse[0], all.impulse[1], all.impulse[2]}};
     Pack largest{};
@@ -263,7 +263,7 @@ double solve_all_direct(double* delta, double* impulse, const ComplianceColumn* 
 }
 
 double solve_direct_contacts(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
-                           const DirectRowArrays& all, const LimitArrays& limits) {
+                             const DirectRowArrays& all, const LimitArrays& limits) {
     const auto solve = limits.yield == nullptr ? solve_all_direct<false> : solve_all_direct<true>;
     return solve(delta, impulse, columns, packs, all, limits);
 }

@@ -53,7 +53,7 @@ class DirectFloes {
     /// By slot of a body, and for the spare slot after them; valid from touch() on.
     const ComplianceColumn* columns() const { return columns_.data(); }
 
-    /// Of a body: two of one piece move together.
+    /// The piece of a body: two of one piece move together.
     std::uint32_t piece(std::size_t body) const { return piece_of_body_[body]; }
 
     bool moves(std::size_t body) const { return bodies_[body].inverse_mass > 0; }

@@ -20,7 +20,8 @@ Vec3 origin_of(const SolverFrame& frame) {
     return Vec3(frame.origin[0], frame.origin[1], frame.origin[2]);
 }
 
-/// Of the six parts of a joint: torsion and bending. What is left of the section still holds shear.
+/// Whether a crack opens this part of a joint's six: torsion and bending. What is left of the section still holds
+/// shear.
 bool opens(std::size_t part) {
     return part == 3 || part == 5;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "solver/lane_slot.hpp"
 
@@ -29,6 +30,7 @@ LaneArrays LaneSystem::arrays() {
 }
 
 void LaneSystem::remove_joint(std::size_t joint) {
+    FLOES_EXPECTS(joint < slot_of_joint_.size());
     cover(joint, 0);
     frame_[place(slot_of_joint_[joint], frame_field::count, frame_field::alive, width())] = 0;
     if (direct_) direct_->remove_joint(joint);
@@ -38,6 +40,7 @@ void LaneSystem::remove_joint(std::size_t joint) {
 }
 
 void LaneSystem::soften_joint(std::size_t joint, double sound) {
+    FLOES_EXPECTS(joint < slot_of_joint_.size() && sound > 0 && sound <= 1);
     if (!direct_) throw RunError("Only the direct solver softens joints.");
     direct_->soften_joint(joint, sound);
 }
@@ -66,6 +69,7 @@ void LaneSystem::cover(std::size_t joint, double covered) {
 }
 
 void LaneSystem::set_state(std::size_t body, const SolverState& state) {
+    FLOES_EXPECTS(body < slot_of_body_.size());
     double* to = body_.data() + place(slot_of_body_[body], body_field::count, 0, width());
     put(to, width(), body_field::position, state.position);
     put(to, width(), body_field::rotation, state.rotation);
@@ -87,6 +91,7 @@ void LaneSystem::add_force(std::size_t body, const std::array<double, 3>& force,
 }
 
 SolverState LaneSystem::state(std::size_t body) const {
+    FLOES_EXPECTS(body < slot_of_body_.size());
     const BodyMotion& motion = motion_[body];
     SolverState state;
     std::copy_n(motion.position, 3, state.position.begin());
@@ -114,6 +119,7 @@ void LaneSystem::advance() {
 }
 
 void LaneSystem::prepare(double time_step) {
+    FLOES_EXPECTS(time_step > 0);
     time_step_ = time_step;
     kernels_->prepare_bodies(arrays(), body_groups_, time_step);
     if (direct_) {
@@ -144,7 +150,7 @@ void LaneSystem::find_touched(std::span<const SolverContact> contacts) {
     }
 }
 
-/// Of the velocity changes of bodies on rails, what is not along them. One row of the sweep that is solved exactly.
+/// Bodies on rails keep of their velocity changes what is along them: one row of the sweep, solved exactly.
 void LaneSystem::keep_on_rails() {
     for (const auto& [slot, axis] : rails_) {
         double* change = delta_.data() + 8 * static_cast<std::size_t>(slot);
@@ -194,6 +200,7 @@ int LaneSystem::solve_directly(std::span<SolverContact> contacts, const ContactL
 }
 
 SolverReaction LaneSystem::reaction(std::size_t joint) const {
+    FLOES_EXPECTS(joint < slot_of_joint_.size());
     const double* from = reaction_.data() + place(slot_of_joint_[joint], reaction_field::count, 0, width());
     SolverReaction reaction;
     get(from, width(), reaction_field::force, reaction.force);

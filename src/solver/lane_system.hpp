@@ -52,7 +52,7 @@ class LaneSystem {
     /// Adds up until the coming step; the torque is about the centre of mass.
     void add_force(std::size_t body, const std::array<double, 3>& force, const std::array<double, 3>& torque);
 
-    /// Of all bodies as they are now.
+    /// The state of all bodies as they are now.
     const BodyMotion* motions() const { return motion_.data(); }
 
     /// Takes over the motions and the forces added so far from a system of the first of these bodies.

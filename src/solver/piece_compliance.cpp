@@ -21,7 +21,7 @@ Eigen::Matrix<double, 6, 6> motion(const PieceJoint& joint, const Vec3& lever) {
     return rows;
 }
 
-/// Of the six velocities of a body those within the plane, and those out of it.
+/// Of a body's six velocities, those within the plane, and those out of it.
 constexpr std::array<std::array<int, 3>, 2> parts{{{0, 2, 4}, {1, 3, 5}}};
 
 using Entries = std::vector<Eigen::Triplet<double>>;

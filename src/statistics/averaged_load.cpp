@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
@@ -28,6 +29,7 @@ std::vector<std::size_t> local_maxima(std::span<const double> values, double lea
 }  // namespace
 
 std::vector<double> declustered_peaks(std::span<const double> values, std::size_t apart, double least) {
+    FLOES_EXPECTS(apart >= 1);
     std::vector<std::size_t> places = local_maxima(values, least);
     std::ranges::stable_sort(places, std::ranges::greater{}, [&](std::size_t place) { return values[place]; });
     std::vector<double> peaks;
@@ -92,6 +94,7 @@ AveragedLoad averaged_over(std::span<const double> window, double time, const Av
 }  // namespace
 
 std::vector<double> running_means(std::span<const double> values, std::size_t count) {
+    FLOES_EXPECTS(count >= 1);
     std::vector<double> means;
     CompensatedSum sum;
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -103,12 +106,14 @@ std::vector<double> running_means(std::span<const double> values, std::size_t co
 }
 
 std::vector<AveragedLoad> averaged_load(std::span<const double> window, const Averaging& how) {
+    FLOES_EXPECTS(how.time_step > 0 && how.segments >= 1);
     std::vector<AveragedLoad> all;
     for (const double time : how.times) all.push_back(averaged_over(window, time, how));
     return all;
 }
 
 PartLoad part_load(const PartHistory& part, const Averaging& how) {
+    FLOES_EXPECTS(!part.surge.empty() && part.surge.size() == part.sway.size());
     PartLoad load{.mean = mean_of(part.surge),
                   .maximum = std::ranges::max(part.surge),
                   .mean_sway = mean_of(part.sway),

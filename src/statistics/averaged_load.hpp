@@ -48,7 +48,7 @@ std::vector<AveragedLoad> averaged_load(std::span<const double> window, const Av
 
 // Loads on the parts of a structure.
 
-/// Of the steps of the window.
+/// Over the steps of the window.
 struct PartLoad {
     double mean = 0;        ///< surge load, N
     double sd = 0;          ///< population standard deviation of the surge load, N

@@ -25,7 +25,7 @@ double student_t(double freedom, double tail);
 double chi_squared_above(double value, double freedom);
 double chi_squared_quantile_above(double tail, double freedom);
 
-/// Of the ratio of two variances of so many degrees of freedom.
+/// For the ratio of two variances of so many degrees of freedom.
 double fisher_quantile_above(double tail, double freedom_above, double freedom_below);
 
 }  // namespace floes

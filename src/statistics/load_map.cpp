@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "core/contract.hpp"
+
 namespace floes {
 namespace {
 
@@ -39,6 +41,7 @@ void ContactBins::add(double ahead, double up, double across, double surge, doub
 }
 
 LoadMap ContactBins::means(std::size_t steps) const {
+    FLOES_EXPECTS(steps >= 1);
     return {scaled(surge_, steps), scaled(normal_, steps), {}};
 }
 

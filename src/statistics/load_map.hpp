@@ -14,7 +14,7 @@ struct LoadMap {
     static constexpr std::size_t angles = 36;   ///< of 10 degrees each, from -180
     static constexpr std::size_t parts = 24;    ///< of the window
 
-    /// Of height h and angle a at h * angles + a. Means over the window, N; empty: not taken.
+    /// Height h and angle a are at h * angles + a. Means over the window, N; empty: not taken.
     std::vector<double> surge;   ///< load against the tow, friction included; adds up to the mean load
     std::vector<double> normal;  ///< sum of the magnitudes of the normal forces
 

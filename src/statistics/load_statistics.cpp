@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <boost/math/statistics/univariate_statistics.hpp>
 
+#include "core/contract.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {
@@ -28,12 +29,14 @@ std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts) 
 }
 
 std::vector<double> batch_means(std::span<const double> values, std::size_t batch) {
+    FLOES_EXPECTS(batch >= 1);
     std::vector<double> means(values.size() / batch);
     for (std::size_t k = 0; k < means.size(); ++k) means[k] = mean_of(values.subspan(k * batch, batch));
     return means;
 }
 
 std::vector<double> part_means(std::span<const double> values, std::size_t parts) {
+    FLOES_EXPECTS(parts >= 1);
     std::vector<double> means(parts, 0.0);
     const std::size_t length = values.size();  // of a part, where a value has the length `parts`
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -46,6 +49,7 @@ std::vector<double> part_means(std::span<const double> values, std::size_t parts
 }
 
 Swing swing_of(std::span<const double> values) {
+    FLOES_EXPECTS(!values.empty());
     const double mean = mean_of(values);
     double largest = 0;
     for (const double value : values) largest = std::max(largest, std::abs(value));
@@ -139,6 +143,7 @@ LoadStatistics load_statistics(std::span<const double> window, double time_step,
 }
 
 std::vector<LevelCount> count_levels(std::span<const double> window, std::span<const double> levels) {
+    FLOES_EXPECTS(std::ranges::none_of(levels, [](double level) { return std::isnan(level); }));
     std::vector<LevelCount> counts(levels.size());
     double before = std::numeric_limits<double>::infinity();  // a window that begins above a level does not rise to it
     for (const double load : window) {

@@ -35,7 +35,7 @@ struct Swing {
     double largest = std::numeric_limits<double>::quiet_NaN();  ///< amount, at either side
 };
 
-/// Of values at the ends of steps, at least one.
+/// `values`: at the ends of steps, at least one.
 Swing swing_of(std::span<const double> values);
 
 // One row of Table 3 from the load in the analysis window, and whether that load was steady.

@@ -4,6 +4,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/contract.hpp"
+
 namespace floes {
 
 double Oscillator::angular_frequency() const {
@@ -55,6 +57,7 @@ std::vector<OscillatorState> motion_under(const Oscillator& oscillator, std::spa
 }
 
 double rms_rate(std::span<const double> values, double step) {
+    FLOES_EXPECTS(values.size() >= 2 && step > 0);
     double squares = 0;
     for (std::size_t k = 1; k < values.size(); ++k) {
         const double rate = (values[k] - values[k - 1]) / step;

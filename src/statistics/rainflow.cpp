@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/contract.hpp"
+
 namespace floes {
 namespace {
 
@@ -48,6 +50,7 @@ std::vector<LoadCycle> rainflow(std::span<const double> values) {
 }
 
 double damage_sum(std::span<const LoadCycle> cycles, double exponent) {
+    FLOES_EXPECTS(exponent > 0);
     double sum = 0;
     for (const LoadCycle& one : cycles) sum += one.count * std::pow(one.range, exponent);
     return sum;

@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/contract.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
@@ -46,6 +47,7 @@ std::optional<std::size_t> steady_start(std::span<const double> load) {
 
 Autocorrelation autocorrelation(std::span<const double> load, double step, std::size_t batch,
                                 std::optional<double> variance) {
+    FLOES_EXPECTS(step > 0 && batch >= 1);
     constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     if (load.size() < fewest_batches * batch) return {undefined, undefined};
     const double mean = mean_of(load);

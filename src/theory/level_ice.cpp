@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -64,6 +65,7 @@ double IceHull::normal_angle() const {
 }
 
 LindqvistLoad lindqvist_load(const IceHull& hull, const LevelIce& ice, double speed) {
+    FLOES_EXPECTS(ice.thickness > 0 && speed >= 0);
     if (!(hull.friction * std::sin(hull.stem_angle) < std::cos(hull.normal_angle())))
         throw InputError(
             fmt::format("Lindqvist's formula has no load for a wall of {:.4g}° from the horizontal and friction {:g}: "
@@ -164,6 +166,7 @@ SlopingLoad sloping_load(const IceHull& hull, const LevelIce& ice, const Rubble&
 }
 
 double crushing_load(double breadth, double thickness, double strength) {
+    FLOES_EXPECTS(breadth >= 0 && thickness >= 0 && strength >= 0);
     constexpr double metre = 1;
     const double n = std::min(-0.3, -0.5 + thickness / (5 * metre));
     return strength * std::pow(thickness / metre, n) * std::pow(breadth / thickness, -0.16) * breadth * thickness;

@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 #include <boost/math/tools/roots.hpp>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 
 namespace floes {
 
 double nominal_flexural_strength(double load, double length, double breadth, double thickness) {
+    FLOES_EXPECTS(breadth > 0 && thickness > 0);
     return 6 * load * length / (breadth * thickness * thickness);
 }
 
@@ -27,6 +29,7 @@ double cantilever_deflection(double load, double distance, double stiffness) {
 }
 
 double cantilever_frequency(double length, double stiffness, double mass_per_length) {
+    FLOES_EXPECTS(length > 0 && stiffness > 0 && mass_per_length > 0);
     constexpr double root = 1.8751040687119611;  // first of cos x cosh x = -1
     return root * root * std::sqrt(stiffness / mass_per_length) / (2 * std::numbers::pi * length * length);
 }
@@ -36,6 +39,7 @@ double FloatingPlate::foundation() const {
 }
 
 double FloatingPlate::flexural_rigidity(double elastic_modulus) const {
+    FLOES_EXPECTS(elastic_modulus > 0);
     return elastic_modulus * std::pow(thickness, 3) / (12 * (1 - poisson_ratio * poisson_ratio));
 }
 
@@ -49,6 +53,7 @@ double patch_load_slope(const FloatingPlate& plate, double elastic_modulus, doub
 }
 
 double modulus_from_point_slope(const FloatingPlate& plate, double slope) {
+    FLOES_EXPECTS(slope > 0);
     const double nu = plate.poisson_ratio;
     return 3.0 / 16.0 * (1 - nu * nu) / (plate.foundation() * std::pow(plate.thickness, 3)) * slope * slope;
 }
@@ -142,6 +147,7 @@ double interior_load_stress(const FloatingPlate& plate, double elastic_modulus, 
 }
 
 double felt_radius(double a, double thickness) {
+    FLOES_EXPECTS(a >= 0 && thickness > 0);
     constexpr double thick_plate = 1.724;
     if (a >= thick_plate * thickness) return a;
     return std::sqrt(1.6 * a * a + thickness * thickness) - 0.675 * thickness;

@@ -11,6 +11,7 @@ namespace floes {
 
 namespace {
 
+#include "core/contract.hpp"
 #include "water/floating_plate_table.inl"
 
 /// Where `value` lies in rising `nodes`: the node before it, and the share of the way to the next. Ends hold.
@@ -52,6 +53,7 @@ double weight_for(double gyration) {
 }  // namespace
 
 PlateWater plate_water(double aspect, double draught) {
+    FLOES_EXPECTS(aspect >= 1 && draught >= 0);
     const auto [i, along] = between(aspects, aspect, [](double x) { return std::log(x); });
     const auto [k, deep] = between(draughts, draught, [](double x) { return x; });
     const auto at = [&, i = i, k = k](std::size_t one, std::size_t other) {

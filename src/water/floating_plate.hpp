@@ -15,7 +15,7 @@
 
 namespace floes {
 
-/// Of a plate b by l, b <= l, in its own numbers.
+/// The water of a plate b by l, b <= l, in its own numbers.
 struct PlateWater {
     double added_mass = 0;       ///< of heave, over ρ b² l
     double gyration_across = 0;  ///< squared radius of gyration of it in turning along b, over b²
@@ -50,7 +50,7 @@ struct PlateLoad {
     double damping = 0;  ///< over the added mass, 1/s
 };
 
-/// Of a piece with an outline of these sides, m, about this point, and of this area, m².
+/// For a piece with an outline of these sides, m, about this point, and of this area, m².
 PlateLoad plate_load(const Vec2& middle, const Vec2& size, double area, double draught, const WaterBody& water);
 
 /// For each element of a connected piece, given the elements' centres (x and z in the axes of the floe, m), their side

@@ -23,7 +23,7 @@ Column submerged(const ElementState& e, double x, double z, double thickness) {
     return {std::max(0.0, high - low), foot + 0.5 * (low + high) * normal};
 }
 
-/// Of the water over the element's material.
+/// Velocity of a point of the element against the water, m/s.
 Vec3 relative_velocity(const ElementState& e, const Vec3& arm, const WaterFactors& f, double structure_x) {
     const double x = e.position.x() + arm.x() - structure_x;
     const double z = e.position.z() + arm.z() - f.structure_z;

@@ -13,7 +13,7 @@ namespace floes {
 
 class PolygonWater {
   public:
-    /// Of an element of this thickness, m, and mass, kg; the rest as WaterModel takes it.
+    /// For an element of this thickness, m, and mass, kg; the rest as WaterModel takes it.
     PolygonWater(const Water& water, double gravity, const CutElement& element, double thickness, double mass,
                  double waterline_radius, double speed, const Vec2& wind_stress);
 

@@ -68,7 +68,8 @@ inline Column submerged_column(const Element& e, double x, double z, double thic
     return {0.0 < length ? length : zero, foot + e.normal * (0.5 * (low + high))};
 }
 
-/// Velocity of the water round one ellipse in the structure's own axes, added to `along` and `across`; (x, z) from its middle.
+/// Velocity of the water round one ellipse in the structure's own axes, added to `along` and `across`; (x, z) from its
+/// middle.
 inline void add_flow_round(const FlowEllipse& one, const WaterFactors& factors, Pack x, Pack z, Pack& along,
                            Pack& across) {
     const Pack zero{};

@@ -48,7 +48,7 @@ class WaterLanes {
     /// Whether the element was set since clear().
     bool is_set(std::size_t element) const { return is_set_[element] != 0; }
 
-    /// Of the last compute: force (N) and moment about the centre of mass (N m), world axes.
+    /// From the last compute: force (N) and moment about the centre of mass (N m), world axes.
     Wrench wrench(std::size_t element) const;
 
   private:

@@ -12,7 +12,8 @@
 
 namespace floes {
 
-/// Of sliding boxes and the structure, which do not touch each other. Elements' pieces are numbers of elements.
+/// The piece of sliding boxes and the structure, which do not touch each other. Elements' pieces are numbers of
+/// elements.
 inline constexpr int sheet_piece = std::numeric_limits<int>::max();
 
 /// Joints take their ERP and CFM from their own definition; of these only m_erp2 concerns contacts (m_erp is that of

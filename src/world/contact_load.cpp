@@ -12,7 +12,7 @@ Vec3 vector_of(const std::array<double, 3>& v) {
     return {v[0], v[1], v[2]};
 }
 
-/// Of the body that has several, which is the structure.
+/// Which solid touches: only the structure has several.
 int solid_at(const btPersistentManifold& manifold, const btManifoldPoint& point) {
     if (manifold.getBody0()->getCollisionShape()->isCompound()) return point.m_index0;
     return manifold.getBody1()->getCollisionShape()->isCompound() ? point.m_index1 : -1;

@@ -16,7 +16,7 @@ class FixedJoint {
 
     btTypedConstraint* constraint() { return &constraint_; }
 
-    /// Of the last solve, at the pivot, in the joint's frame at that solve.
+    /// From the last solve, at the pivot, in the joint's frame at that solve.
     JointReaction reaction() const;
 
   private:

@@ -15,7 +15,7 @@ const PrismHull* hull_of(const btRigidBody& body) {
     return dynamic_cast<const PrismHull*>(body.getCollisionShape());
 }
 
-/// Of a box, and of what holds a prism; zero for other shapes.
+/// For a box, and for what holds a prism; zero for other shapes.
 Triple half_extent(const btRigidBody& body) {
     if (const PrismHull* hull = hull_of(body)) return bounds_of(hull->prism());
     if (body.getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE) return {};

@@ -83,7 +83,7 @@ class LaneSolver {
         return in_system_body(body) ? system_->motions() + body : nullptr;
     }
 
-    /// Of the last step; zero before it and after removal.
+    /// From the last step; zero before it and after removal.
     JointReaction reaction(std::size_t joint) const;
 
     /// What was solved in the last step, with impulses, in the order of the solve.

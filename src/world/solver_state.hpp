@@ -66,7 +66,7 @@ inline SolverState pushed(SolverState state, const std::array<double, 6>& push, 
     return state;
 }
 
-/// Of a SolverState or a BodyMotion.
+/// From a SolverState or a BodyMotion.
 template <class Motion>
 BodyState body_state(const Motion& from) {
     const auto& [p, r, v, w] = std::tie(from.position, from.rotation, from.velocity, from.angular_velocity);

@@ -52,7 +52,7 @@ class StructureContacts {
     std::span<btPersistentManifold* const> touching() const { return touching_; }
 
   private:
-    /// Of a box and a solid. Null where the box is away from it.
+    /// The contact of a box and a solid. Null where the box is away from it.
     struct Pair {
         btCollisionAlgorithm* algorithm = nullptr;
         double due = 0;  ///< of the box's way, before which they are apart, m

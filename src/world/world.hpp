@@ -94,7 +94,7 @@ class World {
     /// Sweeps that the last step took; with a tolerance fewer than the definition's iterations.
     int sweeps() const;
 
-    /// Of the last step; zero before the first one and after removal.
+    /// From the last step; zero before the first one and after removal.
     JointReaction reaction(JointId joint) const;
 
     /// Force of all contacts (normal and friction) on the body in the last step, world axes, N.

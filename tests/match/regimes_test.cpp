@@ -74,12 +74,5 @@ TEST(Regimes, RefuseTablesThatAreNone) {
     EXPECT_THAT(refusal([&] { table("case,hours_per_year\n\"E60,3\n"); }), HasSubstr("close it with \""));
 }
 
-TEST(CsvLines, AreCellsWithoutQuotes) {
-    const std::vector<CsvLine> lines = csv_lines("a, \"b \"\"c\"\", d\" ,\n,\"\"\n", "x.csv");
-    EXPECT_THAT(lines.at(0).cells, ElementsAre("a", "b \"c\", d", ""));
-    EXPECT_THAT(lines.at(1).cells, ElementsAre("", ""));
-    EXPECT_EQ(lines.at(1).number, 2);
-}
-
 }  // namespace regimes_test
 }  // namespace floes

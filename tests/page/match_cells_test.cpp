@@ -119,7 +119,7 @@ TEST(MatchPage, FollowsTheWaves) {
     data.trail = {{"first.h5", 12, 0.25}, {"second.h5", 30, 0.031}};
     EXPECT_THAT(match_page(data), HasSubstr("<td>second.h5</td><td>30</td><td>3.1</td>"));
     data.trail.front().share = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT(match_page(data), HasSubstr("<td>first.h5</td><td>12</td><td>-</td>"));
+    EXPECT_THAT(match_page(data), HasSubstr("<td>first.h5</td><td>12</td><td>–</td>"));
 }
 
 }  // namespace match_cells_test

@@ -21,28 +21,35 @@ std::size_t count_of(const std::string& text, const std::string& words) {
     return count;
 }
 
+/// A row for each of the words, for these readers.
+Results rows_of(const std::vector<std::pair<std::string, Results::For>>& words) {
+    Results results{.columns = {{"", "a"}, {"", "b"}}};
+    for (const auto& [word, whom] : words) results.add({word, 1}, whom);
+    return results;
+}
+
 TEST(SectionHtml, TellsWhatTheTextTellsAndShowsRowsAndFiguresOfThePageAlone) {
     const Section told{.title = "Loads",
                        .before = "One.\nTwo.\n\nThree.\n",
-                       .table = {{"a"}, {"x"}},
-                       .on_page = {{"y"}},
+                       .results = {rows_of({{"x", Results::For::everybody}, {"y", Results::For::on_page}})},
                        .after = "\nMeaning.\n",
                        .notes = {"First.", "Second."},
                        .figures = {figure_of("A caption")}};
     const std::string html = section_html(told, "Everything");
     EXPECT_THAT(html,
                 AllOf(HasSubstr("<h3>Loads</h3>"), HasSubstr("<p>One. Two.</p>\n<p>Three.</p>"),
-                      HasSubstr("<tr><td>x</td></tr>\n</table>"), HasSubstr("<details><summary>Further rows</summary>"),
-                      HasSubstr("<tr><td>y</td></tr>"), HasSubstr("<p class=\"note\">\nMeaning."),
-                      HasSubstr("<li>First.</li>\n<li>Second.</li>"), HasSubstr("<figcaption>A caption</figcaption>")));
+                      HasSubstr("<tr><td>x</td><td>1</td></tr>\n</table>"),
+                      HasSubstr("<details><summary>Further rows</summary>"), HasSubstr("<tr><td>y</td><td>1</td></tr>"),
+                      HasSubstr("<p class=\"note\">\nMeaning."), HasSubstr("<li>First.</li>\n<li>Second.</li>"),
+                      HasSubstr("<figcaption>A caption</figcaption>")));
     EXPECT_THAT(section_html(told, "Loads of everything"), Not(HasSubstr("<h3>")));
     EXPECT_EQ(section_html({}, "Loads"), "");
 }
 
 TEST(SectionHtml, FoldsRowsThatTheTextHas) {
-    const Section told{.table = {{"a", "b"}, {"x", "1"}}, .folded = {{"y", "2"}}};
+    const Section told{.results = {rows_of({{"x", Results::For::everybody}, {"y", Results::For::folded}})}};
     EXPECT_THAT(section_html(told, ""), HasSubstr("<details><summary>Further rows</summary>"));
-    EXPECT_EQ(text(std::vector{told}, 20), "a  b\n----\nx  1\ny  2\n");
+    EXPECT_EQ(text(std::vector{told}, 20), "a  b\n----\nx  1\ny  1\n");
 }
 
 TEST(SectionHtml, SaysWhatIsWrongFirst) {
@@ -52,9 +59,10 @@ TEST(SectionHtml, SaysWhatIsWrongFirst) {
 }
 
 TEST(SectionHtml, ClosesLongTablesAtFirst) {
-    Section told{.title = "Points", .table = Table(40, {"x"})};
+    const std::vector<std::pair<std::string, Results::For>> words(39, {"x", Results::For::everybody});
+    Section told{.title = "Points", .results = {rows_of(words)}};
     EXPECT_THAT(section_html(told, ""), Not(HasSubstr("<details>")));
-    told.table.push_back({"x"});
+    told.results.front().add({"x", 1});
     EXPECT_THAT(section_html(told, ""), HasSubstr("<h3>Points</h3>\n<details><summary>40 rows</summary>"));
 }
 

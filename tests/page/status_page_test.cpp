@@ -53,7 +53,7 @@ TEST_F(StatusPage, TellsTheAnswerSoFarOfARunUnderWay) {
                               HasSubstr("The answer so far"), HasSubstr("soft: mean load 550 N")));
     EXPECT_THAT(page(), HasSubstr("<i style=\"width:50.0%\"></i><i class=\"bad\" style=\"width:25.0%\">"));
     // 100.1, 400.1, 700.1 and 1000.1 N: t(3) s / √n = 3.182446 * 387.298 / 2 = 616.3
-    EXPECT_THAT(page(), HasSubstr("<td>550.1 ± 616.3</td><td>112.0 %</td>"));
+    EXPECT_THAT(page(), HasSubstr("<td>550 ± 616</td><td>112.0</td>"));
     EXPECT_THAT(page(), HasSubstr("Member 4 (case stiff, arrangement 1): an element ran away"));
     EXPECT_THAT(page(), Not(HasSubstr("--resume")));
 }

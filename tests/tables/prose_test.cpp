@@ -28,8 +28,9 @@ TEST(Prose, LeavesCommandsAndLongWordsWhole) {
 }
 
 TEST(Prose, OfASectionFollowsTheWidth) {
-    const Section told{
-        .before = "A sentence of some length.\n", .table = {{"a"}, {"b"}}, .notes = {"Another such one."}};
+    Results results{.columns = {{"", "a"}}};
+    results.add({"b"});
+    const Section told{.before = "A sentence of some length.\n", .results = {results}, .notes = {"Another such one."}};
     EXPECT_EQ(text(std::vector{told}, 12).substr(0, 27), "A sentence\nof some\nlength.\n");
     EXPECT_NE(text(std::vector{told}, 12).find("Another such\none.\n"), std::string::npos);
 }

@@ -1,0 +1,26 @@
+#pragma once
+// CSV as lines of cells.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace floes {
+
+struct CsvLine {
+    int number = 0;                  ///< in the text, from 1
+    std::vector<std::string> cells;  ///< without quotes and outer blanks
+};
+
+/// The lines with anything in them (RFC 4180, also with bare line feeds, and with a byte order mark before). A quoted
+/// cell ends on its line. Throws InputError for a quote that does not end.
+std::vector<CsvLine> csv_lines(std::string_view text, const std::string& file);
+
+/// The number that a cell is from end to end; none where it is something else.
+std::optional<double> number_in(std::string_view cell);
+
+/// The cells of a line as written, for a message.
+std::string joined(const CsvLine& line);
+
+}  // namespace floes
