@@ -60,7 +60,7 @@ endfunction()
 # floes_tests(NAME MODULES modules… [LIBRARIES libs…] [LABEL label] [SOURCES files…] [LONG filter] [QUICK])
 #   One GoogleTest program test_NAME of tests/NAME/*.cpp, every TEST a CTest test with the label default or the one given.
 #   LONG: those of them that average for ten seconds and more, which are slow. QUICK: run under the sanitizers as well,
-#   whenever all tests run. Ten sources are compiled as one; each has a namespace of its own for what it needs.
+#   whenever all tests run. Twenty sources are compiled as one; each has a namespace of its own for what it needs.
 function(floes_tests name)
   cmake_parse_arguments(TEST "QUICK" "TIMEOUT;LONG;LABEL" "MODULES;LIBRARIES;SOURCES" ${ARGN})
   if(NOT TEST_SOURCES)
@@ -79,7 +79,7 @@ function(floes_tests name)
   floes_test_program(test_${name} SOURCES ${TEST_SOURCES}
                      LIBRARIES ${TEST_MODULES} ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   target_precompile_headers(test_${name} REUSE_FROM floes_tests_precompiled)
-  set_target_properties(test_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 10)
+  set_target_properties(test_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
   if(TEST_QUICK)
     add_dependencies(quick_tests test_${name})
     set(TEST_LABEL "${TEST_LABEL}\\;quick")
@@ -107,7 +107,8 @@ function(floes_test_program target)
   add_dependencies(tests ${target})
 endfunction()
 
-# What tests do themselves need not be fast. At -O1 g++ 12 warns of what is not so in the standard library.
+# What tests do themselves need not be fast, but at -O0 they take longer to run than that saves. At -O1 g++ 12 warns of
+# what is not so in the standard library.
 function(floes_quick_to_compile target)
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(${target} PRIVATE -O1 -Wno-array-bounds -Wno-mismatched-new-delete

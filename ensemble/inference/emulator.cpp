@@ -19,45 +19,38 @@
 
 namespace floes {
 
-namespace {
-
-double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& root) {
-    return 2 * root.matrixLLT().diagonal().array().log().sum();
-}
-
-}  // namespace
-
 Kriging::Kriging(const Eigen::MatrixXd& covariance, const Eigen::MatrixXd& trend, const Eigen::VectorXd& values)
     : root_(covariance) {
-    if (root_.info() != Eigen::Success) return;
-    trend_ = root_.matrixL().solve(trend);
-    precision_.compute(trend_.transpose() * trend_);
-    if (precision_.info() != Eigen::Success) return;
-    const Eigen::VectorXd white = root_.matrixL().solve(values);
+    if (!root_.exists()) return;
+    trend_ = root_.solve_lower(trend);
+    precision_ = Cholesky(trend_.transpose() * trend_);
+    if (!precision_.exists()) return;
+    const Eigen::VectorXd white = root_.solve_lower(values);
     beta_ = precision_.solve(trend_.transpose() * white);
     const Eigen::VectorXd rest = white - trend_ * beta_;
     misfit_ = rest.squaredNorm();
-    weights_ = root_.matrixU().solve(rest);
+    weights_ = root_.solve_upper(rest);
     valid_ = weights_.allFinite() && beta_.allFinite();
 }
 
 double Kriging::log_likelihood() const {
-    return -0.5 * (log_determinant(root_) + log_determinant(precision_) + misfit_);
+    return -0.5 * (root_.log_determinant() + precision_.log_determinant() + misfit_);
 }
 
 Emulated Kriging::at(const Eigen::VectorXd& f, const Eigen::VectorXd& k, double prior) const {
-    const Eigen::VectorXd white = root_.matrixL().solve(k);
-    const Eigen::VectorXd unknown = precision_.matrixL().solve(f - trend_.transpose() * white);
+    const Eigen::VectorXd white = root_.solve_lower(k);
+    const Eigen::VectorXd rest = f - trend_.transpose() * white;
+    const Eigen::VectorXd unknown = precision_.solve_lower(rest);
     const double variance = prior - white.squaredNorm() + unknown.squaredNorm();
     return {f.dot(beta_) + k.dot(weights_), std::max(variance, 0.0)};
 }
 
 Eigen::MatrixXd Kriging::projection() const {
     const Eigen::Index count = trend_.rows();
-    const Eigen::MatrixXd half = precision_.matrixL().solve(trend_.transpose());
+    const Eigen::MatrixXd half = precision_.solve_lower(Eigen::MatrixXd(trend_.transpose()));
     const Eigen::MatrixXd inside = Eigen::MatrixXd::Identity(count, count) - half.transpose() * half;
-    const Eigen::MatrixXd left = root_.matrixU().solve(inside);
-    return root_.matrixU().solve(left.transpose());
+    const Eigen::MatrixXd left = root_.solve_upper(inside);
+    return root_.solve_upper(Eigen::MatrixXd(left.transpose()));
 }
 
 namespace {
@@ -91,7 +84,7 @@ double size_of_deviations(const EmulatorData& data) {
     const EmulatorKind trend =
         determines(data.at, EmulatorKind::linear) ? EmulatorKind::linear : EmulatorKind::constant;
     const Eigen::MatrixXd terms = trend_terms(trend, data.at);
-    const Eigen::VectorXd rest = data.values - terms * terms.colPivHouseholderQr().solve(data.values);
+    const Eigen::VectorXd rest = data.values - terms * least_squares(terms, data.values);
     const double freedom = static_cast<double>(terms.rows() - terms.cols());
     const double from_plane = rest.squaredNorm() / freedom;
     const double from_mean = (data.values.array() - data.values.mean()).square().mean();
@@ -415,11 +408,8 @@ Eigen::MatrixXd trend_terms(EmulatorKind trend, const Eigen::MatrixXd& at) {
 bool determines(const Eigen::MatrixXd& at, EmulatorKind trend) {
     const Eigen::MatrixXd terms = trend_terms(trend, at);
     if (terms.rows() <= terms.cols()) return false;
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(terms);
-    if (decomposition.rank() < terms.cols()) return false;
-    // A point of leverage 1 determines a term alone.
-    const Eigen::MatrixXd basis = decomposition.householderQ() * Eigen::MatrixXd::Identity(terms.rows(), terms.cols());
-    return basis.rowwise().squaredNorm().maxCoeff() < 1 - 1e-6;
+    const std::optional<Eigen::VectorXd> found = leverages(terms);
+    return found && found->maxCoeff() < 1 - 1e-6;  // a point of leverage 1 determines a term alone
 }
 
 EmulatorForm fit_polynomial(const EmulatorData& data) {

@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+
+#include "inference/decompositions.hpp"
 
 namespace floes {
 
@@ -33,9 +35,9 @@ class Kriging {
     Eigen::MatrixXd projection() const;
 
   private:
-    Eigen::LLT<Eigen::MatrixXd> root_;       // K = L Lᵀ
-    Eigen::MatrixXd trend_;                  // L⁻¹ F
-    Eigen::LLT<Eigen::MatrixXd> precision_;  // of β: Fᵀ K⁻¹ F
+    Cholesky root_;          // K = L Lᵀ
+    Eigen::MatrixXd trend_;  // L⁻¹ F
+    Cholesky precision_;     // of β: Fᵀ K⁻¹ F
     Eigen::VectorXd beta_;
     Eigen::VectorXd weights_;  // K⁻¹ (y - F β)
     double misfit_ = 0;

@@ -2,17 +2,16 @@
 
 #include <cmath>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "core/error.hpp"
 #include "core/undefined.hpp"
+#include "inference/decompositions.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {
 
 namespace {
-
-using Decomposition = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
 
 /// A column of ones, then the coordinates.
 Eigen::MatrixXd model(const PointCoordinates& points) {
@@ -28,7 +27,7 @@ Eigen::MatrixXd model(const PointCoordinates& points) {
 }
 
 bool is_solvable(const Eigen::MatrixXd& matrix) {
-    return matrix.rows() > matrix.cols() && matrix.allFinite() && Decomposition(matrix).rank() == matrix.cols();
+    return matrix.rows() > matrix.cols() && matrix.allFinite() && rank_of(matrix) == matrix.cols();
 }
 
 Eigen::MatrixXd checked_model(const PointCoordinates& points) {
@@ -60,12 +59,11 @@ bool can_fit(const PointCoordinates& points) {
 LinearFit fit_repetitions(const PointCoordinates& points, std::span<const std::vector<double>> repetitions) {
     if (repetitions.size() < 2) throw InputError("An interval over repetitions needs at least two.");
     const Eigen::MatrixXd matrix = checked_model(points);
-    const Decomposition decomposition(matrix);
     const auto count = static_cast<Eigen::Index>(repetitions.size());
     Eigen::MatrixXd values(matrix.rows(), count);
     for (Eigen::Index r = 0; r < count; ++r)
         values.col(r) = checked_values(repetitions[static_cast<std::size_t>(r)], matrix.rows());
-    const Eigen::MatrixXd coefficients = decomposition.solve(values);
+    const Eigen::MatrixXd coefficients = least_squares(matrix, values);
     LinearFit fit;
     fit.repetitions = static_cast<int>(count);
     fit.centre = coefficients.row(0).mean();
@@ -81,13 +79,9 @@ LinearFit fit_repetitions(const PointCoordinates& points, std::span<const std::v
 LinearFit fit_points(const PointCoordinates& points, std::span<const double> values) {
     const Eigen::MatrixXd matrix = checked_model(points);
     const Eigen::VectorXd vector = checked_values(values, matrix.rows());
-    const Decomposition decomposition(matrix);
-    const Eigen::VectorXd coefficients = decomposition.solve(vector);
-    // (XᵀX)⁻¹ = P R⁻¹ R⁻ᵀ Pᵀ, so its diagonal is the squared norms of the rows of P R⁻¹.
+    const Eigen::VectorXd coefficients = least_squares(matrix, vector);
+    const Eigen::VectorXd norms = inverse_norms(matrix);
     const Eigen::Index columns = matrix.cols();
-    const Eigen::MatrixXd inverse = decomposition.matrixR().topRows(columns).triangularView<Eigen::Upper>().solve(
-        Eigen::MatrixXd::Identity(columns, columns));
-    const Eigen::VectorXd norms = (decomposition.colsPermutation() * inverse).rowwise().norm();
     const double freedom = static_cast<double>(matrix.rows() - columns);
     const double residual = std::sqrt((vector - matrix * coefficients).squaredNorm() / freedom);
     const double t = student_t(freedom, (1 - 0.95) / 2);
@@ -153,7 +147,7 @@ FittedPlane fit(const VectorXd& values, const MatrixXd& covariates) {
     const double count = static_cast<double>(values.size());
     const VectorXd y = values.array() - values.mean();
     FittedPlane plane;
-    plane.inverse = (x.transpose() * x).inverse();
+    plane.inverse = inverse_of(x.transpose() * x);
     plane.slopes = plane.inverse * x.transpose() * y;
     const VectorXd errors = y - x * plane.slopes;
     plane.residual = errors.squaredNorm();

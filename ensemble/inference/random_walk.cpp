@@ -5,9 +5,10 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "core/random.hpp"
+#include "inference/decompositions.hpp"
 
 namespace floes {
 
@@ -167,9 +168,9 @@ Eigen::MatrixXd corners(Eigen::Index count) {
 }  // namespace
 
 std::vector<std::vector<double>> spread(const Cost& cost, const Minimum& least) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(curvature(cost, least));
-    const Eigen::VectorXd sds = solver.eigenvalues().array().max(least_curvature).rsqrt();
-    const Eigen::MatrixXd ways = solver.eigenvectors() * sds.asDiagonal() * corners(sds.size());
+    const SymmetricEigen solved = eigen_of_symmetric(curvature(cost, least));
+    const Eigen::VectorXd sds = solved.values.array().max(least_curvature).rsqrt();
+    const Eigen::MatrixXd ways = solved.vectors * sds.asDiagonal() * corners(sds.size());
     const double rise = 0.5 * static_cast<double>(sds.size());  // of the normal distribution's cost at the corners
     std::vector<std::vector<double>> places;
     for (Eigen::Index corner = 0; corner < ways.cols(); ++corner) {

@@ -33,6 +33,23 @@ void end_line(std::string& line) {
 
 }  // namespace
 
+Datum::Datum(Absent none) : value_(none) {}
+Datum::Datum(Undefined none) : value_(none) {}
+Datum::Datum(bool value) : value_(value) {}
+Datum::Datum(double value) : value_(value) {}
+Datum::Datum(Estimate estimate) : value_(estimate) {}
+Datum::Datum(Bracket bracket) : value_(bracket) {}
+Datum::Datum(Named named) : value_(std::move(named)) {}
+Datum::Datum(std::string text) : value_(std::move(text)) {}
+Datum::Datum(std::string_view text) : value_(std::string{text}) {}
+Datum::Datum(const char* text) : value_(std::string{text}) {}
+Datum::Datum(std::int64_t count) : value_(count) {}
+Datum::Datum(const Datum& other) = default;
+Datum::Datum(Datum&& other) noexcept = default;
+Datum& Datum::operator=(const Datum& other) = default;
+Datum& Datum::operator=(Datum&& other) noexcept = default;
+Datum::~Datum() = default;
+
 Datum if_known(bool known, Datum value) {
     if (!known) return Undefined{};
     return value;

@@ -44,18 +44,25 @@ struct Named {
 /// One value. true and false are 1 and 0 in CSV.
 class Datum {
   public:
-    Datum(Absent none) : value_(none) {}                         // NOLINT: implicit, so that any of these is a value
-    Datum(Undefined none) : value_(none) {}                      // NOLINT
-    Datum(bool value) : value_(value) {}                         // NOLINT
-    Datum(double value) : value_(value) {}                       // NOLINT
-    Datum(Estimate estimate) : value_(estimate) {}               // NOLINT
-    Datum(Bracket bracket) : value_(bracket) {}                  // NOLINT
-    Datum(Named named) : value_(std::move(named)) {}             // NOLINT
-    Datum(std::string text) : value_(std::move(text)) {}         // NOLINT
-    Datum(std::string_view text) : value_(std::string{text}) {}  // NOLINT
-    Datum(const char* text) : value_(std::string{text}) {}       // NOLINT
+    Datum(Absent none);            // NOLINT: implicit, so that any of these is a value
+    Datum(Undefined none);         // NOLINT
+    Datum(bool value);             // NOLINT
+    Datum(double value);           // NOLINT
+    Datum(Estimate estimate);      // NOLINT
+    Datum(Bracket bracket);        // NOLINT
+    Datum(Named named);            // NOLINT
+    Datum(std::string text);       // NOLINT
+    Datum(std::string_view text);  // NOLINT
+    Datum(const char* text);       // NOLINT
+    Datum(std::int64_t count);     // NOLINT
     template <std::integral Count>
-    Datum(Count count) : value_(static_cast<std::int64_t>(count)) {}  // NOLINT
+    Datum(Count count) : Datum(static_cast<std::int64_t>(count)) {}  // NOLINT
+
+    Datum(const Datum& other);
+    Datum(Datum&& other) noexcept;
+    Datum& operator=(const Datum& other);
+    Datum& operator=(Datum&& other) noexcept;
+    ~Datum();
 
     const auto& get() const { return value_; }
 
