@@ -336,14 +336,14 @@ class Summarize(unittest.TestCase):
             window = load[-int(round(self.window[case] / self.time_step[case])) :]
             with self.subTest(member=row["member"]):
                 if start is None:
-                    self.assertIsNone(row["steady_start_s"])
+                    self.assertIsNone(row["steady_start"])
                 else:
-                    self.assertTrue(close(row["steady_start_s"], start * self.time_step[case]))
+                    self.assertTrue(close(row["steady_start"], start * self.time_step[case]))
                 self.assertTrue(close(row["effective_samples"], effective_samples(window), 1e-7))
         for case, row in enumerate(steady["cases"]):
             histories = self.surge[self.done & (self.members["case"] == case)]
             start = steady_by_members(histories[:, ~np.all(np.isnan(histories), axis=0)])
-            found = row["steady_start_s"]
+            found = row["steady_start"]
             self.assertTrue(found is None if start is None else close(found, start * self.time_step[case]))
 
     def test_automatic_window(self):
@@ -357,7 +357,7 @@ class Summarize(unittest.TestCase):
             self.assertTrue(close(row["mean_load"], np.mean(means)))
             given = self.summary["cases"][case]
             self.assertTrue(close(row["window"] / row["segments"], given["window"] / given["segments"]))
-            start = self.summary["steady"]["cases"][case]["steady_start_s"]
+            start = self.summary["steady"]["cases"][case]["steady_start"]
             if start is not None and row["window"] != given["window"]:
                 self.assertGreaterEqual(row["steady_start"], start - 1e-6)
 
