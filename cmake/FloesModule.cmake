@@ -82,7 +82,7 @@ function(floes_tests name)
   set_target_properties(test_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
   if(TEST_QUICK)
     add_dependencies(quick_tests test_${name})
-    set(TEST_LABEL "${TEST_LABEL}\\;quick")
+    set(TEST_LABEL "${TEST_LABEL}-quick")  # one label, which -L default and -L quick both find
   endif()
   set(usual "*")
   if(TEST_LONG)

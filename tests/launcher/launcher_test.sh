@@ -256,7 +256,7 @@ done
 # -- tests
 machine
 launch test
-check "test" "ctest in $home: --preset release -j3 -L default" "$out"
+check "test" "ctest in $home: --preset release --no-tests=error -j3 -L default" "$out"
 check "test builds the tests" "cmake --preset release -DFLOES_TESTS=ON
 cmake --build $home/build/release --target tests" "$(calls)"
 : >"$stage/calls"
@@ -266,23 +266,23 @@ launch test --all
 check_has "all tests need their packages too" "missing: eta" "$err"
 echo eta >>"$stage/installed"
 launch test --all -R wire
-check "test --all" "ctest in $home: --preset release -j3 -LE slow -R wire" "$out"
+check "test --all" "ctest in $home: --preset release --no-tests=error -j3 -LE slow -R wire" "$out"
 launch test --slow -R wire
 check_has "slow tests need theirs, and those that make packages" "missing: epsilon zeta" "$err"
 printf 'epsilon\nzeta\n' >>"$stage/installed"
 launch test --slow -R wire
-check "test --slow" "ctest in $home: --preset release -j3 -R wire" "$out"
+check "test --slow" "ctest in $home: --preset release --no-tests=error -j3 -R wire" "$out"
 : >"$stage/installed"
 launch test -L soak
 check_has "test -L needs them as well" "missing: alpha beta epsilon eta gamma zeta" "$err"
 printf '%s\n' alpha beta gamma epsilon eta zeta >"$stage/installed"
 launch test -L soak
-check "test -L" "ctest in $home: --preset release -j3 -L soak" "$out"
+check "test -L" "ctest in $home: --preset release --no-tests=error -j3 -L soak" "$out"
 
 # -- the sanitizers: a build of their own
 machine
 launch sanitize -R keys
-check "sanitize" "ctest in $home: --preset asan -j2 -L quick -R keys" "$out"
+check "sanitize" "ctest in $home: --preset asan --no-tests=error -j2 -L quick -R keys" "$out"
 check "sanitize builds quick tests" "cmake --preset asan
 cmake --build $home/build/asan --target quick_tests" "$(calls)"
 
