@@ -488,7 +488,6 @@ class Growth {
 }  // namespace
 
 Polyhedron convex_hull(std::span<const Vec3> points) {
-    FLOES_EXPECTS(points.size() >= 4);
     if (points.size() < 4) return {};
     return Growth(points).grown();
 }
