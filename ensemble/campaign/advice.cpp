@@ -164,8 +164,7 @@ std::string endless_words(const Scenario& scenario) {
     return fmt::format(
         "the field has no end: it is laid in parts of {} floes, {:.4g} m long each, ahead of a tow of {:.4g} m in "
         "{:.4g} s; computed are floes up to {:.4g} m ahead of the structure's axis and {:.4g} m behind it, about "
-        "{:.0f} "
-        "at a time",
+        "{:.0f} at a time",
         scenario.field.floes, scenario.field_length(), reach, duration, scenario.window_ahead(),
         scenario.window_behind(), computed_floes(scenario));
 }
@@ -284,8 +283,7 @@ std::string light_structure(const Case& one) {
     if (ratio >= many) return {};
     return fmt::format(
         "{} and the water that moves with it are {:.3g} times the heaviest floe: a floe that strikes it pushes it "
-        "{:.2g} % "
-        "too hard, as docs/moored.md says",
+        "{:.2g} % too hard, as docs/moored.md says",
         given(scenario, "moorings.mass_t"), ratio, 100 / ratio);
 }
 

@@ -99,8 +99,7 @@ std::string about_stop_of() {
     return fmt::format(
         "Member result to which the rule applies: {}; sd_load and mean_maximum also averaged over a time of "
         "analysis.averaging_s, as \"mean_maximum_0.5s\". Or \"{}\": the largest load in stop.exposure_h, as floes "
-        "design "
-        "gives it by both tails.",
+        "design gives it by both tails.",
         fmt::join(stoppable, ", "), design_load_word);
 }
 

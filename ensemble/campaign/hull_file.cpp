@@ -174,8 +174,7 @@ std::vector<Surface> bodies_together(const Surface& surface, const std::string& 
     } else if (std::ranges::any_of(bodies, inside_out)) {
         throw InputError(
             fmt::format("{}: one of its bodies is inside out, as a hollow in another is; a hull is taken as solid, so "
-                        "leave hollows "
-                        "out, or turn the faces of that body",
+                        "leave hollows out, or turn the faces of that body",
                         file));
     }
     return bodies;

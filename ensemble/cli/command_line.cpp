@@ -9,7 +9,6 @@
 #include <sstream>
 #include <utility>
 
-#include "cli/commands.hpp"
 #include "keys/edit_distance.hpp"
 
 namespace floes {
@@ -232,8 +231,6 @@ int CommandLine::run(const std::vector<std::string>& words) {
 std::string CommandLine::program_name() const {
     return app_->get_name();
 }
-
-// Options that several verbs have (cli/commands.hpp).
 
 Option add_overrides(OptionList& verb, std::vector<std::string>& overrides) {
     // One value for each --set: the next word is an argument of the verb.

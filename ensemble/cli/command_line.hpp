@@ -97,6 +97,15 @@ class Verb : public OptionList {
     std::shared_ptr<int> exit_status_;
 };
 
+/// The option --set of a verb that reads a configuration: key=value, repeatable, into `overrides`.
+Option add_overrides(OptionList& verb, std::vector<std::string>& overrides);
+
+/// The option --format of a verb whose answer is a table: "table", "json" or "csv", as written() takes it.
+void add_format(OptionList& verb, std::string& format);
+
+/// The option --window of a verb that measures loads: "given" or "auto".
+void add_window(OptionList& verb, std::string& window);
+
 class CommandLine {
   public:
     explicit CommandLine(const std::string& description = {});

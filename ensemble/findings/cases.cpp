@@ -219,8 +219,7 @@ std::string notes(const Summary& summary, const Totals& totals) {
         "Student's t, or by a mixture where members stand out; below it by BCa bootstrap, which assumes no "
         "distribution; then the prediction interval of one "
         "further run; –: one that would say nothing, of fewer than {} arrangements or too wide. Failure ratio: broken "
-        "floes "
-        "/ floes. Joints failed: mean per run.\n",
+        "floes / floes. Joints failed: mean per run.\n",
         fewest_for_interval);
     text +=
         has_rigid_contacts(summary)

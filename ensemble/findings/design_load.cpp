@@ -370,8 +370,7 @@ std::string scale_words(const DesignLoadRequest& request) {
     if (request.scale == 1) return "";
     return fmt::format(
         "\nFull scale by Froude, 1 : {0:g}: lengths x {0:g}, times x {1:.3g}, loads x {2:.3g}. The strength of the ice "
-        "and "
-        "its modulus are then {0:g} times those of the campaign.\n",
+        "and its modulus are then {0:g} times those of the campaign.\n",
         request.scale, std::sqrt(request.scale), request.force_factor());
 }
 
@@ -435,16 +434,15 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     results.insert(results.end(), records.begin(), records.end());
     std::vector<std::string> notes = std::move(too_few);
     notes.insert(notes.end(), steadiness.begin(), steadiness.end());
-    return {
-        .title = design_title(request),
-        .results = std::move(results),
-        .after =
-            "\nBrackets: 95 %. Both tails: Pareto and Weibull tail of members that may differ, above several "
-            "thresholds; "
-            "its interval includes which of these it is. The others, by bootstrap over arrangements, take members as "
-            "alike; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
-            scale_words(request),
-        .notes = std::move(notes)};
+    return {.title = design_title(request),
+            .results = std::move(results),
+            .after =
+                "\nBrackets: 95 %. Both tails: Pareto and Weibull tail of members that may differ, above several "
+                "thresholds; its interval includes which of these it is. The others, by bootstrap over arrangements, "
+                "take members as "
+                "alike; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
+                scale_words(request),
+            .notes = std::move(notes)};
 }
 
 /// For people, a line for each figure.

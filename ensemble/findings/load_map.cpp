@@ -196,7 +196,7 @@ Figure load_profile(const Evidence& evidence, const std::vector<CaseLoadMap>& ma
         high = std::max(high, shape.top());
     }
     Figure figure{.description = "Mean load by height on the structure",
-                  .x = axis_around("per height", loads, true, "N m-1"),
+                  .x = axis_around("load by height", loads, true, "N m-1"),
                   .y = {"height above the water, m", low, high},
                   .size = square_panel,
                   .legend = legend_of(evidence, maps)};

@@ -103,8 +103,7 @@ std::string period_refusal(const Analysis& analysis, double step, double period,
     if (period < fewest_values * step)
         return fmt::format(
             "the natural period of {:.3g} s has fewer than {:g} values of the load history, which are {:.3g} s apart: "
-            "less "
-            "mass, more stiffness or finer histories (analysis.history_steps) than these would be needed",
+            "less mass, more stiffness or finer histories (analysis.history_steps) than these would be needed",
             to_full * period, fewest_values, to_full * step);
     if (period > analysis.window / fewest_periods)
         return fmt::format(
@@ -123,8 +122,7 @@ std::string moored_refusal(const Analysis& analysis, double step, double first_l
     if (left > most_left)
         return fmt::format(
             "{:.0f} % of the swing with which the hull enters the ice is left when the window begins, {:.4g} s after "
-            "the "
-            "first load: run with a later analysis.steady_start_s (by {:.3g} s) or give more damping",
+            "the first load: run with a later analysis.steady_start_s (by {:.3g} s) or give more damping",
             left / unit::percent, to_full * run_up, to_full * (-std::log(most_left) / hull.decay_rate() - run_up));
     return "";
 }

@@ -307,8 +307,7 @@ std::string mooring_notes(const Evidence& evidence) {
         if (by_thrusters_alone(evidence.campaign.cases[index]))
             text += fmt::format(
                 "! {}: held by thrusters alone, so there is no mooring force; summarize --parts moored has their "
-                "thrust "
-                "and the time at its limit.\n",
+                "thrust and the time at its limit.\n",
                 label);
         const Members& members = evidence.sample.done(index);
         const auto count =

@@ -96,8 +96,7 @@ std::string line_words(const Evidence& evidence) {
         return "ISO 19906: its line above measured pressures of thick massive ice that crushes.";
     return fmt::format(
         "Ice thinner than {:g} m is taken as a tank's: its pressures are not those that the line of ISO 19906 is "
-        "above. "
-        "--scale L shows them at full scale, by Froude, where the ice is L times as strong.",
+        "above. --scale L shows them at full scale, by Froude, where the ice is L times as strong.",
         tank_ice);
 }
 
@@ -155,6 +154,7 @@ Section pressure_section(const Evidence& evidence) {
     if (rows.empty())
         return {.missing = "Pressures: unknown, because the members were computed without normal forces of parts.\n"};
     std::vector<Figure> figures = figures_of(evidence, rows);
+    if (!has_line(rows)) std::ranges::find(rows.columns, "iso_19906", &ResultColumn::key)->words.clear();
     return {.results = {std::move(rows)},
             .after =
                 "\nThe part's normal force, averaged over a time, over its surface between the lower and the upper "

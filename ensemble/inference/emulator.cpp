@@ -216,8 +216,7 @@ std::string emulator_fault(const std::vector<LeftOut>& points, const Eigen::Matr
     if (mean > largest)
         return fmt::format(
             "Points that are left out lie {:.2f} times as far from what the others predict as stated (RMS); by chance "
-            "it "
-            "is at most {:.2f}.",
+            "it is at most {:.2f}.",
             std::sqrt(mean), std::sqrt(largest));
     return {};
 }

@@ -288,8 +288,8 @@ Section points_section(const ContourInputs& inputs, const std::vector<ContourOf>
                                   per_year_text(one.per_year), one.radius);
     made.after +=
         "\nRun a short-term case at each point (-o cases.toml --config my.toml), then floes design: the largest over "
-        "the "
-        "points, at a quantile that makes up for the load's own variability, is the load of that probability a year. "
+        "the points, at a quantile that makes up for the load's own variability, is the load of that probability a "
+        "year. "
         "Which quantile does is not known beforehand: docs/year.md.\n";
     return made;
 }

@@ -253,8 +253,7 @@ Figure year_figure(const Year& year, const YearRequest& request) {
     for (const YearLevel& level : year.levels) figure.level(level.per_year, "dashed");
     figure.caption = fmt::format(
         "Probability that the largest load of a year exceeds a load: of all regimes (thick, with its 95 % interval), "
-        "and "
-        "of each as if there were no other{}. Dashed: the probabilities asked for.",
+        "and of each as if there were no other{}. Dashed: the probabilities asked for.",
         colours ? "" : " (thin)");
     return figure;
 }

@@ -64,8 +64,7 @@ LatticeSize lattice_size(const Walls& walls, const Rectangle& shape, double clea
     if (best_gap < clearance - equal_lengths) {
         throw InputError(fmt::format(
             "{} floes of {} m x {} m with a clearance of {} m do not fit on a lattice in a field of {:.3f} m x {:.3f} "
-            "m; "
-            "lower field.concentration_percent or the clearance, or change the width so that whole rows fit",
+            "m; lower field.concentration_percent or the clearance, or change the width so that whole rows fit",
             count, 2 * shape.half_length, 2 * shape.half_breadth, clearance, walls.length, walls.breadth));
     }
     return best;

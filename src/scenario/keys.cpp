@@ -84,13 +84,11 @@ TableTitles scenario_titles() {
          "The towed structure. Its wall, the far end of the channel and how the floes lie decide the load."},
         {"hull",
          "The shape of the structure, where it is no body of revolution by structure.profile_m (hulls.md). Ahead is "
-         "+x, "
-         "starboard +z; the axis is in the middle of the waterline's length."},
+         "+x, starboard +z; the axis is in the middle of the waterline's length."},
         {"path", "Where the structure goes, or the ice drifts, if not straight on at structure.speed_m_s."},
         {"moorings",
          "What holds a structure that gives way to the ice. Its anchors are towed, which is the same as ice that "
-         "drifts "
-         "past them; docs/moored.md."},
+         "drifts past them; docs/moored.md."},
         {"contact",
          "Contacts between floes, and between ice and the structure. The coefficient of restitution is 0 (Table 1) and "
          "not a key."},

@@ -66,8 +66,7 @@ void add_ice(Keys& keys, FloeShape& floe, Ice& ice, const Joint& joint) {
         "ice.elastic_modulus_MPa", ice.elastic_modulus, unit::megapascal, above(0).at_most(1e6), "Table 1",
         "E of the ice. With joint.model = \"beam\" joints get their stiffness from it. With \"cfm\" floes run finds "
         "the joint.cfm with which a sheet of this ice shows it; if joint.cfm is given as well, both have to agree "
-        "within "
-        "5 % in a plate test; and if only joint.cfm is given, this E is what that test shows."));
+        "within 5 % in a plate test; and if only joint.cfm is given, this E is what that test shows."));
     keys.push_back(late_key(number_key("ice.poisson_ratio", ice.poisson_ratio, unit::one, at_least(0).at_most(0.5),
                                        "usual for ice", "Poisson's ratio ν, with joint.model = \"beam\".")));
     keys.push_back(late_key(only_with(
@@ -102,8 +101,7 @@ void add_joint(Keys& keys, Joint& joint) {
     keys.push_back(with_cfm(number_key(
         "joint.cfm", joint.cfm, unit::one, above(0).below(1).because("at 1 and above the solver diverges"), "Table 1",
         "Constraint force mixing Σ of all six axes, Bullet's dimensionless number. A larger value gives softer ice. "
-        "With "
-        "general.solver = \"stock\" or \"lanes\" iterations leave the ice soft however small it is.")));
+        "With general.solver = \"stock\" or \"lanes\" iterations leave the ice soft however small it is.")));
     keys.push_back(
         with_cfm(number_key("joint.erp", joint.erp, unit::one, above(0).at_most(1), "Table 1",
                             "Error reduction parameter Γ: the share of a joint's error corrected in each step. "

@@ -20,8 +20,7 @@ Key kind_key(Shape& shape) {
         {"hull.shape", std::move(words), "Table 2",
          "profile: a body of revolution by structure.profile_m; cylinder: vertical; cone_up narrows upwards and breaks "
          "ice upwards; cone_down flares upwards and breaks it downwards; four_legs: vertical, in a square; wedge_bow: "
-         "a "
-         "ship with a wedge as bow and a flat stern; drillship: a wedge at either end; barge: ends that slope; file: "
+         "a ship with a wedge as bow and a flat stern; drillship: a wedge at either end; barge: ends that slope; file: "
          "convex pieces of hull.file or hull.pieces. docs/hulls.md has their drawings."});
 }
 
@@ -254,12 +253,11 @@ void add_path(Keys& keys, Path& path) {
         return late_key(only_with(
             "path.legs", [&path] { return !path.legs.empty(); }, std::move(key)));
     };
-    keys.push_back(late_key(
-        {"path.legs", leg_rows(path.legs), "none: straight on along +x at structure.speed_m_s",
-         "Legs that follow one another: heading at the beginning (0 along +x, 90 towards +z), speed (0: it stops), "
-         "time, "
-         "and by how much the heading turns in a second: 0 for a straight leg, else an arc of the radius speed / turn. "
-         "After the last leg the structure stands."}));
+    keys.push_back(late_key({"path.legs", leg_rows(path.legs), "none: straight on along +x at structure.speed_m_s",
+                             "Legs that follow one another: heading at the beginning (0 along +x, 90 towards +z), "
+                             "speed (0: it stops), time, and by how much the heading turns in a second: 0 for a "
+                             "straight leg, else an arc of the radius speed / turn. "
+                             "After the last leg the structure stands."}));
     keys.push_back(of_legs(word_key("path.of", path.of, {"structure", "ice"}, "the structure moves in the simulation",
                                     "Whose legs these are. ice: headings and speeds are of ice that drifts past a "
                                     "structure that stands; it then moves the other way through ice at rest.")));
@@ -287,8 +285,7 @@ void add_moorings(Keys& keys, Moorings& moorings) {
     keys.push_back(late_key(number_key(
         "moorings.mass_t", moorings.mass, unit::tonne, at_least(0).at_most(1e9), "none: it moves as prescribed",
         "Mass of a structure that gives way on its moorings, without the water that moves with it; its centre is on "
-        "the "
-        "axis. The moorings' anchors then move as the structure otherwise would: ice that drifts past them. 0: no "
+        "the axis. The moorings' anchors then move as the structure otherwise would: ice that drifts past them. 0: no "
         "moorings.")));
     keys.push_back(
         held(word_key("moorings.free", moorings.free, {"surge", "surge_sway", "all"}, "all that moorings hold",

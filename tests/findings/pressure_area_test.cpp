@@ -80,6 +80,7 @@ TEST(PressureArea, OfATankIsComparedAtFullScaleOnly) {
     EXPECT_TRUE(std::isnan(tank.number(0, "iso_19906")));
     EXPECT_NEAR(tank.number(0, "pressure"), 30e3 / (20 * std::sqrt(2.0)) / 20, 1e-3);
     EXPECT_THAT(text(std::vector{pressure_section(made)}, 100), HasSubstr("--scale L"));
+    EXPECT_EQ(shown_table(pressure_section(made).results.front(), {}).front().size(), 5u);
     made.scale = 20;
     const Results full = find_pressures(made);
     const Results direct = find_pressures(evidence());
@@ -87,10 +88,12 @@ TEST(PressureArea, OfATankIsComparedAtFullScaleOnly) {
     EXPECT_NEAR(full.number(0, "reached"), direct.number(0, "reached"), 1e-5);
     EXPECT_NEAR(full.number(0, "pressure"), direct.number(0, "pressure"), 1e-3);
     EXPECT_NEAR(full.number(1, "averaging"), std::sqrt(20.0) * 5, 1e-12);
+    EXPECT_EQ(shown_table(pressure_section(made).results.front(), {}).front().size(), 6u);
 }
 
 TEST(PressureArea, IsATableAndAFigure) {
     const Section section = pressure_section(evidence());
+    EXPECT_EQ(shown_table(section.results.front(), {}).size(), 11u);  // a heading, and five parts over two times
     const std::string shown = text(std::vector{section}, 160);
     EXPECT_THAT(shown, testing::ContainsRegex("bow +198 +28.3 +1 +1061 \\[958, 1163\\] +1480000"));
     EXPECT_THAT(shown, testing::ContainsRegex("bottom and deck +2360 +0 +1 +– +–"));
