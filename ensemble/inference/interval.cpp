@@ -21,10 +21,7 @@
 
 namespace floes {
 
-namespace {}  // namespace
-
 Interval mean_interval(std::span<const double> values, double confidence) {
-    FLOES_EXPECTS(confidence > 0 && confidence < 1);
     if (!(confidence > 0 && confidence < 1)) {
         throw InputError(fmt::format("The confidence is {}; it must lie between 0 and 1, such as 0.95.", confidence));
     }

@@ -210,16 +210,17 @@ void StressField::reserve(std::size_t elements) {
 }
 
 StressField::Element StressField::made_of(BodyId body, const PressedElement& element) {
-    return {.ice = element,
-            .body = body,
-            .most_stress = most_contact_stress(element),
-            .joint_of = {none, none, none, none}};
+    return {.ice = element, .body = body, .most_stress = most_contact_stress(element)};
 }
 
 void StressField::add_element(BodyId body, const PressedElement& element) {
-    element_of_body_.resize(std::max(element_of_body_.size(), body.index() + 1), none);
-    element_of_body_[body.index()] = elements_.size();
-    elements_.push_back(made_of(body, element));
+    add(made_of(body, element));
+}
+
+void StressField::add(const Element& element) {
+    element_of_body_.resize(std::max(element_of_body_.size(), element.body.index() + 1), none);
+    element_of_body_[element.body.index()] = elements_.size();
+    elements_.push_back(element);
 }
 
 void StressField::add_joint(JointId id, std::size_t a, std::size_t b, JointAxis axis) {
@@ -356,13 +357,11 @@ JointLoad StressField::load(const World& world, std::size_t joint) const {
 
 void StressField::put_prism(std::size_t number, BodyId body, const Corner& axis, PressedPrism prism) {
     if (number == elements_.size()) {
-        add_element(body, {});
-        elements_[number].prism = prisms_.size();
+        add({.body = body, .prism = prisms_.size()});
         prisms_.emplace_back();
     }
     const std::size_t at = elements_[number].prism;
-    elements_[number] = made_of(body, {});
-    elements_[number].prism = at;
+    elements_[number] = {.body = body, .prism = at};  // what its contacts can do follows from its joints
     const Corner size = size_of(prism.corners);
     prisms_[at] = {std::move(prism), axis, size};
 }

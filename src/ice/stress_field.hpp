@@ -186,11 +186,11 @@ class StressField {
         int live = 0;                       ///< of them
     };
     struct Element {
-        PressedElement ice;  ///< of a square
+        PressedElement ice = {};  ///< of a square
         BodyId body;
-        double most_stress;                   ///< by a force of 1 N, Pa
-        std::array<std::size_t, 4> joint_of;  ///< faces +x, -x, +z, -z
-        std::size_t prism = none;             ///< in prisms_
+        double most_stress = 0;                                       ///< by a force of 1 N, Pa
+        std::array<std::size_t, 4> joint_of{none, none, none, none};  ///< faces +x, -x, +z, -z
+        std::size_t prism = none;                                     ///< in prisms_
         /// In the last step:
         double largest_force = 0;  ///< of its contacts, N
         std::uint32_t first = no_touch, last = no_touch;
@@ -206,6 +206,7 @@ class StressField {
         std::uint32_t next = no_touch;
     };
     static Element made_of(BodyId body, const PressedElement& element);
+    void add(const Element& element);
     void join(std::size_t joint);
     void touch(BodyId body, std::size_t contact, bool on_a);
     bool is_prism(std::size_t element) const { return elements_[element].prism != none; }

@@ -96,7 +96,6 @@ double swing_frequency(Strip& strip, double time_step) {
 }  // namespace
 
 BeamStiffness measure_beam_stiffness(const Scenario& scenario, int elements) {
-    FLOES_EXPECTS(elements >= 1);
     if (elements < 1)
         throw InputError(fmt::format("A beam of {} elements cannot be tested; it needs at least 1.", elements));
     if (scenario.joint.model != JointModel::beam) {
