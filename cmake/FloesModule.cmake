@@ -57,12 +57,12 @@ function(floes_lane_kernels path)
   endforeach()
 endfunction()
 
-# floes_tests(NAME MODULES modules… [LIBRARIES libs…] [LABEL label] [SOURCES files…] [LONG filter] [QUICK])
+# floes_tests(NAME MODULES modules… [LIBRARIES libs…] [LABEL label] [SOURCES files…] [LONG filter] [SLOW filter] [QUICK])
 #   One GoogleTest program test_NAME of tests/NAME/*.cpp, every TEST a CTest test with the label default or the one given.
-#   LONG: those of them that average for ten seconds and more, which are slow. QUICK: run under the sanitizers as well,
-#   whenever all tests run. Twenty sources are compiled as one; each has a namespace of its own for what it needs.
+#   LONG: those of them that take ten seconds and more, which have the label all; SLOW: minutes, with the label slow.
+#   QUICK: run under the sanitizers as well, whenever all tests run. Twenty sources are compiled as one; each has a namespace of its own for what it needs.
 function(floes_tests name)
-  cmake_parse_arguments(TEST "QUICK" "TIMEOUT;LONG;LABEL" "MODULES;LIBRARIES;SOURCES" ${ARGN})
+  cmake_parse_arguments(TEST "QUICK" "TIMEOUT;LONG;SLOW;LABEL" "MODULES;LIBRARIES;SOURCES" ${ARGN})
   if(NOT TEST_SOURCES)
     file(GLOB TEST_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp)
   endif()
@@ -76,7 +76,12 @@ function(floes_tests name)
     set(TEST_LABEL default)
   endif()
   list(TRANSFORM TEST_MODULES PREPEND floes_)
-  floes_test_program(test_${name} SOURCES ${TEST_SOURCES}
+  if(TEST_LABEL STREQUAL "default")
+    set(with tests)
+  else()
+    set(with all_tests)
+  endif()
+  floes_test_program(test_${name} WITH ${with} SOURCES ${TEST_SOURCES}
                      LIBRARIES ${TEST_MODULES} ${TEST_LIBRARIES} GTest::gtest GTest::gmock GTest::gtest_main)
   target_precompile_headers(test_${name} REUSE_FROM floes_tests_precompiled)
   set_target_properties(test_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 20)
@@ -84,27 +89,35 @@ function(floes_tests name)
     add_dependencies(quick_tests test_${name})
     set(TEST_LABEL "${TEST_LABEL}-quick")  # one label, which -L default and -L quick both find
   endif()
-  set(usual "*")
-  if(TEST_LONG)
-    set(usual "-${TEST_LONG}")
-    gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_FILTER "${TEST_LONG}"
-                         TEST_LIST test_${name}_LONG PROPERTIES LABELS slow TIMEOUT ${TEST_TIMEOUT})
-  endif()
+  set(LONG_label all)
+  set(SLOW_label slow)
+  set(usual "")
+  foreach(kind LONG SLOW)
+    if(TEST_${kind})
+      string(APPEND usual ":${TEST_${kind}}")
+      gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_FILTER "${TEST_${kind}}"
+                           TEST_LIST test_${name}_${kind} PROPERTIES LABELS ${${kind}_label} TIMEOUT ${TEST_TIMEOUT})
+    endif()
+  endforeach()
+  string(REGEX REPLACE "^:" "*-" usual "${usual}")
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60 TEST_FILTER "${usual}"
                        PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT ${TEST_TIMEOUT})
 endfunction()
 
-# floes_test_program(TARGET SOURCES files… LIBRARIES libs…): a program that tests need; the target `tests` builds them
-# all.
+# floes_test_program(TARGET [WITH tests | all_tests] SOURCES files… LIBRARIES libs…): a program that tests need. The target
+# `tests` builds those that tests of the label default need, `all_tests` all.
 function(floes_test_program target)
-  cmake_parse_arguments(PROGRAM "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(PROGRAM "" "WITH" "SOURCES;LIBRARIES" ${ARGN})
+  if(NOT PROGRAM_WITH)
+    set(PROGRAM_WITH tests)
+  endif()
   add_executable(${target} ${PROGRAM_SOURCES})
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_compile_definitions(${target} PRIVATE FLOES_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target} PRIVATE floes_headers ${PROGRAM_LIBRARIES})
   floes_compile_options(${target})
   floes_quick_to_compile(${target})
-  add_dependencies(tests ${target})
+  add_dependencies(${PROGRAM_WITH} ${target})
 endfunction()
 
 # What tests do themselves need not be fast, but at -O0 they take longer to run than that saves. At -O1 g++ 12 warns of

@@ -1,9 +1,9 @@
 # Which process breaks, when and how: tests/faults/matrix.py.
-floes_test_program(faulty SOURCES faults/main.cpp LIBRARIES floes_run)
+floes_test_program(faulty WITH all_tests SOURCES faults/main.cpp LIBRARIES floes_run)
 foreach(what members processes)
   add_test(NAME faults.${what} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                        ${MPIEXEC_EXECUTABLE} ${what})
-  set_tests_properties(faults.${what} PROPERTIES LABELS "default;mpi" TIMEOUT 300 COST 90)  # mostly waiting
+  set_tests_properties(faults.${what} PROPERTIES LABELS "all;mpi" TIMEOUT 300 COST 90)  # mostly waiting
 endforeach()
 add_test(NAME faults.kills COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                    ${MPIEXEC_EXECUTABLE} kills 240)

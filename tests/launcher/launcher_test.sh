@@ -267,6 +267,7 @@ check_has "all tests need their packages too" "missing: eta" "$err"
 echo eta >>"$stage/installed"
 launch test --all -R wire
 check "test --all" "ctest in $home: --preset release --no-tests=error -j3 -LE slow -R wire" "$out"
+check_has "all tests have programs of their own" "--target all_tests" "$(calls)"
 launch test --slow -R wire
 check_has "slow tests need theirs, and those that make packages" "missing: epsilon zeta" "$err"
 printf 'epsilon\nzeta\n' >>"$stage/installed"

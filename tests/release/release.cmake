@@ -19,7 +19,7 @@ if(TARGET floes)
               --synthetic=$<TARGET_FILE:synthetic_file>)
     floes_release_test(shells LABELS slow TIMEOUT 300
       COMMAND /usr/bin/python3 ${release_tests}/pages.py $<TARGET_FILE:floes> ${PROJECT_BINARY_DIR}/manual --shells)
-    floes_release_test(install LABELS default TIMEOUT 120
+    floes_release_test(install LABELS all TIMEOUT 120
       COMMAND bash ${release_tests}/install.sh ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
     floes_release_test(scripts LABELS all TIMEOUT 60
       COMMAND shellcheck -x install.sh debian_root.sh old_processor.sh
