@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "ice/floe_grid.hpp"
 #include "shapes/path.hpp"
 #include "simulation/simulation.hpp"
 
@@ -29,24 +28,24 @@ PeerScene peer_scene(const Scene& scene) {
 
     std::set<std::pair<int, int>> broken;
     for (const BreakEvent& event : scene.state.breaks) broken.insert({event.floe, event.joint});
-    const FloeGrid grid{scenario.floe.elements_long(), scenario.floe.elements_broad(), scenario.floe.element};
-    const std::vector<GridJoint> order = joint_order(grid);
+    const CutFloe cut = scenario.floe.cut();
+    const int along = scenario.floe.elements_long();
     for (int floe = 0; floe < simulation.ice().floes(); ++floe) {
-        const int first = floe * grid.elements();
-        for (int number = 0; number < static_cast<int>(order.size()); ++number) {
+        const int first = floe * static_cast<int>(cut.elements.size());
+        for (int number = 0; number < static_cast<int>(cut.joints.size()); ++number) {
             if (broken.contains({floe, number})) continue;
-            const GridJoint& joint = order[static_cast<std::size_t>(number)];
-            const Quat frame = joint_frame(joint.axis);
-            peer.joints.push_back({first + joint.a,
-                                   first + joint.b,
-                                   {grid.pivot(joint) - grid.centre(joint.a), frame},
-                                   {grid.pivot(joint) - grid.centre(joint.b), frame}});
+            const CutJoint& joint = cut.joints[static_cast<std::size_t>(number)];
+            const auto from = [&](int element) {
+                const Corner arm = joint.pivot - cut.elements[static_cast<std::size_t>(element)].centre;
+                return Pose{{arm.x, 0, arm.z}, turned_to(joint.normal)};
+            };
+            peer.joints.push_back({first + joint.a, first + joint.b, from(joint.a), from(joint.b)});
         }
-        for (int k = 0; k + 1 < grid.elements_broad; ++k) {
-            for (int i = 0; i + 1 < grid.elements_long; ++i) {
-                const int at = first + i + k * grid.elements_long;
+        for (int k = 0; k + 1 < scenario.floe.elements_broad(); ++k) {
+            for (int i = 0; i + 1 < along; ++i) {
+                const int at = first + i + k * along;
                 for (const auto& [a, b] :
-                     {std::pair{at, at + grid.elements_long + 1}, std::pair{at + 1, at + grid.elements_long}}) {
+                     {std::pair{at, at + along + 1}, std::pair{at + 1, at + along}}) {
                     const auto& elements = simulation.ice().elements();
                     if (elements[static_cast<std::size_t>(a)].piece == elements[static_cast<std::size_t>(b)].piece) {
                         peer.diagonals.emplace_back(a, b);

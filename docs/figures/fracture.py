@@ -220,7 +220,7 @@ WIDE = {"side": 0.15, "elements": 28, "shown_until": 9.0}  # configs/validation/
 
 def joints_of(elements):
     """Middle (x, z) of each joint from the floe's centre in sides, and whether it is along x, in the order of
-    src/ice/floe_grid.hpp."""
+    src/shapes/elements.hpp."""
     found = []
     for k in range(elements):
         for i in range(elements):

@@ -66,7 +66,7 @@ struct BreakRow {
     int member = 0;
     double time = 0;  ///< s
     int floe = 0;
-    int joint = 0;  ///< within the floe, in joint_order()
+    int joint = 0;  ///< within the floe, as its CutFloe has it
     int mode = 0;   ///< as /breaks/mode: 0 bending, 1 shear, 2 compression, …
 };
 

@@ -16,7 +16,6 @@
 #include "core/units.hpp"
 #include "draw/assets.hpp"
 #include "draw/frame_packer.hpp"
-#include "ice/floe_grid.hpp"
 #include "replay/view.hpp"
 #include "scenario/scenario.hpp"
 #include "tables/table.hpp"
@@ -129,42 +128,33 @@ json sheets(const Channel& channel) {
     return all;
 }
 
-/// The same of polygons: of each element its corners in its own x and z, and edge k on the outline as bit k.
-json polygons(const CutFloe& cut, std::size_t floes, double thickness) {
-    json outline = json::array();
-    json corners = json::array();
+/// Of elements that are no squares their corners, in their own x and z.
+json corners_of(const CutFloe& cut) {
+    json all = json::array();
     for (const CutElement& one : cut.elements) {
-        outline.push_back(one.rim);
         json own = json::array();
         for (const Corner& corner : one.corners)
             own.push_back({static_cast<float>(corner.x), static_cast<float>(corner.z)});
-        corners.push_back(std::move(own));
+        all.push_back(std::move(own));
     }
-    return {{"floes", floes},
-            {"element", {0, thickness, 0}},
-            {"outline", std::move(outline)},
-            {"corners", std::move(corners)}};
+    return all;
 }
 
-/// Floes by kind: how many one after another, the size of an element, and of each element of one the edges on the
-/// outline, as bits of Edge.
+/// Floes by kind: how many one after another, the size of an element, which is its thickness alone unless it is a
+/// square, and of each element of one the edges on the outline: bit k for edge k.
 json ice(const FloeSet& floes) {
     json kinds = json::array();
     for (std::size_t first = 0; first < floes.size();) {
         std::size_t next = first + 1;
         while (next < floes.size() && floes.floes[next].shape == floes.floes[first].shape) ++next;
         const FloeShape& shape = floes.shape(first);
-        if (const std::shared_ptr<const CutFloe> cut = cut_of(shape)) {
-            kinds.push_back(polygons(*cut, next - first, shape.thickness));
-            first = next;
-            continue;
-        }
-        const FloeGrid grid = grid_of(shape);
+        const CutFloe cut = shape.cut();
         json outline = json::array();
-        for (int index = 0; index < grid.elements(); ++index) outline.push_back(grid.outline_edges(index));
-        kinds.push_back({{"floes", next - first},
-                         {"element", {shape.element, shape.thickness, shape.element}},
-                         {"outline", std::move(outline)}});
+        for (const CutElement& one : cut.elements) outline.push_back(one.rim);
+        const double side = cut.squares ? shape.element : 0;
+        json kind{{"floes", next - first}, {"element", {side, shape.thickness, side}}, {"outline", std::move(outline)}};
+        if (!cut.squares) kind["corners"] = corners_of(cut);
+        kinds.push_back(std::move(kind));
         first = next;
     }
     return kinds;
@@ -181,7 +171,7 @@ json structure(const Shape& shape) {
             {"top", shape.top()}};
 }
 
-/// [time, mode, floe, element a, its edge, element b, its edge]; edges as bits of Edge.
+/// [time, mode, floe, element a, its edge, element b, its edge]; edge k as bit k.
 json failures(const Recording& recording) {
     const IceLayout& layout = recording.layout();
     json all = json::array();

@@ -139,26 +139,6 @@ struct Box {
     Vec3 half;
 };
 
-/// A side of a box by its outward normal and two of its axes, and the bit of Edge that it has.
-struct Side {
-    Vec3 normal;
-    Vec3 first;
-    Vec3 second;
-    std::uint8_t edge;
-};
-
-/// The top comes last; its corners follow each other so that edge k lies on the side of top_edges[k].
-const std::array<Side, 6>& sides() {
-    static const std::array<Side, 6> all{{{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), edge_plus_x},
-                                          {-Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), edge_minus_x},
-                                          {Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY(), edge_plus_z},
-                                          {-Vec3::UnitZ(), Vec3::UnitX(), Vec3::UnitY(), edge_minus_z},
-                                          {-Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), 0},
-                                          {Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), 0}}};
-    return all;
-}
-constexpr std::array<std::uint8_t, 4> flat_edges{edge_plus_z, edge_minus_x, edge_minus_z, edge_plus_x};
-
 /// Collects faces that a picture shows.
 class Faces {
   public:
@@ -185,23 +165,8 @@ class Faces {
         faces_.push_back(std::move(face));
     }
 
-    /// exposed: bits of Edge; other sides have no lines. They are drawn all the same: they close the gaps between
-    /// elements.
-    void add(const Box& box, std::uint32_t exposed, const Colour& colour, double clear_water) {
-        for (const Side& side : sides()) {
-            const auto corner = [&](double a, double b) {
-                const Vec3 at = side.normal + a * side.first + b * side.second;
-                return Vec3(box.centre + box.rotation * at.cwiseProduct(box.half));
-            };
-            const std::array<Vec3, 4> corners{corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1)};
-            std::uint32_t edges = side.edge != 0 && (exposed & side.edge) != 0 ? all_edges : 0;
-            for (unsigned k = 0; side.edge == 0 && k < flat_edges.size(); ++k)
-                if ((exposed & flat_edges[k]) != 0) edges |= 1u << k;
-            add(corners, box.rotation * side.normal, colour, edges, clear_water);
-        }
-    }
-
-    /// A polygon of ice, as thick as its box: bit k of `exposed` is its edge k.
+    /// A prism of ice, as thick as its box: bit k of `exposed` is its edge k. Sides without lines are drawn all the same:
+    /// they close the gaps between elements.
     void add(const Box& box, const Outline& outline, std::uint32_t exposed, const Colour& colour, double clear_water) {
         const auto at = [&](const Corner& corner, double y) {
             return Vec3(box.centre + box.rotation * Vec3(corner.x, y * box.half.y(), corner.z));
@@ -253,12 +218,12 @@ std::vector<SheetPart> in_parts(const std::vector<IceSheet>& sheets, double long
     return parts;
 }
 
-/// For each element the sides without a joint at that time, bits of Edge; of a polygon bit k for its edge k.
+/// For each element the edges without a joint at that time: bit k for edge k.
 std::vector<std::uint32_t> exposed_sides(const IceLayout& layout, const std::vector<bool>& failed) {
     const std::vector<IceLayout::LaidJoint>& joints = layout.joints;
     std::vector<std::uint32_t> exposed;
     for (const IceLayout::LaidElement& one : layout.elements)
-        exposed.push_back((1u << (one.corners.empty() ? 4u : one.corners.size())) - 1);
+        exposed.push_back((1u << one.corners.size()) - 1);
     for (std::size_t k = 0; k < joints.size(); ++k) {
         if (failed[k]) continue;
         exposed[static_cast<std::size_t>(joints[k].a)] &= ~joints[k].edge_a;
@@ -340,15 +305,13 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
     };
     Faces faces(projection, size);
     for (const auto& [box, exposed] : sheets_)
-        faces.add(Box{box.centre, Mat3::Identity(), box.half_extents}, exposed, sheet_ice, clear);
+        faces.add(Box{box.centre, Mat3::Identity(), box.half_extents},
+                  corners_of(box.half_extents.x(), box.half_extents.z()), exposed, sheet_ice, clear);
     const std::vector<std::uint32_t> exposed = exposed_sides(layout_, failed);
     for (std::size_t k = 0; k < frame.elements.size(); ++k) {
         const IceLayout::LaidElement& one = layout_.elements[frame.id(k)];
         const Box box{frame.elements[k].position, frame.elements[k].rotation, one.half_extents};
-        if (one.corners.empty())
-            faces.add(box, exposed[frame.id(k)], colour(k), clear);
-        else
-            faces.add(box, one.corners, exposed[frame.id(k)], colour(k), clear);
+        faces.add(box, one.corners, exposed[frame.id(k)], colour(k), clear);
     }
     add_structure(faces, scenario.structure.shape, frame.structure, scenario.floe.element / 2, clear);
     return std::move(faces).found();

@@ -167,7 +167,7 @@ VtkMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const st
     std::vector<std::uint8_t> is_broken(elements);
     for (std::size_t i = 0; i < elements; ++i) {
         const IceLayout::LaidElement& one = layout.elements[frame.id(i)];
-        if (one.corners.empty()) {
+        if (one.square) {
             append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, one.half_extents);
         } else {
             mesh.kind = VtkCells::solids;

@@ -12,7 +12,6 @@
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
 #include "ice/failure_mode.hpp"
-#include "ice/floe_grid.hpp"
 #include "scenario/floes.hpp"
 
 namespace floes {
@@ -56,23 +55,22 @@ struct CaseFailures {
     std::string name;
     FloeShape floe;
     int floes;
-    FloeGrid grid;
-    std::vector<GridJoint> joints;
+    CutFloe cut;
     std::vector<double> of_joint;
     std::map<int, double> of_mode;  ///< sum over the joints
     double total = 0;
 };
 
-/// None where floes differ in shape: their joints are not the same.
+/// None where floes differ in shape, from each other or from one arrangement to the next: their joints are not the same.
 std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case) {
-    const FloeSet floes = floes_of(evidence.campaign.cases[of_case].scenario);
-    if (floes.shapes.size() != 1 || floes.shapes.front().is_polygon()) return std::nullopt;
+    const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
+    const FloeSet floes = floes_of(scenario);
+    if (floes.shapes.size() != 1 || (scenario.shapes.any() && !scenario.shapes.from_file())) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = floes.shapes.front();
     CaseFailures found{
-        evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), grid_of(floe), {}, {}, {}};
-    found.joints = joint_order(found.grid);
-    found.of_joint.resize(found.joints.size(), 0.0);
+        evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), floe.cut(), {}, {}};
+    found.of_joint.resize(found.cut.joints.size(), 0.0);
     const double share = 1.0 / row.done / found.floes;
     for (const BreakRow& one : breaks_of(evidence)) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(one.member)];
@@ -104,25 +102,29 @@ Figure panel(const CaseFailures& found, double largest) {
     const double half_length = 0.55 * floe.length;
     const double half_breadth = 0.55 * floe.breadth;
     const double scale = widest / 2 / std::max(half_length, half_breadth);
-    const double side = found.grid.element;
+    const double side = floe.element;
     Figure figure{
         .description = fmt::format("Case {}: how often each joint of a floe failed", found.name),
         .x = {fmt::format("{}: along the floe, m", found.name), -half_length, half_length, false, {}, floe.length / 2},
         .y = {"across, m", -half_breadth, half_breadth, false, {}, floe.breadth / 2},
         .size = {std::max(268.0, 80 + 2 * scale * half_length), 74 + 2 * scale * half_breadth},
         .heat_scale = fmt::format("up to {:.1f} %", largest / unit::percent)};
-    for (int element = 0; element < found.grid.elements(); ++element) {
-        const Vec3 at = found.grid.centre(element);
-        figure.cell(at.x() - 0.39 * side, at.z() - 0.39 * side, 0.78 * side, 0.78 * side, 1, "ice");
+    for (const CutElement& element : found.cut.elements) {
+        Figure::Points points;
+        for (const Corner& corner : from_axes(element.corners, {}, element.axis)) {
+            const Corner inside = element.centre + 0.78 * corner;
+            points.emplace_back(inside.x, inside.z);
+        }
+        figure.area(std::move(points), "ice");
     }
-    for (std::size_t k = 0; k < found.joints.size(); ++k) {
-        const Vec3 at = found.grid.pivot(found.joints[k]);
-        const bool along = found.joints[k].axis == JointAxis::x;
+    for (std::size_t k = 0; k < found.cut.joints.size(); ++k) {
+        const Corner& at = found.cut.joints[k].pivot;
+        const bool along = found.cut.joints[k].normal.x != 0;
         const double x = (along ? 0.22 : 0.78) * side;
         const double z = (along ? 0.78 : 0.22) * side;
-        figure.cell(at.x() - x / 2, at.z() - z / 2, x, z, found.of_joint[k] / largest, "heat");
-        if (found.joints.size() <= most_numbers)
-            figure.text(at.x(), at.z() - 0.03 * side, fmt::format("{:.1f}", found.of_joint[k] / unit::percent),
+        figure.cell(at.x - x / 2, at.z - z / 2, x, z, found.of_joint[k] / largest, "heat");
+        if (found.cut.joints.size() <= most_numbers)
+            figure.text(at.x, at.z - 0.03 * side, fmt::format("{:.1f}", found.of_joint[k] / unit::percent),
                         "middle", "key");
     }
     return figure;

@@ -112,14 +112,8 @@ Figure::Points corners(const PlanarPose& pose, const FloeShape& floe) {
     Figure::Points points;
     const double c = std::cos(pose.yaw);
     const double s = std::sin(pose.yaw);
-    for (const Corner& own : floe.outline)
+    for (const Corner& own : floe.corners())
         points.emplace_back(pose.x + c * own.x + s * own.z, pose.z - s * own.x + c * own.z);
-    if (floe.is_polygon()) return points;
-    for (const auto& [a, b] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-        const double along = a * floe.length / 2;
-        const double across = b * floe.breadth / 2;
-        points.emplace_back(pose.x + c * along + s * across, pose.z - s * along + c * across);
-    }
     return points;
 }
 

@@ -6,7 +6,6 @@
 
 #include "core/text.hpp"
 #include "findings/conditions.hpp"
-#include "ice/floe_grid.hpp"
 #include "scenario/floes.hpp"
 
 namespace floes {
@@ -28,26 +27,9 @@ std::vector<FloeShape> drawn_floes(const Campaign& campaign, std::size_t of_case
     return drawn;
 }
 
-void add_rectangle(Figure& figure, const FloeShape& floe, double x) {
-    const double side = floe.element;
-    const double low = -floe.breadth / 2;
-    for (int i = 0; i < floe.elements_long(); ++i) {
-        for (int k = 0; k < floe.elements_broad(); ++k) {
-            const double at = low + k * side;
-            figure.cell(x + (i + 0.015) * side, at + 0.015 * side, 0.97 * side, 0.97 * side, 1, "ice");
-        }
-    }
-    for (int i = 0; i < floe.elements_long(); ++i) {
-        for (int k = 0; k < floe.elements_broad(); ++k) {
-            if (i + 1 < floe.elements_long()) figure.dot(x + (i + 1) * side, low + (k + 0.5) * side, "c1", 4);
-            if (k + 1 < floe.elements_broad()) figure.dot(x + (i + 0.5) * side, low + (k + 1) * side, "c1", 4);
-        }
-    }
-}
-
-void add_polygon(Figure& figure, const FloeShape& floe, double x) {
-    const CutFloe cut = *cut_of(floe);
-    const double left = std::ranges::min(floe.outline, {}, &Corner::x).x;
+void add_floe(Figure& figure, const FloeShape& floe, double x) {
+    const CutFloe cut = floe.cut();
+    const double left = std::ranges::min(floe.corners(), {}, &Corner::x).x;
     for (const CutElement& element : cut.elements) {
         Figure::Points points;
         for (const Corner& corner : from_axes(element.corners, element.centre, element.axis)) {
@@ -75,10 +57,7 @@ Figure side_by_side(const std::vector<FloeShape>& floes, const std::string& name
                   .size = to_scale(length + 2 * margin, 2 * half, floes.size() > 1 ? 720 : 360)};
     double x = 0;
     for (const FloeShape& floe : floes) {
-        if (floe.is_polygon())
-            add_polygon(figure, floe, x);
-        else
-            add_rectangle(figure, floe, x);
+        add_floe(figure, floe, x);
         x += floe.length + margin;
     }
     return figure;

@@ -75,11 +75,11 @@ using hdf5::Scale;
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// Corners of elements that are polygons, NaN where an element has fewer.
+/// Corners of elements where some are no squares, NaN where an element has fewer.
 void write_corners(hid_t group, const IceLayout& layout, const Scale& element) {
+    if (std::ranges::all_of(layout.elements, &IceLayout::LaidElement::square)) return;
     std::size_t most = 0;
     for (const IceLayout::LaidElement& one : layout.elements) most = std::max(most, one.corners.size());
-    if (most == 0) return;
     std::vector<double> x(most * layout.elements.size(), std::numeric_limits<double>::quiet_NaN());
     std::vector<double> z = x;
     for (std::size_t i = 0; i < layout.elements.size(); ++i) {

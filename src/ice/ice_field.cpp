@@ -1,5 +1,3 @@
-// Floes of an IceField that come and go, and its counts.
-
 #include "ice/ice_field.hpp"
 
 #include <algorithm>
@@ -15,43 +13,26 @@
 #include "core/error.hpp"
 #include "core/turn.hpp"
 #include "core/vector.hpp"
-#include "ice/floe_grid.hpp"
 #include "ice/joint_stress.hpp"
 #include "ice/scenario_world.hpp"
 
 namespace floes {
 
 IceLayout::IceLayout(const FloeSet& floes) : first_joint{0} {
+    std::vector<CutFloe> cuts;
+    for (const FloeShape& shape : floes.shapes) cuts.push_back(shape.cut());
     for (std::size_t i = 0; i < floes.size(); ++i) {
-        const FloeShape& shape = floes.shape(i);
+        const CutFloe& cut = cuts[floes.floes[i].shape];
         const int first = static_cast<int>(elements.size());
-        if (const std::shared_ptr<const CutFloe> cut = cut_of(shape)) {
-            add(*cut, static_cast<int>(i), shape.thickness);
-            continue;
+        for (const CutElement& one : cut.elements) {
+            Vec3 half(0, floes.shape(i).thickness / 2, 0);
+            for (const Corner& corner : one.corners)
+                half = half.cwiseMax(Vec3(std::abs(corner.x), 0, std::abs(corner.z)));
+            elements.push_back({static_cast<int>(i), half, one.rim, one.corners, cut.squares});
         }
-        const FloeGrid grid = grid_of(shape);
-        const Vec3 half_extents = Vec3(shape.element, shape.thickness, shape.element) / 2;
-        for (int index = 0; index < grid.elements(); ++index)
-            elements.push_back({static_cast<int>(i), half_extents, grid.outline_edges(index)});
-        for (const GridJoint& one : joint_order(grid)) {
-            const bool along = one.axis == JointAxis::x;
-            joints.push_back(
-                {first + one.a, first + one.b, along ? edge_plus_x : edge_plus_z, along ? edge_minus_x : edge_minus_z});
-        }
+        for (const CutJoint& one : cut.joints) joints.push_back({first + one.a, first + one.b, one.edge_a, one.edge_b});
         first_joint.push_back(joints.size());
     }
-}
-
-void IceLayout::add(const CutFloe& cut, int floe, double thickness) {
-    const int first = static_cast<int>(elements.size());
-    for (const CutElement& one : cut.elements) {
-        Corner half;
-        for (const Corner& corner : one.corners)
-            half = {std::max(half.x, std::abs(corner.x)), std::max(half.z, std::abs(corner.z))};
-        elements.push_back({floe, {half.x, thickness / 2, half.z}, one.rim, one.corners});
-    }
-    for (const CutJoint& one : cut.joints) joints.push_back({first + one.a, first + one.b, one.edge_a, one.edge_b});
-    first_joint.push_back(joints.size());
 }
 
 namespace {
@@ -62,119 +43,132 @@ constexpr std::size_t no_element = ~std::size_t{0};
 
 IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     : by_stress_(scenario.joint.fails_by_stress()), time_step_(scenario.general.time_step) {
-    std::vector<std::vector<GridJoint>> orders;
     std::vector<std::shared_ptr<const CutFloe>> cuts;
-    for (const FloeShape& shape : floes.shapes) {
-        cuts.push_back(cut_of(shape));
-        orders.push_back(cuts.back() ? std::vector<GridJoint>(cuts.back()->joints.size())
-                                     : joint_order(grid_of(shape)));
-    }
+    for (const FloeShape& shape : floes.shapes) cuts.push_back(std::make_shared<const CutFloe>(shape.cut()));
     std::size_t elements = 0;
     std::size_t joints = 0;
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-        elements += static_cast<std::size_t>(floes.shape(i).elements());
-        joints += orders[floes.floes[i].shape].size();
+    for (const Floe& floe : floes.floes) {
+        elements += cuts[floe.shape]->elements.size();
+        joints += cuts[floe.shape]->joints.size();
     }
     elements_.reserve(elements);
     joints_.reserve(joints);
     if (by_stress_) stress_.reserve(elements);
     for (std::size_t i = 0; i < floes.size(); ++i) {
         const Floe& floe = floes.floes[i];
-        const SingleFloe single{floe.pose, floes.shape(i), floes.material(i)};
-        if (cuts[floe.shape])
-            add_polygon(world, scenario, single, cuts[floe.shape]);
-        else
-            add_floe(world, scenario, single, orders[floe.shape]);
+        add_floe(world, scenario, {floe.pose, floes.shape(i), floes.material(i)}, cuts[floe.shape]);
     }
 }
 
-std::size_t IceField::free_place(const FloeGrid& grid) const {
-    const auto fits = [&](const Sheet& sheet) {
-        return !sheet.there && !sheet.cut && sheet.grid.elements_long == grid.elements_long &&
-               sheet.grid.elements_broad == grid.elements_broad;
-    };
-    return static_cast<std::size_t>(std::ranges::find_if(floes_, fits) - floes_.begin());
+namespace {
+
+Vec3 flat(const Corner& point) {
+    return {point.x, 0, point.z};
 }
 
+}  // namespace
+
 void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe& floe,
-                        const std::vector<GridJoint>& order) {
+                        std::shared_ptr<const CutFloe> cut) {
     const FloeShape& shape = floe.shape;
     const Material& material = floe.material;
-    const FloeGrid grid = grid_of(shape);
     const Water& water = scenario.water;
-    const double pressure = scenario.contact_law(material.ice).crushing_pressure;
-    const std::optional<JointSpring> spring = joint_spring(shape, material);
-    const std::size_t place = free_place(grid);
+    const auto place = static_cast<std::size_t>(
+        std::ranges::find_if(floes_,
+                             [&](const Sheet& sheet) {
+                                 return !sheet.there && sheet.cut->elements.size() == cut->elements.size();
+                             }) -
+        floes_.begin());
     const bool again = place < floes_.size();
     const auto first = again ? static_cast<std::size_t>(floes_[place].first) : elements_.size();
-    const std::size_t first_joint = again ? floes_[place].first_joint : joint_ids_.size();
     if (!again) floes_.emplace_back();
-    floes_[place] = {static_cast<int>(first), grid, joint_strength(shape, material, shape.element, shape.element),
-                     first_joint, entered_++};
+    Sheet& sheet = floes_[place] = {static_cast<int>(first), entered_++, cut};
+    const double pressure = scenario.contact_law(material.ice).crushing_pressure;
+    const double crushing = pressure > 0 ? pressure : material.ice.compressive_strength;
+    const bool on_all = water.form_drag_on == FormDragOn::every_element;
     const Turn half = turn_of(0.5 * floe.pose.yaw);
     const Quat yaw(half.cos, 0, half.sin, 0);
     const Vec3 middle(floe.pose.x, shape.floating_height(material.ice, water.density), floe.pose.z);
-
-    const std::uint32_t whole = water.form_drag_on == FormDragOn::outline ? 0U : std::uint32_t{every_edge};
-    const double crushing = pressure > 0 ? pressure : material.ice.compressive_strength;
-    for (int index = 0; index < grid.elements(); ++index) {
-        const std::uint32_t edges = whole != 0 ? whole : grid.outline_edges(index);
-        put_element(world, first + static_cast<std::size_t>(index),
-                    {BodyId(0), static_cast<int>(place), index, static_cast<int>(first), edges},
-                    {.half_extents = Vec3(shape.element, shape.thickness, shape.element) / 2,
-                     .mass = shape.element_mass(material.ice) * (1 + water.isotropic_mass()),
-                     .pose = {middle + yaw * grid.centre(index), yaw},
+    for (std::size_t index = 0; index < cut->elements.size(); ++index) {
+        const CutElement& one = cut->elements[index];
+        const unsigned every = (1U << static_cast<unsigned>(one.corners.size())) - 1;
+        put_element(world, first + index,
+                    {BodyId(0), static_cast<int>(place), static_cast<int>(index), static_cast<int>(first),
+                     on_all ? every : one.rim},
+                    {.corners = one.corners,
+                     .half_thickness = shape.thickness / 2,
+                     .mass = shape.element_mass(material.ice, one) * (1 + water.isotropic_mass()),
+                     .pose = {middle + yaw * flat(one.centre), yaw * turned_to(one.axis)},
                      .piece = static_cast<int>(first),
                      .crushing_pressure = pressure},
-                    {shape.element, shape.thickness, material.ice.poisson_ratio, crushing});
+                    cut->squares);
+        if (by_stress_)
+            stress_.put_element(
+                first + index, elements_[first + index].body, one.axis,
+                {from_axes(one.corners, {}, one.axis), shape.thickness, material.ice.poisson_ratio, crushing});
     }
-    for (std::size_t number = 0; number < order.size(); ++number) {
-        const GridJoint& joint = order[number];
-        const std::size_t at = first_joint + number;
-        put_joint(world, at, joint,
-                  {.a = elements_[first + static_cast<std::size_t>(joint.a)].body,
-                   .b = elements_[first + static_cast<std::size_t>(joint.b)].body,
-                   .pivot = middle + yaw * grid.pivot(joint),
-                   .frame = yaw * joint_frame(joint.axis),
-                   .cfm = material.joint.cfm,
-                   .erp = material.joint.erp,
-                   .spring = spring});
-        joints_.push_back({joint_ids_[at], static_cast<int>(place), static_cast<int>(number), joint, at});
+    for (std::size_t number = 0; number < cut->joints.size(); ++number) {
+        const CutJoint& joint = cut->joints[number];
+        sheet.strength.push_back(joint_strength(shape, material, joint.length, joint.span));
+        const std::size_t at = put_joint(world, {.a = elements_[first + static_cast<std::size_t>(joint.a)].body,
+                                                 .b = elements_[first + static_cast<std::size_t>(joint.b)].body,
+                                                 .pivot = middle + yaw * flat(joint.pivot),
+                                                 .frame = yaw * turned_to(joint.normal),
+                                                 .cfm = material.joint.cfm,
+                                                 .erp = material.joint.erp,
+                                                 .spring = joint_spring(shape, material, joint.length, joint.span)});
+        sheet.joints.push_back(at);
+        joints_.push_back(
+            {joint_ids_[at], static_cast<int>(place), static_cast<int>(number), joint.a, joint.b, at});
+        if (by_stress_) feel(joints_.back(), first);
     }
+}
+
+/// Tells the stress of a joint that was just made; `first`: the first element of its floe.
+void IceField::feel(const Joint& joint, std::size_t first) {
+    const CutJoint& cut = cut_joint(joint);
+    const auto of = [&](int element, double way, unsigned edge) {
+        const Corner& centre = floe_of(joint).cut->elements[static_cast<std::size_t>(element)].centre;
+        return ElementJoint{way * cut.normal, cut.pivot - centre, cut.length, cut.span, edge};
+    };
+    stress_.put_joint(joint.place, joint.id, first + static_cast<std::size_t>(cut.a), of(cut.a, 1, cut.edge_a),
+                      first + static_cast<std::size_t>(cut.b), of(cut.b, -1, cut.edge_b));
 }
 
 /// At the end, or in place of an element that has left.
-void IceField::put_element(World& world, std::size_t at, const IceElement& element, const BoxDefinition& box,
-                           const PressedElement& pressed) {
-    const bool again = at < elements_.size();
-    const BodyId body = again ? elements_[at].body : world.add_element(box);
-    if (again) {
-        world.put_in(body, box);
+void IceField::put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism,
+                           bool square) {
+    const BoxDefinition box{.half_extents = {std::abs(prism.corners[0].x), prism.half_thickness,
+                                             std::abs(prism.corners[0].z)},
+                            .mass = prism.mass,
+                            .pose = prism.pose,
+                            .piece = prism.piece,
+                            .crushing_pressure = prism.crushing_pressure};
+    if (at < elements_.size()) {
+        const BodyId body = elements_[at].body;
+        square ? world.put_in(body, box) : world.put_in(body, prism);
         elements_[at] = element;
         elements_[at].body = body;
-        if (by_stress_) stress_.put_in(at, pressed);
         return;
     }
-    append(element, body);
-    if (by_stress_) stress_.add_element(body, pressed);
-}
-
-void IceField::append(const IceElement& element, BodyId body) {
+    const BodyId body = square ? world.add_element(box) : world.add_prism(prism);
     element_of_body_.resize(std::max(element_of_body_.size(), body.index() + 1), no_element);
     element_of_body_[body.index()] = elements_.size();
     elements_.push_back(element);
     elements_.back().body = body;
 }
 
-void IceField::put_joint(World& world, std::size_t at, const GridJoint& joint, const JointDefinition& definition) {
-    if (at < joint_ids_.size()) {
-        world.put_in(joint_ids_[at], definition);
-        if (by_stress_) stress_.put_in_joint(at);
-        return;
+/// Under a free id or a new one; which of those ever made it is. Joints of a floe have rising ids if they are free, so
+/// that they are solved in their order, as if new.
+std::size_t IceField::put_joint(World& world, const JointDefinition& definition) {
+    if (free_joints_.empty()) {
+        joint_ids_.push_back(world.add_joint(definition));
+        return joint_ids_.size() - 1;
     }
-    joint_ids_.push_back(world.add_joint(definition));
-    if (by_stress_)
-        stress_.add_joint(joint_ids_.back(), *element_of(definition.a), *element_of(definition.b), joint.axis);
+    const std::size_t at = free_joints_.back();
+    free_joints_.pop_back();
+    world.put_in(joint_ids_[at], definition);
+    return at;
 }
 
 std::optional<std::size_t> IceField::element_of(BodyId body) const {
@@ -204,8 +198,8 @@ double IceField::joint_power(const World& world, std::span<const BodyState> befo
     double sum = 0;
     for (const Joint& joint : joints_) {
         const Sheet& sheet = floe_of(joint);
-        const auto a = static_cast<std::size_t>(sheet.first + joint.grid.a);
-        const auto b = static_cast<std::size_t>(sheet.first + joint.grid.b);
+        const auto a = static_cast<std::size_t>(sheet.first + joint.a);
+        const auto b = static_cast<std::size_t>(sheet.first + joint.b);
         const JointReaction reaction = world.reaction(joint.id);
         const JointPlace at = joint_place(joint, before[a]);
         const Mat3& frame = at.axes;
@@ -254,15 +248,9 @@ void IceField::split_broken(World& world, std::size_t first_break) {
 
 void IceField::expose_edges(const Joint& joint) {
     const int first = floe_of(joint).first;
-    if (const CutFloe* polygon = floe_of(joint).cut.get()) {
-        const CutJoint& cut = polygon->joints[static_cast<std::size_t>(joint.number)];
-        elements_[static_cast<std::size_t>(first + joint.grid.a)].exposed_edges |= cut.edge_a;
-        elements_[static_cast<std::size_t>(first + joint.grid.b)].exposed_edges |= cut.edge_b;
-        return;
-    }
-    const bool along = joint.grid.axis == JointAxis::x;
-    elements_[static_cast<std::size_t>(first + joint.grid.a)].exposed_edges |= along ? edge_plus_x : edge_plus_z;
-    elements_[static_cast<std::size_t>(first + joint.grid.b)].exposed_edges |= along ? edge_minus_x : edge_minus_z;
+    const CutJoint& cut = cut_joint(joint);
+    elements_[static_cast<std::size_t>(first + cut.a)].exposed_edges |= cut.edge_a;
+    elements_[static_cast<std::size_t>(first + cut.b)].exposed_edges |= cut.edge_b;
 }
 
 void IceField::split_pieces(World& world, int floe) {
@@ -272,7 +260,7 @@ void IceField::split_pieces(World& world, int floe) {
     Components pieces(count);
     for (const Joint& joint : joints_) {
         if (joint.floe != floe) continue;
-        pieces.connect(static_cast<std::size_t>(joint.grid.a), static_cast<std::size_t>(joint.grid.b));
+        pieces.connect(static_cast<std::size_t>(joint.a), static_cast<std::size_t>(joint.b));
     }
     for (std::size_t index = 0; index < count; ++index) {
         IceElement& element = elements_[first + index];
@@ -285,10 +273,7 @@ void IceField::split_pieces(World& world, int floe) {
 
 int IceField::enter(World& world, const Scenario& scenario, const SingleFloe& floe) {
     const int number = entered_;
-    if (const std::shared_ptr<const CutFloe> cut = cut_of(floe.shape))
-        add_polygon(world, scenario, floe, cut);
-    else
-        add_floe(world, scenario, floe, joint_order(grid_of(floe.shape)));
+    add_floe(world, scenario, floe, std::make_shared<const CutFloe>(floe.shape.cut()));
     return place_of(number);
 }
 
@@ -348,8 +333,7 @@ void IceField::add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas
     const auto first = static_cast<std::size_t>(sheet.first);
     std::map<int, double> of_piece;
     for (std::size_t i = 0; i < static_cast<std::size_t>(sheet.elements()); ++i)
-        of_piece[elements_[first + i].piece] +=
-            sheet.cut ? sheet.cut->elements[i].area : sheet.grid.element * sheet.grid.element;
+        of_piece[elements_[first + i].piece] += sheet.cut->elements[i].area;
     if (of_piece.size() == 1) return;
     for (const auto& [piece, area] : of_piece) areas.push_back({sheet.number, area});
 }
@@ -379,10 +363,10 @@ Vec2 horizontal(const Vec3& v) {
 
 IceField::Turned IceField::turned(const World& world, const Joint& joint) const {
     const auto first = static_cast<std::size_t>(floe_of(joint).first);
-    const BodyState a = world.state(elements_[first + static_cast<std::size_t>(joint.grid.a)].body);
-    const BodyState b = world.state(elements_[first + static_cast<std::size_t>(joint.grid.b)].body);
-    const Mat3 axes = floe_axes(joint, joint.grid.a, a);
-    const Mat3 between = axes.transpose() * floe_axes(joint, joint.grid.b, b);
+    const BodyState a = world.state(elements_[first + static_cast<std::size_t>(joint.a)].body);
+    const BodyState b = world.state(elements_[first + static_cast<std::size_t>(joint.b)].body);
+    const Mat3 axes = floe_axes(joint, joint.a, a);
+    const Mat3 between = axes.transpose() * floe_axes(joint, joint.b, b);
     const Vec2 angles(0.5 * (between(2, 1) - between(1, 2)), 0.5 * (between(1, 0) - between(0, 1)));
     const double angle = angles.norm();
     if (!(angle > 0)) return {};
@@ -434,135 +418,30 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
         const Sheet& sheet = floe_of(joint);
         double used = 0;
         if (!by_stress_)
-            used = utilisation(world.reaction(joint.id), sheet.of(joint).thresholds);
+            used = utilisation(world.reaction(joint.id), strength_of(joint).thresholds);
         else if (joint.crack)
             used = 2 - joint.crack->sound();
         else
-            used = utilisation(stress_.load(world, joint.place), sheet.of(joint).section, sheet.of(joint).thresholds)
+            used = utilisation(stress_.load(world, joint.place), strength_of(joint).section, strength_of(joint).thresholds)
                        .share;
         const auto first = static_cast<std::size_t>(sheet.first);
-        for (const int index : {joint.grid.a, joint.grid.b}) {
+        for (const int index : {joint.a, joint.b}) {
             double& element = worst[first + static_cast<std::size_t>(index)];
             element = std::max(element, used);
         }
     }
 }
 
-// Floes of an IceField that are polygons.
-
-namespace {
-
-Vec3 flat(const Corner& point) {
-    return {point.x, 0, point.z};
-}
-
-}  // namespace
-
-/// A place of as many elements, in whatever outline.
-std::size_t IceField::free_place(const CutFloe& cut) const {
-    const auto fits = [&](const Sheet& sheet) {
-        return !sheet.there && sheet.cut && sheet.cut->elements.size() == cut.elements.size();
-    };
-    return static_cast<std::size_t>(std::ranges::find_if(floes_, fits) - floes_.begin());
-}
-
-void IceField::put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism) {
-    if (at >= elements_.size()) return append(element, world.add_prism(prism));
-    const BodyId body = elements_[at].body;
-    world.put_in(body, prism);
-    elements_[at] = element;
-    elements_[at].body = body;
-}
-
-/// Under a free id or a new one; which of those ever made it is. Joints of a floe have rising ids if they are free, so
-/// that they are solved in their order, as if new.
-std::size_t IceField::put_joint(World& world, const JointDefinition& definition) {
-    if (free_joints_.empty()) {
-        joint_ids_.push_back(world.add_joint(definition));
-        return joint_ids_.size() - 1;
-    }
-    const std::size_t at = free_joints_.back();
-    free_joints_.pop_back();
-    world.put_in(joint_ids_[at], definition);
-    return at;
-}
-
-void IceField::add_polygon(World& world, const Scenario& scenario, const SingleFloe& floe,
-                           const std::shared_ptr<const CutFloe>& cut) {
-    const FloeShape& shape = floe.shape;
-    const Material& material = floe.material;
-    const Water& water = scenario.water;
-    const double pressure = scenario.contact_law(material.ice).crushing_pressure;
-    const double per_area = material.ice.density * shape.thickness * (1 + water.isotropic_mass());
-    const std::size_t free = free_place(*cut);
-    const bool again = free < floes_.size();
-    const int place = static_cast<int>(free);
-    const int first = again ? floes_[free].first : static_cast<int>(elements_.size());
-    if (!again) floes_.emplace_back();
-    Sheet& sheet = floes_[free] = {first, {}, {}, joint_ids_.size(), entered_++};
-    sheet.cut = cut;
-    const Turn half = turn_of(0.5 * floe.pose.yaw);
-    const Quat yaw(half.cos, 0, half.sin, 0);
-    const Vec3 middle(floe.pose.x, shape.floating_height(material.ice, water.density), floe.pose.z);
-    const bool on_all = water.form_drag_on == FormDragOn::every_element;
-    for (int index = 0; index < sheet.elements(); ++index) {
-        const CutElement& one = cut->elements[static_cast<std::size_t>(index)];
-        const unsigned every = (1U << static_cast<unsigned>(one.corners.size())) - 1;
-        put_element(world, static_cast<std::size_t>(first + index),
-                    {BodyId(0), place, index, first, on_all ? every : one.rim},
-                    {.corners = one.corners,
-                     .half_thickness = shape.thickness / 2,
-                     .mass = per_area * one.area,
-                     .pose = {middle + yaw * flat(one.centre), yaw * turned_to(one.axis)},
-                     .piece = first,
-                     .crushing_pressure = pressure});
-        if (by_stress_)
-            stress_.put_prism(static_cast<std::size_t>(first + index),
-                              elements_[static_cast<std::size_t>(first + index)].body, one.axis,
-                              {from_axes(one.corners, {}, one.axis), shape.thickness, material.ice.poisson_ratio,
-                               pressure > 0 ? pressure : material.ice.compressive_strength});
-    }
-    for (std::size_t k = 0; k < cut->joints.size(); ++k) {
-        const CutJoint& joint = cut->joints[k];
-        sheet.of_joints.push_back(joint_strength(shape, material, joint.length, joint.span));
-        const std::size_t at = put_joint(world, {.a = elements_[static_cast<std::size_t>(first + joint.a)].body,
-                                                 .b = elements_[static_cast<std::size_t>(first + joint.b)].body,
-                                                 .pivot = middle + yaw * flat(joint.pivot),
-                                                 .frame = yaw * turned_to(joint.normal),
-                                                 .cfm = material.joint.cfm,
-                                                 .erp = material.joint.erp,
-                                                 .spring = polygon_joint(joint, shape, material)});
-        joints_.push_back({joint_ids_[at], place, static_cast<int>(k), {joint.a, joint.b, JointAxis::x}, at});
-        sheet.joints.push_back(at);
-        if (!by_stress_) continue;
-        const auto of = [&](int element, double way, unsigned edge) {
-            const Corner& centre = cut->elements[static_cast<std::size_t>(element)].centre;
-            return PrismJoint{way * joint.normal, joint.pivot - centre, joint.length, joint.span, edge};
-        };
-        stress_.put_prism_joint(at, joint_ids_[at], static_cast<std::size_t>(first + joint.a),
-                                of(joint.a, 1, joint.edge_a), static_cast<std::size_t>(first + joint.b),
-                                of(joint.b, -1, joint.edge_b));
-    }
-}
-
 Mat3 IceField::floe_axes(const Joint& joint, int element, const BodyState& state) const {
-    const CutFloe* cut = floe_of(joint).cut.get();
-    if (cut == nullptr) return state.rotation;
-    return state.rotation *
-           turned_to(cut->elements[static_cast<std::size_t>(element)].axis).toRotationMatrix().transpose();
+    const Corner& axis = floe_of(joint).cut->elements[static_cast<std::size_t>(element)].axis;
+    return state.rotation * turned_to(axis).toRotationMatrix().transpose();
 }
 
 IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& a) const {
-    const Sheet& sheet = floe_of(joint);
-    if (!sheet.cut) {
-        const Mat3 axes = a.rotation * joint_frame(joint.grid.axis).toRotationMatrix();
-        return {axes, a.position + 0.5 * sheet.grid.element * axes.col(0)};
-    }
-    const CutJoint& cut = sheet.cut->joints[static_cast<std::size_t>(joint.number)];
-    const CutElement& element = sheet.cut->elements[static_cast<std::size_t>(cut.a)];
-    const Mat3 floe = floe_axes(joint, cut.a, a);
-    return {floe * turned_to(cut.normal).toRotationMatrix(),
-            a.position + floe * (flat(cut.pivot) - flat(element.centre))};
+    const CutJoint& cut = cut_joint(joint);
+    const Corner beside = cut.pivot - floe_of(joint).cut->elements[static_cast<std::size_t>(cut.a)].centre;
+    const Mat3 axes = floe_axes(joint, cut.a, a) * turned_to(cut.normal).toRotationMatrix();
+    return {axes, a.position + 0.5 * cut.span * axes.col(0) + cross(cut.normal, beside) * axes.col(2)};
 }
 
 }  // namespace floes

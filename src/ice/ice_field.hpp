@@ -1,5 +1,5 @@
 #pragma once
-// How IceField numbers the elements and joints of floes: floe by floe, within a floe by grid and by joint_order().
+// How IceField numbers the elements and joints of floes: floe by floe, within a floe as its CutFloe has them.
 
 #include <algorithm>
 #include <cstddef>
@@ -12,7 +12,6 @@
 #include "core/vector.hpp"
 #include "ice/failure.hpp"
 #include "ice/failure_mode.hpp"
-#include "ice/floe_grid.hpp"
 #include "ice/piece_area.hpp"
 #include "ice/stress_field.hpp"
 #include "scenario/floes.hpp"
@@ -26,13 +25,14 @@ struct IceLayout {
     struct LaidElement {
         int floe = 0;
         Vec3 half_extents = Vec3::Zero();  ///< m
-        std::uint32_t outline = 0;         ///< edge faces on the outline of the floe, bits of Edge; of a polygon bit k
-        Outline corners{};                 ///< of an element that is no square, in its own x and z, m
+        std::uint32_t outline = 0;         ///< bit k: edge k lies on the outline of the floe
+        Outline corners{};                 ///< in its own x and z, m
+        bool square = true;
     };
     struct LaidJoint {
         int a = 0;
         int b = 0;
-        std::uint32_t edge_a = 0;  ///< the edge of a that it holds, a bit as above
+        std::uint32_t edge_a = 0;  ///< bit of the edge of a that it holds
         std::uint32_t edge_b = 0;
     };
 
@@ -49,13 +49,10 @@ struct IceLayout {
         return static_cast<std::size_t>(std::ranges::upper_bound(first_joint, index) - first_joint.begin()) - 1;
     }
 
-    /// Index of a floe's joint by its number in joint_order(), as the break log has it.
+    /// Index of a floe's joint by its number in its CutFloe, as the break log has it.
     std::size_t joint(int floe, int number) const {
         return first_joint[static_cast<std::size_t>(floe)] + static_cast<std::size_t>(number);
     }
-
-  private:
-    void add(const CutFloe& cut, int floe, double thickness);
 };
 
 // All floes of a run: their elements and joints in a World, and how they break.
@@ -66,21 +63,20 @@ struct IceLayout {
 struct IceElement {
     BodyId body;
     int floe = 0;                     ///< index of its floe in the arrangement
-    int index = 0;                    ///< within its floe, see FloeGrid
+    int index = 0;                    ///< within its floe, as its CutFloe has it
     int piece = 0;                    ///< index in IceField::elements() of the first element of its connected piece
-    std::uint32_t exposed_edges = 0;  ///< with form drag, water.form_drag_on: bits of Edge; of a polygon bit k
+    std::uint32_t exposed_edges = 0;  ///< with form drag, water.form_drag_on: bit k for edge k
 };
 
 class IceField {
   public:
     /// Puts each floe at its pose, flat at its floating height: its middle is T/2 above its lower face, and the draught
-    /// is T ρ_i/ρ_w. Creates the elements of a floe, then its joints in joint_order(), floe by floe; every floe is one
+    /// is T ρ_i/ρ_w. Creates the elements of a floe, then its joints, floe by floe; every floe is one
     /// piece. Of the scenario it takes the water and what the paper leaves open, not the ice.
     IceField(World& world, const Scenario& scenario, const FloeSet& floes);
 
-    /// A floe more, in the place of one that has left, or behind all others if there is none: of a rectangle with as
-    /// many elements along and across, of a polygon with as many. Returns its place: the index by which elements() and
-    /// the functions below know it.
+    /// A floe more, in the place of one of as many elements that has left, or behind all others if there is none.
+    /// Returns its place: the index by which elements() and the functions below know it.
     int enter(World& world, const Scenario& scenario, const SingleFloe& floe);
 
     /// Takes the floe at this place out of the world; the counts below keep it.
@@ -125,9 +121,11 @@ class IceField {
     const std::vector<BreakEvent>& breaks() const { return breaks_; }  ///< by time, then floe, then joint
     const PeakReactions& peaks() const { return peaks_; }              ///< of all steps, failing joints included
 
-    const FloeGrid& grid(int floe) const { return floes_[static_cast<std::size_t>(floe)].grid; }
-    /// The elements and joints of a floe that is a polygon, which has no grid; null for a rectangle.
-    const CutFloe* cut(int floe) const { return floes_[static_cast<std::size_t>(floe)].cut.get(); }
+    /// The elements and joints of a floe.
+    const CutFloe& cut(int floe) const { return *floes_[static_cast<std::size_t>(floe)].cut; }
+    const CutElement& cut_element(const IceElement& element) const {
+        return cut(element.floe).elements[static_cast<std::size_t>(element.index)];
+    }
     int elements(int floe) const { return floes_[static_cast<std::size_t>(floe)].elements(); }
     int first_element(int floe) const { return floes_[static_cast<std::size_t>(floe)].first; }  ///< in elements()
 
@@ -148,8 +146,8 @@ class IceField {
     struct Joint {
         JointId id;
         int floe;           // its place
-        int number;         // in joint_order()
-        GridJoint grid;     // indices within the floe
+        int number;         // in the floe
+        int a, b;           // elements of the floe
         std::size_t place;  // among all joints ever made
         std::optional<Crack> crack{};
     };
@@ -157,22 +155,16 @@ class IceField {
     /// A floe as its elements and joints need it.
     struct Sheet {
         int first;  // of its elements
-        FloeGrid grid;
-        JointStrength joint;      // of each
-        std::size_t first_joint;  // of those ever made; the others follow
-        int number;               // in the order of entry
+        int number;  // in the order of entry
+        std::shared_ptr<const CutFloe> cut;
+        std::vector<JointStrength> strength{};  // of the joints, by number
+        std::vector<std::size_t> joints{};      // likewise, which of those ever made
         bool cracked = false;
         bool broken = false;
         bool there = true;
         bool rests = false;
-        std::shared_ptr<const CutFloe> cut{};    // of a polygon
-        std::vector<JointStrength> of_joints{};  // likewise, by number
-        std::vector<std::size_t> joints{};       // likewise, which of those ever made
 
-        int elements() const { return cut ? static_cast<int>(cut->elements.size()) : grid.elements(); }
-        const JointStrength& of(const Joint& made) const {
-            return cut ? of_joints[static_cast<std::size_t>(made.number)] : joint;
-        }
+        int elements() const { return static_cast<int>(cut->elements.size()); }
     };
 
     /// What floes that have left leave behind.
@@ -194,17 +186,10 @@ class IceField {
 
     int pieces_at(const Sheet& sheet) const;
     void add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas) const;
-    std::size_t free_place(const FloeGrid& grid) const;
-    std::size_t free_place(const CutFloe& cut) const;
-    void add_floe(World& world, const Scenario& scenario, const SingleFloe& floe, const std::vector<GridJoint>& order);
-    void add_polygon(World& world, const Scenario& scenario, const SingleFloe& floe,
-                     const std::shared_ptr<const CutFloe>& cut);
-    void put_element(World& world, std::size_t at, const IceElement& element, const BoxDefinition& box,
-                     const PressedElement& pressed);
-    void put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism);
+    void add_floe(World& world, const Scenario& scenario, const SingleFloe& floe, std::shared_ptr<const CutFloe> cut);
+    void put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism, bool square);
     std::size_t put_joint(World& world, const JointDefinition& definition);
-    void put_joint(World& world, std::size_t at, const GridJoint& joint, const JointDefinition& definition);
-    void append(const IceElement& element, BodyId body);
+    void feel(const Joint& joint, std::size_t first);
     /// Where a joint is, by the state of its element a.
     struct JointPlace {
         Mat3 axes;   ///< joint -> world
@@ -214,7 +199,12 @@ class IceField {
     /// The axes of the joint's floe as an element of it has them; floe -> world.
     Mat3 floe_axes(const Joint& joint, int element, const BodyState& state) const;
     const Sheet& floe_of(const Joint& joint) const { return floes_[static_cast<std::size_t>(joint.floe)]; }
-    const JointStrength& strength_of(const Joint& joint) const { return floe_of(joint).of(joint); }
+    const JointStrength& strength_of(const Joint& joint) const {
+        return floe_of(joint).strength[static_cast<std::size_t>(joint.number)];
+    }
+    const CutJoint& cut_joint(const Joint& joint) const {
+        return floe_of(joint).cut->joints[static_cast<std::size_t>(joint.number)];
+    }
     void fail(World& world, const Joint& joint, const BreakEvent& event);
     void split_broken(World& world, std::size_t first_break);
     void expose_edges(const Joint& joint);
@@ -224,7 +214,7 @@ class IceField {
     std::vector<IceElement> elements_;
     std::vector<std::size_t> element_of_body_;
     std::vector<JointId> joint_ids_;        // of all ever made
-    std::vector<std::size_t> free_joints_;  // of these, joints of polygons that have left; the first last
+    std::vector<std::size_t> free_joints_;  // of these, joints of floes that have left; the first last
     int entered_ = 0;
     Left left_;
     std::vector<Joint> joints_;  // live, in order of creation

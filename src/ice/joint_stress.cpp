@@ -29,9 +29,9 @@ JointSpring beam_joint(const ElasticIce& ice, double width, double span) {
             .damping_ratio = ice.damping_ratio};
 }
 
-std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& material) {
+std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& material, double length, double span) {
     if (material.joint.model == JointModel::cfm) return std::nullopt;
-    return beam_joint(elastic_ice(shape, material), shape.element, shape.element);
+    return beam_joint(elastic_ice(shape, material), length, span);
 }
 
 JointStrength joint_strength(const FloeShape& shape, const Material& material, double length, double span) {

@@ -44,8 +44,8 @@ ElasticIce elastic_ice(const FloeShape& shape, const Material& material);
 /// element to its centre, where a clamp holds it, the span is L / 2.
 JointSpring beam_joint(const ElasticIce& ice, double width, double span);
 
-/// The joints of such a floe; nothing where they follow Σ and Γ.
-std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& material);
+/// A joint of such a floe, as long as the edge that two elements share; nothing where joints follow Σ and Γ.
+std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& material, double length, double span);
 
 // The stress in the outer fibres of the ice at a joint, and the strength that it meets.
 //

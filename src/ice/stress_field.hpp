@@ -15,41 +15,18 @@
 #include <optional>
 #include <vector>
 
-#include "ice/floe_grid.hpp"
 #include "ice/joint_stress.hpp"
 #include "shapes/polygon.hpp"
 #include "world/world.hpp"
 
 namespace floes {
 
-/// A square element as a contact meets it. SI.
-struct PressedElement {
-    double side = 0;
-    double thickness = 0;
-    double poisson_ratio = 0;
-    double crushing_pressure = 0;  ///< above 0: a force crushes a circle of this pressure
-    std::uint8_t joined = 0;       ///< bits of Edge: faces with a live joint; the others are free
-};
-
-/// A contact force on an element, in the element's own axes.
+/// A contact force on an element, in the axes of its floe.
 struct Press {
     double x = 0;  ///< of the contact, from the middle of the element, m
     double z = 0;
     double down = 0;  ///< N, along -y
 };
-
-/// In one direction, along x or z: the stress that the nearer joint in that direction does not see.
-struct SideStress {
-    double stress = 0;      ///< Pa, tension in the lower fibre positive
-    std::uint8_t face = 0;  ///< bit of Edge: the face of that joint; 0: there is none
-};
-
-/// Along x and along z.
-std::array<SideStress, 2> contact_stress(const PressedElement& element, const Press& press);
-
-/// The most that a force of 1 N can add to either, wherever it acts, Pa: from the smallest contact to the largest patch
-/// that a joint feels, an element's side.
-double most_contact_stress(const PressedElement& element);
 
 // The circle below which Westergaard's formula has the stress that a joint of the grid shows: b_L of docs/fracture.md,
 // as docs/figures/fracture.py finds it from the grid.
@@ -79,11 +56,8 @@ inline double decades(double from, double to) {
     return to > from ? std::log10(to / from) : 0.0;
 }
 
-// The stress below a contact on an element that is a convex prism: ice/contact_stress.hpp for any outline. A square
-// given as an outline has the stress of a square.
-//
 // The ice below the contact has Westergaard's stress whatever the elements are, so what a joint lacks of it is the same
-// logarithm, from the contact to the circle b_L that its grid feels (ice/felt_patch.hpp):
+// logarithm, from the contact to the circle b_L that its grid feels:
 //
 //   inside   in every direction, up to the nearest free edge
 //   at it    along that edge, from there on; a joint sees the component along its normal, and the shear
@@ -93,7 +67,7 @@ inline double decades(double from, double to) {
 // it is a fit: below a load on a corner of 120° grids of any elements then have the same stress (docs/fracture.md).
 
 /// A joint as one of its elements has it, in the axes of the floe from the element's centroid. SI.
-struct PrismJoint {
+struct ElementJoint {
     Corner outward;    ///< along x or z
     Corner pivot;      ///< halfway between the centroids of the two elements
     double length;     ///< of the common edge
@@ -104,28 +78,29 @@ struct PrismJoint {
     std::size_t axis() const { return outward.x != 0 ? 0 : 1; }
 };
 
-struct PressedPrism {
+/// An element as a contact meets it. SI.
+struct PressedElement {
     Outline corners;  ///< in the axes of the floe, about the centroid
     double thickness = 0;
     double poisson_ratio = 0;
-    double crushing_pressure = 0;  ///< as of PressedElement
-    std::vector<PrismJoint> joints{};
+    double crushing_pressure = 0;  ///< above 0: a force crushes a circle of this pressure
+    std::vector<ElementJoint> joints{};
 };
 
 /// Stress of the nearest joint along x and the nearest along z, Pa; tension in the lower fibre positive.
-struct PrismStress {
+struct ContactStress {
     static constexpr std::size_t none = ~std::size_t{0};
 
     std::array<double, 2> stress{};                   ///< along x and z; 0 without a joint
     double shear = 0;                                 ///< σ_xz
-    std::array<std::size_t, 2> joint = {none, none};  ///< by number in the prism's
+    std::array<std::size_t, 2> joint = {none, none};  ///< by number in the element's
 };
 
 /// `press`: in the axes of the floe from the centroid.
-PrismStress contact_stress(const PressedPrism& prism, const Press& press);
+ContactStress contact_stress(const PressedElement& element, const Press& press);
 
 /// The most that a force of 1 N can add at any of the joints, its shear included, wherever it acts, Pa.
-double most_contact_stress(const PressedPrism& prism);
+double most_contact_stress(const PressedElement& element);
 
 // What acts at every joint of all floes in the world's last step: its reaction, the moments beside it, and the stress
 // by contacts on its elements.
@@ -135,23 +110,14 @@ class StressField {
     /// For this many elements reading then allocates nothing unless contacts are very many.
     void reserve(std::size_t elements);
 
-    /// Elements and joints are numbered from 0 in the order in which they are added.
-    void add_element(BodyId body, const PressedElement& element);
-    void add_joint(JointId id, std::size_t a, std::size_t b, JointAxis axis);
-
-    /// The same of a polygon, at the end or, under the number and the body of one whose joints have been removed, in
-    /// its place. `axis`: the element's own x axis in the axes of its floe. The joints are put in, not given with the
-    /// prism.
-    void put_prism(std::size_t number, BodyId body, const Corner& axis, PressedPrism prism);
-    void put_prism_joint(std::size_t number, JointId id, std::size_t a, const PrismJoint& at_a, std::size_t b,
-                         const PrismJoint& at_b);
+    /// Elements and joints are numbered from 0 in the order in which they are put in. One that comes under the number
+    /// of another takes its place, and the body of an element, whose joints have been removed. `axis`: the element's
+    /// own x axis in the axes of its floe. The joints are put in, not given with the element.
+    void put_element(std::size_t number, BodyId body, const Corner& axis, PressedElement element);
+    void put_joint(std::size_t number, JointId id, std::size_t a, const ElementJoint& at_a, std::size_t b,
+                   const ElementJoint& at_b);
 
     void remove_joint(std::size_t joint);
-
-    /// Another element under the number, and the body, of one whose joints have been removed; and another joint between
-    /// the same two elements.
-    void put_in(std::size_t number, const PressedElement& element);
-    void put_in_joint(std::size_t number);
 
     /// Reads the reactions of the live joints and the contacts. To be called once after a step.
     void read(const World& world);
@@ -174,30 +140,19 @@ class StressField {
     struct Joint {
         JointId id;
         std::size_t a, b;
-        JointAxis axis;
-        std::size_t on_a = 0, on_b = 0;  ///< its number among the joints of the prisms that it joins
-    };
-    /// What a polygon's element has in place of a square's faces.
-    struct Prism {
-        PressedPrism ice;
-        Corner axis;                        ///< own x axis in the axes of the floe
-        Corner size;                        ///< extents in the axes of the floe, m
-        std::vector<std::size_t> joints{};  ///< by their numbers among the prism's
-        int live = 0;                       ///< of them
+        std::size_t on_a, on_b;  ///< its number among the joints of either element
     };
     struct Element {
-        PressedElement ice = {};  ///< of a square
+        PressedElement ice;
         BodyId body;
-        double most_stress = 0;                                       ///< by a force of 1 N, Pa
-        std::array<std::size_t, 4> joint_of{none, none, none, none};  ///< faces +x, -x, +z, -z
-        std::size_t prism = none;                                     ///< in prisms_
+        Corner axis;                        ///< own x axis in the axes of the floe
+        Corner size;                        ///< extents in the axes of the floe, m
+        std::vector<std::size_t> joints{};  ///< of all, by their numbers among the element's
+        int live = 0;                       ///< of them
+        double most_stress = 0;             ///< by a force of 1 N, Pa
         /// In the last step:
         double largest_force = 0;  ///< of its contacts, N
         std::uint32_t first = no_touch, last = no_touch;
-
-        bool is_joined(const std::vector<Prism>& prisms) const {
-            return prism == none ? ice.joined != 0 : prisms[prism].live > 0;
-        }
     };
     /// A contact as one of its two bodies feels it, and the next one of the same body.
     struct Touch {
@@ -205,23 +160,15 @@ class StressField {
         bool on_a;
         std::uint32_t next = no_touch;
     };
-    static Element made_of(BodyId body, const PressedElement& element);
-    void add(const Element& element);
-    void join(std::size_t joint);
     void touch(BodyId body, std::size_t contact, bool on_a);
-    bool is_prism(std::size_t element) const { return elements_[element].prism != none; }
-    std::size_t join_prism(std::size_t element, std::size_t joint, const PrismJoint& at);
-    void leave_prisms(const Joint& joint);
-    double bending(const Element& element, int face) const;
-    double across_in_prism(const Joint& joint, bool at_b) const;
+    std::size_t join(std::size_t element, std::size_t joint, const ElementJoint& at);
+    double across(const Joint& joint, bool at_b) const;
     Press press(const World& world, const Element& element, const Touch& touch) const;
 
     /// What the contact adds to the joint, as its element a or b bears it; nothing where another joint is nearer.
     std::optional<LocalStress> added(const Joint& joint, bool at_b, const Press& press) const;
-    std::optional<LocalStress> added_in_prism(const Joint& joint, bool at_b, const Press& press) const;
 
     std::vector<Element> elements_;
-    std::vector<Prism> prisms_;
     std::vector<Joint> joints_;
     std::vector<bool> live_;
     std::vector<JointReaction> reactions_;

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "scenario/floes.hpp"
-#include "shapes/elements.hpp"
 
 namespace floes {
 
@@ -31,8 +30,21 @@ double FloeShape::elements() const {
     return static_cast<double>(elements_long()) * elements_broad();
 }
 
+Outline FloeShape::corners() const {
+    return is_polygon() ? outline : corners_of(length / 2, breadth / 2);
+}
+
+CutFloe FloeShape::cut() const {
+    return is_polygon() ? cut_into_elements(outline, element)
+                        : cut_into_squares(elements_long(), elements_broad(), element);
+}
+
 double FloeShape::element_mass(const Ice& ice) const {
     return ice.density * element * element * thickness;
+}
+
+double FloeShape::element_mass(const Ice& ice, const CutElement& of) const {
+    return is_polygon() ? ice.density * thickness * of.area : element_mass(ice);
 }
 
 double FloeShape::floating_height(const Ice& ice, double water_density) const {

@@ -11,6 +11,7 @@
 
 #include "core/vector.hpp"
 #include "scenario/laws.hpp"
+#include "shapes/elements.hpp"
 #include "shapes/moorings.hpp"
 #include "shapes/path.hpp"
 #include "shapes/polygon.hpp"
@@ -208,7 +209,11 @@ struct FloeShape {
     double elements() const;                                                               ///< of the whole floe
     double area() const { return outline.empty() ? length * breadth : area_of(outline); }  ///< m²
     bool is_polygon() const { return !outline.empty(); }
-    double element_mass(const Ice&) const;  ///< of ice, kg
+    Outline corners() const;  ///< of its outline, of a rectangle as well
+    /// Its elements and joints.
+    CutFloe cut() const;
+    double element_mass(const Ice&) const;  ///< of a square of ice, kg
+    double element_mass(const Ice&, const CutElement&) const;
     /// Height of the middle of the floe above the water at rest, m; negative above half draught. Density of the water:
     /// kg/m³.
     double floating_height(const Ice&, double water_density) const;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
+
+#include "core/contract.hpp"
 
 namespace floes {
 namespace {
@@ -200,8 +203,61 @@ CutFloe cut_into_elements(Corners outline, double side) {
     return floe;
 }
 
+namespace {
+
+/// The square ring around the floe's centre on which a joint lies, in half elements: integers, so that ties are exact.
+int ring(const CutJoint& joint, int along, int across) {
+    const int x = 2 * (joint.a % along) - (along - 1) + static_cast<int>(joint.normal.x);
+    const int z = 2 * (joint.a / along) - (across - 1) + static_cast<int>(joint.normal.z);
+    return std::max(std::abs(x), std::abs(z));
+}
+
+}  // namespace
+
+CutFloe cut_into_squares(int along, int across, double side) {
+    FLOES_EXPECTS(along > 0 && across > 0 && side > 0);
+    CutFloe floe;
+    floe.squares = true;
+    const double moment = side * side * side * side / 12;
+    const auto join = [&](int a, int b, const Corner& normal, unsigned edge_a, unsigned edge_b) {
+        const Corner from = floe.elements[static_cast<std::size_t>(a)].centre;
+        const Corner to = floe.elements[static_cast<std::size_t>(b)].centre;
+        floe.joints.push_back({a, b, normal, 0.5 * (from + to), side, side, edge_a, edge_b});
+    };
+    for (int k = 0; k < across; ++k)
+        for (int i = 0; i < along; ++i) {
+            unsigned rim = 0;
+            if (i == along - 1) rim |= edge_plus_x;
+            if (k == across - 1) rim |= edge_plus_z;
+            if (i == 0) rim |= edge_minus_x;
+            if (k == 0) rim |= edge_minus_z;
+            floe.elements.push_back({.centre = {(i - 0.5 * (along - 1)) * side, (k - 0.5 * (across - 1)) * side},
+                                     .axis = {1, 0},
+                                     .corners = corners_of(side / 2, side / 2),
+                                     .area = side * side,
+                                     .xx = moment,
+                                     .zz = moment,
+                                     .rim = rim});
+        }
+    for (int k = 0; k < across; ++k)
+        for (int i = 0; i < along; ++i) {
+            const int at = i + k * along;
+            if (i + 1 < along) join(at, at + 1, {1, 0}, edge_plus_x, edge_minus_x);
+            if (k + 1 < across) join(at, at + along, {0, 1}, edge_plus_z, edge_minus_z);
+        }
+    std::ranges::stable_sort(floe.joints, {}, [&](const CutJoint& joint) { return ring(joint, along, across); });
+    return floe;
+}
+
 int count_elements(Corners outline, double side) {
     return static_cast<int>(blocks_of(outline, grid_over(outline, side)).size());
+}
+
+Quat turned_to(const Corner& axis) {
+    // By half the angle φ of (x, z) = (cos φ, -sin φ), from roots only.
+    const double cosine = std::sqrt(std::max(0.0, 0.5 * (1 + axis.x)));
+    const double sine = std::sqrt(std::max(0.0, 0.5 * (1 - axis.x)));
+    return Quat(cosine, 0, axis.z > 0 ? -sine : sine, 0).normalized();
 }
 
 }  // namespace floes

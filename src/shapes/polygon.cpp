@@ -179,6 +179,13 @@ double reach_of(Corners polygon) {
     return std::sqrt(squared);
 }
 
+Outline corners_of(double half_length, double half_breadth) {
+    return {{half_length, -half_breadth},
+            {half_length, half_breadth},
+            {-half_length, half_breadth},
+            {-half_length, -half_breadth}};
+}
+
 Corner size_of(Corners polygon) {
     FLOES_EXPECTS(!polygon.empty());
     const auto [left, right] = std::ranges::minmax(polygon, {}, &Corner::x);

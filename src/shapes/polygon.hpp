@@ -96,6 +96,9 @@ double inner_radius(Corners polygon);
 /// Largest distance of a corner from the origin.
 double reach_of(Corners polygon);
 
+/// The corners of a rectangle about its middle; its edges are those at +x, +z, -x and -z.
+Outline corners_of(double half_length, double half_breadth);
+
 /// Extents along x and z.
 Corner size_of(Corners polygon);
 

@@ -51,10 +51,10 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceF
         const FloeShape& shape = floes.shape(floe);
         kind_of_element.push_back(shape.is_polygon() ? models.size() + polygons.size() : kind_of_floe[floe]);
         if (!shape.is_polygon()) continue;
-        const CutElement& one = ice.cut(element.floe)->elements[static_cast<std::size_t>(element.index)];
+        const CutElement& one = ice.cut_element(element);
         polygons.emplace_back(scenario.water, scenario.general.gravity, one, shape.thickness,
-                              floes.material(floe).ice.density * shape.thickness * one.area, radius,
-                              scenario.structure.speed, scenario.wind.stress());
+                              shape.element_mass(floes.material(floe).ice, one), radius, scenario.structure.speed,
+                              scenario.wind.stress());
     }
     return {models, kind_of_element, lane_widths().back(), std::move(polygons)};
 }
@@ -70,8 +70,7 @@ PieceWater::PieceWater(const Scenario& scenario, const FloeSet& floes)
 
 void PieceWater::share_out(int floe, const IceField& ice, World& world, WaterLanes& water) {
     if (!carries_ && !radiates_) return;
-    const CutFloe* cut = ice.cut(floe);
-    const FloeGrid& grid = ice.grid(floe);
+    const CutFloe& cut = ice.cut(floe);
     const int first = ice.first_element(floe);
     const auto element = [&](int index) -> const IceElement& {
         return ice.elements()[static_cast<std::size_t>(first + index)];
@@ -85,16 +84,14 @@ void PieceWater::share_out(int floe, const IceField& ice, World& world, WaterLan
         centres_.clear();
         polygons_.clear();
         for (auto index = piece; index != end; ++index) {
-            if (cut != nullptr) {
-                polygons_.push_back(&cut->elements[static_cast<std::size_t>(*index)]);
-                continue;
-            }
-            const Vec3 centre = grid.centre(*index);
-            centres_.emplace_back(centre.x(), centre.z());
+            const CutElement& one = cut.elements[static_cast<std::size_t>(*index)];
+            polygons_.push_back(&one);
+            centres_.emplace_back(one.centre.x, one.centre.z);
         }
         const double draught = draught_[static_cast<std::size_t>(floe)];
-        for (const ElementWater& share : cut != nullptr ? water_of_piece(polygons_, draught, body_)
-                                                        : water_of_piece(centres_, grid.element, draught, body_)) {
+        for (const ElementWater& share :
+             cut.squares ? water_of_piece(centres_, cut.elements.front().corners.front().x * 2, draught, body_)
+                         : water_of_piece(polygons_, draught, body_)) {
             const int index = *piece++;
             const auto at = static_cast<std::size_t>(first + index);
             if (carries_) world.set_water(element(index).body, carried_[at] = share.carried);

@@ -39,20 +39,13 @@ void TowWork::measure(const FloeSet& floes, const IceField& ice) {
     for (const IceElement& element : ice.elements()) {
         const auto floe = static_cast<std::size_t>(element.floe);
         const FloeShape& shape = floes.shape(floe);
-        const CutFloe* cut = ice.cut(element.floe);
-        const CutElement* polygon = cut != nullptr ? &cut->elements[static_cast<std::size_t>(element.index)] : nullptr;
-        const double ice_mass = polygon != nullptr ? floes.material(floe).ice.density * shape.thickness * polygon->area
-                                                   : shape.element_mass(floes.material(floe).ice);
+        const CutElement& cut = ice.cut_element(element);
+        const double ice_mass = shape.element_mass(floes.material(floe).ice, cut);
         mass_.push_back(ice_mass * carried_);
         weight_.push_back(ice_mass * gravity_);
-        const double broad = shape.element * shape.element;
         const double thin = shape.thickness * shape.thickness;
-        if (polygon != nullptr) {
-            const Vec3 over_area(polygon->zz, polygon->xx + polygon->zz, polygon->xx);
-            inertia_.push_back(mass_.back() * (over_area / polygon->area + Vec3(thin, 0, thin) / 12));
-            continue;
-        }
-        inertia_.push_back(mass_.back() / 12 * Vec3(broad + thin, 2 * broad, broad + thin));
+        const Vec3 over_area(cut.zz, cut.xx + cut.zz, cut.xx);
+        inertia_.push_back(mass_.back() * (over_area / cut.area + Vec3(thin, 0, thin) / 12));
     }
     const std::size_t count = ice.elements().size();
     for (std::vector<Wrench>* wrenches : {&plane_, &vertical_, &waves_, &buoyancy_, &wind_}) wrenches->resize(count);

@@ -164,8 +164,8 @@ inline LaneWrench drag_on_faces(const Element& e, const std::int64_t* exposed_ed
     const double half = factors.half_side;
     LaneWrench total{};
     if (any & 1) add_form_drag<drifts>(total, e, (exposed & 1) != 0, e.x, 1.0, half, 0.0, factors, structure_x);
-    if (any & 2) add_form_drag<drifts>(total, e, (exposed & 2) != 0, e.x, -1.0, -half, 0.0, factors, structure_x);
-    if (any & 4) add_form_drag<drifts>(total, e, (exposed & 4) != 0, e.z, 1.0, 0.0, half, factors, structure_x);
+    if (any & 4) add_form_drag<drifts>(total, e, (exposed & 4) != 0, e.x, -1.0, -half, 0.0, factors, structure_x);
+    if (any & 2) add_form_drag<drifts>(total, e, (exposed & 2) != 0, e.z, 1.0, 0.0, half, factors, structure_x);
     if (any & 8) add_form_drag<drifts>(total, e, (exposed & 8) != 0, e.z, -1.0, 0.0, -half, factors, structure_x);
     return total;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The beams between the elements of a floe of any outline at rest on water, as Lattice has them between squares.
+// The beams between the elements of a floe at rest on water (docs/ice.md), for the proofs of fracture: deflection and
+// moments under a load.
 
 #include <Eigen/SparseCholesky>
 #include <cmath>
@@ -68,11 +69,14 @@ class CutLattice {
     /// Bending and torsion of a joint, N m, by the frame of the world's joints; tension below positive.
     JointReaction reaction(std::size_t joint) const {
         const CutJoint& one = cut_.joints[joint];
-        const double stiffness = beam_joint(ice_, one.length, one.span).moment[2];
         const Corner turned{motion_[3 * one.b + 1] - motion_[3 * one.a + 1],
                             motion_[3 * one.b + 2] - motion_[3 * one.a + 2]};
         // Slopes downwards: a joint whose slope grows along its normal hogs; one whose slope along -x grows twists.
-        return {.torsion = stiffness * cross(one.normal, turned), .bending = -stiffness * dot(one.normal, turned)};
+        return {.torsion = stiffness(joint) * cross(one.normal, turned), .bending = -stiffness(joint) * dot(one.normal, turned)};
+    }
+
+    double stiffness(std::size_t joint) const {  // against bending, N m
+        return beam_joint(ice_, cut_.joints[joint].length, cut_.joints[joint].span).moment[2];
     }
 
     /// By how much two elements are turned against each other, rad.
@@ -97,8 +101,8 @@ class CutLattice {
     }
 
     /// The prism of an element with its joints, and their numbers.
-    PressedPrism prism(int element, double crushing_pressure, std::vector<std::size_t>& numbers) const {
-        PressedPrism made{in_floe(static_cast<std::size_t>(element)), ice_.thickness, ice_.poisson_ratio,
+    PressedElement prism(int element, double crushing_pressure, std::vector<std::size_t>& numbers) const {
+        PressedElement made{in_floe(static_cast<std::size_t>(element)), ice_.thickness, ice_.poisson_ratio,
                           crushing_pressure};
         for (std::size_t k = 0; k < cut_.joints.size(); ++k) {
             const CutJoint& joint = cut_.joints[k];

@@ -8,7 +8,7 @@
 
 #include "ice/failure.hpp"
 #include "ice/stress_field.hpp"
-#include "lattice.hpp"
+#include "cut_lattice.hpp"
 #include "theory/plate.hpp"
 
 namespace floes::test {
@@ -21,18 +21,25 @@ class Sheet {
     Sheet(double element, bool at_edge)
         : half_(static_cast<int>(std::ceil(4 * plate.characteristic_length(modulus) / element))),
           side_(element),
-          lattice_({modulus, poisson, thickness, 0}, element, 2 * half_ + 1, at_edge ? half_ + 1 : 2 * half_ + 1,
-                   plate.foundation()),
-          loaded_(half_ + (at_edge ? 0 : half_ * (2 * half_ + 1))),
-          joined_(at_edge ? edge_plus_x | edge_minus_x | edge_plus_z : every_edge) {}
+          lattice_({modulus, poisson, thickness, 0},
+                   cut_into_squares(2 * half_ + 1, at_edge ? half_ + 1 : 2 * half_ + 1, element), plate.foundation()),
+          loaded_(half_ + (at_edge ? 0 : half_ * (2 * half_ + 1))) {
+        std::vector<std::size_t> numbers;
+        pressed_ = lattice_.prism(loaded_, crushing, numbers);
+        on_pressed_ = static_cast<std::size_t>(
+            std::ranges::find(pressed_.joints, edge_plus_x + 0U, &ElementJoint::edge) - pressed_.joints.begin());
+        joint_ = numbers.at(on_pressed_);
+    }
 
     double stress(double x, double z, double load) {
-        lattice_.press(loaded_, x, z);
-        JointLoad at = lattice_.load_at_plus_x(loaded_);
-        const auto added =
-            contact_stress({side_, thickness, poisson, crushing, static_cast<std::uint8_t>(joined_)}, {x, z, load});
-        EXPECT_EQ(added[0].face, edge_plus_x);
-        at.sagging = {added[0].stress / load, added[1].stress / load};
+        const Corner middle = lattice_.cut().elements[static_cast<std::size_t>(loaded_)].centre;
+        lattice_.press(loaded_, middle + Corner{x, z});
+        JointLoad at = lattice_.load(joint_);
+        const ContactStress added = contact_stress(pressed_, {x, z, load});
+        if (x > 0) {
+            EXPECT_EQ(added.joint[0], on_pressed_);
+        }
+        at.sagging = {added.stress[0] / load, added.stress[1] / load, added.shear / load};
         return fibre_stress(at, section());
     }
 
@@ -43,9 +50,9 @@ class Sheet {
         for (int i = 0; i < 60; ++i) {
             const double load = (low + high) / 2;
             const double with = stress(0, -side_ / 2, load) * load / strength;
-            const double smooth = fibre_stress(lattice_.load_at_plus_x(loaded_), section()) * load / strength;
-            const double over = cracking(with, smooth, lattice_.joint_stiffness(),
-                                         lattice_.rotation_at_plus_x(loaded_) * load, energy * side_ * thickness);
+            const double smooth = fibre_stress(lattice_.load(joint_), section()) * load / strength;
+            const double over = cracking(with, smooth, lattice_.stiffness(joint_),
+                                         lattice_.turned(loaded_, loaded_ + 1) * load, energy * side_ * thickness);
             (over > 1 ? high : low) = load;
         }
         return high;
@@ -56,9 +63,11 @@ class Sheet {
 
     int half_;
     double side_;
-    Lattice lattice_;
+    CutLattice lattice_;
     int loaded_;
-    int joined_;
+    PressedElement pressed_;
+    std::size_t joint_;       // on its +x face
+    std::size_t on_pressed_;  // likewise, by its number among the element's
 };
 
 double contact_radius(double load) {
@@ -106,17 +115,20 @@ TEST_P(Elements, CrackAtTheSameLoadByEnergy) {
 INSTANTIATE_TEST_SUITE_P(Ice, Elements, testing::Values(0.3, 0.2, 0.15, 0.1, 0.05));
 
 TEST(ContactStress, EndsAtACornerAndTurnsWithTheLoad) {
-    PressedElement corner{0.2, thickness, poisson, crushing, edge_minus_x | edge_plus_z};
-    const auto at_corner = contact_stress(corner, {0.1, -0.1, 10});
-    EXPECT_EQ(at_corner[0].face, edge_minus_x) << "the only joint along x";
-    EXPECT_EQ(at_corner[0].stress, 0) << "the moment of a quarter plate below its load is finite";
-    const auto beside = contact_stress(corner, {0.05, -0.1, 10});
-    EXPECT_GT(beside[0].stress, 0);
-    EXPECT_EQ(beside[1].stress, 0) << "nothing bends across a free edge";
-    corner.joined = edge_minus_x | edge_plus_x | edge_plus_z;
-    EXPECT_GT(contact_stress(corner, {0.05, -0.1, 10})[0].stress, beside[0].stress) << "and the corner is gone";
-    EXPECT_EQ(contact_stress(corner, {0.05, -0.1, -10})[0].stress, -contact_stress(corner, {0.05, -0.1, 10})[0].stress);
-    EXPECT_EQ(contact_stress({0.2, thickness, poisson, crushing, 0}, {0, 0, 10})[0].face, 0) << "an element by itself";
+    PressedElement corner{corners_of(0.1, 0.1), thickness, poisson, crushing};
+    for (const auto& [outward, edge] : {std::pair(Corner{-1, 0}, edge_minus_x), {Corner{0, 1}, edge_plus_z}})
+        corner.joints.push_back({outward, 0.1 * outward, 0.2, 0.2, edge});
+    const ContactStress at_corner = contact_stress(corner, {0.1, -0.1, 10});
+    EXPECT_EQ(at_corner.joint[0], 0U) << "the only joint along x";
+    EXPECT_EQ(at_corner.stress[0], 0) << "the moment of a quarter plate below its load is finite";
+    const ContactStress beside = contact_stress(corner, {0.05, -0.1, 10});
+    EXPECT_GT(beside.stress[0], 0);
+    EXPECT_EQ(beside.stress[1], 0) << "nothing bends across a free edge";
+    corner.joints.push_back({{1, 0}, {0.1, 0}, 0.2, 0.2, edge_plus_x});
+    EXPECT_GT(contact_stress(corner, {0.05, -0.1, 10}).stress[0], beside.stress[0]) << "and the corner is gone";
+    EXPECT_EQ(contact_stress(corner, {0.05, -0.1, -10}).stress[0], -contact_stress(corner, {0.05, -0.1, 10}).stress[0]);
+    corner.joints.clear();
+    EXPECT_EQ(contact_stress(corner, {0, 0, 10}).joint[0], ContactStress::none) << "an element by itself";
 }
 
 }  // namespace first_crack_test

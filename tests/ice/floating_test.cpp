@@ -122,7 +122,8 @@ TEST(IceFloating, DoesNotTouchItself) {
     double closest = 1;
     for (int step = 0; step < 200; ++step) {
         for (const IceElement& element : ice.elements()) {
-            const Vec3 place = FloeGrid{3, 3, 0.2}.centre(element.index);
+            const Corner centre = ice.cut_element(element).centre;
+            const Vec3 place(centre.x, 0, centre.z);
             world.apply(element.body, {-300 * place, Vec3(place.z(), 0, -place.x())});
         }
         world.step();

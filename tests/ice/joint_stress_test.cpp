@@ -109,21 +109,5 @@ TEST(MayFail, IsTrueWheneverTheUtilisationExceedsOne) {
     EXPECT_TRUE(may_fail(lost, 0, 0, section, thresholds)) << "what is not a number is looked at";
 }
 
-TEST(ContactStress, IsNeverMoreThanItsBound) {
-    std::mt19937_64 random(36);
-    std::uniform_real_distribution<double> place(-0.1, 0.1);
-    double most = 0;
-    for (int i = 0; i < 20000; ++i) {
-        const PressedElement element{0.2, 0.033, 0.3, i % 2 == 0 ? 36.4e3 : 0.0, static_cast<std::uint8_t>(i % 16)};
-        const double down = i % 4 < 2 ? 3.0 : -3.0;
-        const double bound = most_contact_stress(element) * 3.0;
-        for (const SideStress& side : contact_stress(element, {place(random), place(random), down})) {
-            EXPECT_LE(std::abs(side.stress), bound);
-            most = std::max(most, std::abs(side.stress) / bound);
-        }
-    }
-    EXPECT_GT(most, 0.5) << "a bound that is of use";
-}
-
 }  // namespace joint_stress_test
 }  // namespace floes

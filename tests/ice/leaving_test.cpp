@@ -100,7 +100,7 @@ TEST(Leaving, APolygonTakesThePlaceOfOneOfAsManyElements) {
     EXPECT_EQ(ice.enter(used, scenario, third), 1) << "of more elements";
     EXPECT_EQ(ice.enter(used, scenario, second), 0);
     EXPECT_EQ(ice.number_of(0), 2);
-    EXPECT_EQ(ice.live_joints(), alone.live_joints() + static_cast<int>(ice.cut(1)->joints.size()));
+    EXPECT_EQ(ice.live_joints(), alone.live_joints() + static_cast<int>(ice.cut(1).joints.size()));
     for (int step = 0; step < 30; ++step) {
         for (auto& [world, field] : {std::pair(&fresh, &alone), std::pair(&used, &ice)}) {
             world->apply(field->elements().front().body, {{0.01, 0.03, 0.02}, {0.001, 0.002, -0.001}});

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include "ice/floe_grid.hpp"
 #include "ice/scenario_world.hpp"
 #include "ice_scene.hpp"
 
@@ -51,7 +50,7 @@ std::vector<double> utilisation_of(const Strip& strip) {
     World world = scenario_world(scenario);
     const FloeSet floes = alone(scenario, from_axes(outline, {}, strip.along()), 0.1);
     IceField ice(world, scenario, floes);
-    const CutFloe& cut = *ice.cut(0);
+    const CutFloe& cut = ice.cut(0);
     double area = 0;
     for (const CutElement& one : cut.elements) area += strip.place(one) > half - 0.4 ? one.area : 0;
     const Vec3 about = Vec3(-strip.along().z, 0, strip.along().x);
@@ -107,7 +106,7 @@ double used_below_a_knife(double degrees) {
     world.add_fixed_box({.half_extents = {0.01, 0.01, 0.14},
                          .pose = {{0, top + 0.01 * std::numbers::sqrt2, 0},
                                   turn * Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitZ()))}});
-    const CutFloe& cut = *ice.cut(0);
+    const CutFloe& cut = ice.cut(0);
     double area = 0;
     for (const CutElement& one : cut.elements) area += std::abs(dot(one.centre, along)) > 0.4 ? one.area : 0;
     for (int step = 0; step < 300; ++step) {

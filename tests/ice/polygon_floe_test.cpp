@@ -1,6 +1,5 @@
 // Floes that are polygons: as squares where they are squares, as beams and plates where they are not.
 
-#include "ice/floe_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +40,7 @@ FloeSet alone(const Scenario& scenario, const FloeShape& shape, const PlanarPose
 
 /// Buoyancy as springs under each element, and drag that brings everything to rest.
 void float_on(World& world, const IceField& ice, const Scenario& scenario, double drag) {
-    const CutFloe& cut = *ice.cut(0);
+    const CutFloe& cut = ice.cut(0);
     for (const IceElement& one : ice.elements()) {
         const CutElement& element = cut.elements[static_cast<std::size_t>(one.index)];
         const BodyState state = world.state(one.body);
@@ -90,7 +89,7 @@ TEST(PolygonFloe, CutObliquelyBendsAsABeam) {
     const FloeShape strip = shape_of(scenario, {{-1.2, -0.1}, {0.8, -0.1}, {1.2, 0.1}, {-0.8, 0.1}}, 0.1);
     World world = scenario_world(scenario);
     IceField ice(world, scenario, alone(scenario, strip));
-    const CutFloe& cut = *ice.cut(0);
+    const CutFloe& cut = ice.cut(0);
     const double moment = 0.05;
     const auto at_end = [&](const CutElement& one, double end) { return one.centre.x * end > 0.55; };
     double area = 0;
@@ -128,7 +127,7 @@ double depth_over_plate(const Scenario& scenario, const Outline& outline, double
     const FloeShape shape = shape_of(scenario, outline, element);
     World world = scenario_world(scenario);
     const IceField ice(world, scenario, alone(scenario, shape));
-    const CutFloe& cut = *ice.cut(0);
+    const CutFloe& cut = ice.cut(0);
     const auto nearest =
         std::ranges::min_element(cut.elements, {}, [](const CutElement& one) { return dot(one.centre, one.centre); });
     EXPECT_LT(dot(nearest->centre, nearest->centre), 1e-6);

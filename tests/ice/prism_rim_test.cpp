@@ -27,12 +27,12 @@ double stress_over(double expected, CutLattice& sheet, const Corner& point,
     const int element = sheet.element_at(point);
     sheet.press(element, point);
     std::vector<std::size_t> numbers;
-    const PressedPrism pressed = sheet.prism(element, crushing, numbers);
+    const PressedElement pressed = sheet.prism(element, crushing, numbers);
     const Corner from = point - sheet.cut().elements[static_cast<std::size_t>(element)].centre;
-    const PrismStress added = contact_stress(pressed, {from.x, from.z, load});
+    const ContactStress added = contact_stress(pressed, {from.x, from.z, load});
     double most = 0;
     for (const std::size_t axis : axes) {
-        if (added.joint[axis] == PrismStress::none) continue;
+        if (added.joint[axis] == ContactStress::none) continue;
         JointLoad at = sheet.load(numbers[added.joint[axis]]);
         at.sagging = {added.stress[axis] / load, added.stress[1 - axis] / load,
                       (axis == 0 ? added.shear : -added.shear) / load};

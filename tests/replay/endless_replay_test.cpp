@@ -75,7 +75,7 @@ Seen seen_of(const Simulation& run) {
         for (int k = 0; k < run.ice().elements(place); ++k) {
             seen.positions.push_back(
                 run.element_states()[static_cast<std::size_t>(run.ice().first_element(place) + k)].position);
-            seen.sides.push_back(run.ice().grid(place).element);
+            seen.sides.push_back(2 * run.ice().cut(place).elements.front().corners.front().x);
         }
     }
     return seen;

@@ -57,8 +57,8 @@ TEST(PolygonTow, SquaresAsPolygonsCrackWhereSquaresDo) {
     EXPECT_NEAR(of_square.time, of_polygon.time, 1.5 * scenario.general.time_step);
     ASSERT_EQ(of_square.floe, of_polygon.floe);
     EXPECT_EQ(of_square.mode, of_polygon.mode);
-    const GridJoint grid = joint_order(one.ice().grid(of_square.floe))[static_cast<std::size_t>(of_square.joint)];
-    const CutJoint& cut = other.ice().cut(of_polygon.floe)->joints[static_cast<std::size_t>(of_polygon.joint)];
+    const CutJoint& grid = one.ice().cut(of_square.floe).joints[static_cast<std::size_t>(of_square.joint)];
+    const CutJoint& cut = other.ice().cut(of_polygon.floe).joints[static_cast<std::size_t>(of_polygon.joint)];
     EXPECT_EQ(grid.a, cut.a);
     EXPECT_EQ(grid.b, cut.b);
 }

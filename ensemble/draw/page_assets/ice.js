@@ -70,11 +70,11 @@ void main() {
   if (flatFace) {
     vec2 pixel = fwidth(vLocal.xz);
     line(colour, vEdges.x, 0.5 - vLocal.x, pixel.x);
-    line(colour, vEdges.y, 0.5 + vLocal.x, pixel.x);
-    line(colour, vEdges.z, 0.5 - vLocal.z, pixel.y);
+    line(colour, vEdges.z, 0.5 + vLocal.x, pixel.x);
+    line(colour, vEdges.y, 0.5 - vLocal.z, pixel.y);
     line(colour, vEdges.w, 0.5 + vLocal.z, pixel.y);
   }
-  float edge = vSide.x > 0.5 ? vEdges.x : vSide.x < -0.5 ? vEdges.y : vSide.z > 0.5 ? vEdges.z : vEdges.w;
+  float edge = vSide.x > 0.5 ? vEdges.x : vSide.z > 0.5 ? vEdges.y : vSide.x < -0.5 ? vEdges.z : vEdges.w;
   gl_FragColor = lit(colour, flatFace, edge);
 }`;
 
