@@ -26,6 +26,12 @@ namespace {
 
 using Rectangles = std::span<const Rectangle>;
 
+std::vector<Outline> outlines_of(Rectangles shapes) {
+    std::vector<Outline> found;
+    for (const Rectangle& one : shapes) found.push_back(corners_of(one.half_length, one.half_breadth));
+    return found;
+}
+
 std::vector<PlanarPose> lattice_for(const Scenario& scenario, Rectangles shapes) {
     return lattice_start(field_walls(scenario), covering(shapes), scenario.arrangement.clearance,
                          static_cast<int>(shapes.size()));
@@ -36,7 +42,7 @@ std::vector<PlanarPose> monte_carlo_of_mixed(const Scenario& scenario, Rectangle
     const ArrangementRule& rule = scenario.arrangement;
     const Walls walls = field_walls(scenario);
     HardRectangles floes(walls.shrunk(rule.clearance), shapes, rule.clearance,
-                         scattered(walls, shapes, rule.clearance, random));
+                         scattered(walls, outlines_of(shapes), rule.clearance, random));
     const Step step = tune(floes, random);
     for (int i = 0; i < rule.sweeps; ++i) floes.sweep(step, random);
     return floes.poses();
@@ -77,7 +83,7 @@ std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Rectangl
     const Walls walls = field_walls(scenario);
     const std::uint64_t geometry = unordered_key(scenario);
     RandomStream scattering(seed, number, StreamId::scattering, geometry);
-    std::vector<PlanarPose> poses = scattered(walls, shapes, rule.clearance, scattering);
+    std::vector<PlanarPose> poses = scattered(walls, outlines_of(shapes), rule.clearance, scattering);
     if (rule.ordering_sweeps == 0) return poses;
     RandomStream ordering(seed, number, StreamId::ordering, geometry);
     const Walls room = walls.shrunk(rule.clearance);
@@ -124,8 +130,7 @@ std::vector<PlanarPose> poses_of_polygons(const Scenario& scenario, const FloeSe
                                           std::uint32_t number) {
     const ArrangementRule& rule = scenario.arrangement;
     if (rule.given()) return floes.poses();
-    std::vector<Outline> outlines;
-    for (std::size_t i = 0; i < floes.size(); ++i) outlines.push_back(floes.shape(i).outline);
+    const std::vector<Outline> outlines = outlines_of(floes);
     const auto laid = [&](RandomStream& random) {
         if (scenario.shapes.kind == ShapeKind::voronoi) return floes.poses();
         return scattered(field_walls(scenario), outlines, rule.clearance, random);

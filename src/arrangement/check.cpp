@@ -130,7 +130,13 @@ Outline on_water(Corners outline, const PlanarPose& pose) {
 std::vector<Outline> outlines_on_water(const FloeSet& floes) {
     std::vector<Outline> found;
     for (std::size_t i = 0; i < floes.size(); ++i)
-        found.push_back(on_water(floes.shape(i).outline, floes.floes[i].pose));
+        found.push_back(on_water(floes.shape(i).corners(), floes.floes[i].pose));
+    return found;
+}
+
+std::vector<Outline> outlines_of(const FloeSet& floes) {
+    std::vector<Outline> found;
+    for (std::size_t i = 0; i < floes.size(); ++i) found.push_back(floes.shape(i).corners());
     return found;
 }
 
@@ -186,23 +192,6 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
             poses[i].z, poses[j].x, poses[j].z,
             gap_text(widest_gap({shapes[i], grown[i].turn}, {shapes[j], grown[j].turn}, margin, dx, dz), clearance)),
         {i, j}};
-}
-
-std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Rectangle> shapes,
-                                          std::span<const PlanarPose> poses, double clearance) {
-    const double margin = 0.5 * (clearance - length_rounding);
-    std::vector<TurnedRectangle> grown;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        const Turn turn = turn_of(poses[i].yaw);
-        grown.push_back({shapes[i].grown(margin), turn});
-        if (std::abs(poses[i].z) + extent(shapes[i], turn).z > 0.5 * walls.breadth - clearance + length_rounding)
-            return fmt::format("the floe at x = {:.4f} m, z = {:.4f} m crosses a side", poses[i].x, poses[i].z);
-    }
-    const auto pair = overlapping_pair(walls, grown, poses);
-    if (!pair) return std::nullopt;
-    const auto [i, j] = *pair;
-    return fmt::format("the floes at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m are too near",
-                       poses[i].x, poses[i].z, poses[j].x, poses[j].z);
 }
 
 std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Outline> outlines,

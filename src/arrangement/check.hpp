@@ -13,7 +13,10 @@
 
 namespace floes {
 
-/// The outline of each floe.
+/// The outline of each floe in its own axes.
+std::vector<Outline> outlines_of(const FloeSet& floes);
+
+/// The same of floes that are rectangles.
 std::vector<Rectangle> rectangles(const FloeSet& floes);
 
 /// An outline where it lies, in the world's (x, z).
@@ -37,12 +40,8 @@ struct Fault {
 /// requires up to 1.21 times the clearance.
 std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes);
 
-/// The first of rectangles that is nearer than the clearance (less a nanometre) to an earlier one, or to the sides of
-/// `walls`, in words; nothing if none is. Poses and shapes one by one.
-std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Rectangle> shapes,
-                                          std::span<const PlanarPose> poses, double clearance);
-
-/// The same of outlines about their centroids.
+/// The first of outlines about their centroids that is nearer than the clearance (less a nanometre) to an earlier one,
+/// or to the sides of `walls`, in words; nothing if none is. Poses and outlines one by one.
 std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Outline> outlines,
                                           std::span<const PlanarPose> poses, double clearance);
 

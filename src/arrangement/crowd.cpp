@@ -108,18 +108,70 @@ void Cells::move(const Resident& resident) {
 
 namespace {
 
-const std::array<Vec2, 4> wall_normals{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};  // into the field
+constexpr std::array<Corner, 4> field_normals{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};  // into the field
 
-/// How fast a point at arm from the middle moves along direction as the rectangle turns, m/rad.
-double lever(const Vec2& arm, const Vec2& direction) {
-    return direction.x() * arm.y() - direction.y() * arm.x();
+/// How fast a point at arm from the middle moves along a direction as yaw grows, m/rad.
+double lever(const Corner& arm, const Corner& direction) {
+    return cross(direction, arm);
+}
+
+/// The edge of a polygon that another one overlaps least.
+struct Face {
+    double gap = -std::numeric_limits<double>::infinity();
+    std::size_t edge = 0;
+};
+
+Face widest(Corners one, Corners other, const Corner& apart) {
+    Face best;
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        const Corner normal = outward(one, k);
+        double gap = std::numeric_limits<double>::infinity();
+        for (const Corner& corner : other) gap = std::min(gap, dot(normal, corner + apart - one[k]));
+        if (gap > best.gap) best = {gap, k};
+        if (gap >= 0) return best;
+    }
+    return best;
+}
+
+/// Where the other polygon, at `apart`, presses on an edge: the mean, weighted by depth, of both ends of the part of
+/// its pressing edge that lies below that edge and between its ends.
+Corner pressed_point(Corners one, std::size_t edge, Corners other, const Corner& apart) {
+    const Corner normal = outward(one, edge);
+    const auto depth = [&](const Corner& p) { return -dot(normal, p - one[edge]); };
+    std::size_t deepest = 0;
+    for (std::size_t k = 1; k < other.size(); ++k)
+        if (depth(other[k] + apart) > depth(other[deepest] + apart)) deepest = k;
+    const Corner from = other[deepest] + apart;
+    const Corner before = other[deepest > 0 ? deepest - 1 : other.size() - 1] + apart;
+    const Corner next = after(other, deepest) + apart;
+    const Corner along{-normal.z, normal.x};
+    const auto slope = [&](const Corner& to) {
+        return (depth(from) - depth(to)) / std::sqrt(dot(to - from, to - from));
+    };
+    const Corner to = slope(before) < slope(next) ? before : next;
+    double low = 0;  // shares of the way from `from` to `to`
+    double high = 1;
+    const double begin = dot(along, one[edge]);
+    const double end = dot(along, after(one, edge));
+    const double at = dot(along, from);
+    const double rate = dot(along, to - from);
+    if (rate != 0) {
+        low = std::max(low, std::min((begin - at) / rate, (end - at) / rate));
+        high = std::min(high, std::max((begin - at) / rate, (end - at) / rate));
+    }
+    const auto point = [&](double share) { return from + share * (to - from); };
+    if (high < low) return from;
+    const double low_depth = std::max(depth(point(low)), 0.0);
+    const double high_depth = std::max(depth(point(high)), 0.0);
+    if (low_depth + high_depth <= 0) return from;
+    return point((low_depth * low + high_depth * high) / (low_depth + high_depth));
 }
 
 /// Contact point from the centre of the rectangle that owns the pressed face, whose outward normal is `normal`. The
 /// other lies at `apart` and presses with one end or the whole of the side that faces it: the mean of both ends of the
 /// part of that side below the face and between its corners, weighted by their depths.
-Vec2 pressed_point(const TurnedRectangle& pressed, const TurnedRectangle& other, const Vec2& apart, const Vec2& normal,
-                   double depth) {
+Vec2 pressed_point_of_rectangle(const TurnedRectangle& pressed, const TurnedRectangle& other, const Vec2& apart,
+                                const Vec2& normal, double depth) {
     const double on_along = normal.dot(along(other.turn));
     const double on_across = normal.dot(across(other.turn));
     const bool presses_along = std::abs(on_along) < std::abs(on_across);  // the pressing side runs along its own x
@@ -143,77 +195,83 @@ Vec2 pressed_point(const TurnedRectangle& pressed, const TurnedRectangle& other,
     return deepest - (low_depth * low + high_depth * high) / (low_depth + high_depth) * tangent;
 }
 
-double area(const Rectangle& shape) {
-    return shape.half_length * shape.half_breadth;
+Vec2 as_vector(const Corner& at) {
+    return {at.x, at.z};
 }
-
-template <class Body>
-void shift(Body& body, const Vec2& arm, const Vec2& normal, double push) {
-    body.place += push * normal;
-    body.yaw += push * body.turn_weight * lever(arm, normal);
-    body.turn = turn_of(body.yaw);
+Corner as_corner(const Vec2& at) {
+    return {at.x(), at.y()};
 }
 
 }  // namespace
 
-void Crowd::Body::lie(const PlanarPose& pose) {
-    yaw = pose.yaw;
-    turn = turn_of(pose.yaw);
-    place = {pose.x, pose.z};
+void Crowd::Body::lie(const PlanarPose& at) {
+    pose = at;
+    turn = turn_of(at.yaw);
+    if (rectangle) return;
+    corners.clear();
+    for (const Corner& one : own)
+        corners.push_back({one.x * turn.cos + one.z * turn.sin, one.z * turn.cos - one.x * turn.sin});
 }
 
-Crowd::Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses,
-             const Fixed<Rectangle>& fixed)
-    : walls_(walls),
-      diagonal_(2 * std::max(widest_reach(shapes), widest_reach(fixed.shapes))),
-      skin_(0.25 * widest_reach(shapes)),
-      free_(poses.size()) {
+void Crowd::Body::shift(const Corner& arm, const Corner& normal, double push) {
+    lie({pose.x + push * normal.x, pose.z + push * normal.z, pose.yaw + push * turn_weight * lever(arm, normal)});
+}
+
+Crowd::Crowd(const Walls& walls, std::span<const Outline> outlines, std::span<const PlanarPose> poses,
+             const Fixed& fixed)
+    : walls_(walls), free_(poses.size()) {
+    const bool all = std::ranges::all_of(outlines, is_rectangle) && std::ranges::all_of(fixed.outlines, is_rectangle);
+    const double first = area_of(outlines.front());
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        const double reach = shapes[i].half_diagonal();
-        bodies_.push_back({.shape = shapes[i],
-                           .weight = area(shapes.front()) / area(shapes[i]),
-                           .turn_weight = turning / (reach * reach),
-                           .turn = {}});
-        bodies_.back().lie(poses[i]);
+        Body& body = add(outlines[i], all, poses[i]);
+        body.weight = first / area_of(outlines[i]);
+        body.turn_weight = turning / (body.reach * body.reach);
     }
-    for (std::size_t i = 0; i < fixed.poses.size(); ++i) {
-        bodies_.push_back({.shape = fixed.shapes[i], .weight = 0, .turn_weight = 0, .turn = {}});
-        bodies_.back().lie(fixed.poses[i]);
-    }
+    skin_ = 0.25 * widest_;
+    for (std::size_t i = 0; i < fixed.poses.size(); ++i) add(fixed.outlines[i], all, fixed.poses[i]);
     find_neighbours();
+}
+
+Crowd::Body& Crowd::add(const Outline& outline, bool as_rectangle, const PlanarPose& pose) {
+    Body& body = bodies_.emplace_back();
+    body.own = outline;
+    if (as_rectangle) body.rectangle = {half_sides_of(outline)->x, half_sides_of(outline)->z};
+    body.reach = reach_of(outline);
+    body.lie(pose);
+    widest_ = std::max(widest_, body.reach);
+    return body;
 }
 
 double Crowd::sweep() {
     if (neighbours_are_old()) find_neighbours();
     double deepest = 0;
     for (const auto& [first, second] : pairs_) {
-        const auto met = contact(bodies_[first], bodies_[second]);
-        if (!met) continue;
-        deepest = std::max(deepest, met->depth);
         Body& one = bodies_[first];
         Body& other = bodies_[second];
+        const auto met = contact(one, other);
+        if (!met) continue;
+        deepest = std::max(deepest, met->depth);
         const double by_one = lever(met->arm_first, met->normal);
         const double by_other = lever(met->arm_second, met->normal);
         // By ratios of weights, which are exactly 1 where floes are alike.
         const double ratio = other.weight / one.weight;  // 0 for a fixed one, which is never the first of a pair
         const double turned = by_one * by_one + by_other * by_other * ratio * (other.turn_weight / one.turn_weight);
         const double push = over_relaxation * met->depth / (1 + ratio + one.turn_weight * turned);
-        shift(one, met->arm_first, met->normal, -push);
-        shift(other, met->arm_second, met->normal, ratio * push);
+        one.shift(met->arm_first, met->normal, -push);
+        if (second < free_) other.shift(met->arm_second, met->normal, ratio * push);
     }
     for (Body& body : std::span(bodies_).first(free_)) {
-        for (const Vec2& normal : wall_normals) {
+        for (const Corner& normal : field_normals) {
             const auto met = contact(body, normal);
             if (!met) continue;
             deepest = std::max(deepest, met->depth);
             const double by = lever(met->arm_first, normal);
-            shift(body, met->arm_first, normal, met->depth / (1 + body.turn_weight * by * by));
+            body.shift(met->arm_first, normal, met->depth / (1 + body.turn_weight * by * by));
         }
     }
     return deepest;
 }
 
-// `see(rectangle, depth)` of both rectangles of a pair, and of each that overlaps a wall.
 template <class See>
 void Crowd::for_each_overlap(const See& see) const {
     for (const auto& [first, second] : pairs_) {
@@ -222,17 +280,9 @@ void Crowd::for_each_overlap(const See& see) const {
         see(first, met->depth);
         see(second, met->depth);
     }
-    for (std::size_t i = 0; i < free_; ++i) {
-        for (const Vec2& normal : wall_normals)
+    for (std::size_t i = 0; i < free_; ++i)
+        for (const Corner& normal : field_normals)
             if (const auto met = contact(bodies_[i], normal)) see(i, met->depth);
-    }
-}
-
-std::vector<double> Crowd::overlaps() const {
-    std::vector<double> sums(bodies_.size(), 0);
-    for_each_overlap([&](std::size_t rectangle, double depth) { sums[rectangle] += depth; });
-    sums.resize(free_);
-    return sums;
 }
 
 double Crowd::deepest() const {
@@ -241,90 +291,117 @@ double Crowd::deepest() const {
     return deepest;
 }
 
-double Crowd::overlap_at(std::size_t rectangle, const PlanarPose& pose) const {
-    Body there = bodies_[rectangle];
+std::vector<double> Crowd::overlaps() const {
+    std::vector<double> sums(bodies_.size(), 0);
+    for_each_overlap([&](std::size_t floe, double depth) { sums[floe] += depth; });
+    sums.resize(free_);
+    return sums;
+}
+
+double Crowd::overlap_at(std::size_t floe, const PlanarPose& pose) const {
+    Body there = bodies_[floe];
     there.lie(pose);
     double sum = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (i == rectangle) continue;
+        if (i == floe) continue;
         if (const auto met = contact(there, bodies_[i])) sum += met->depth;
     }
-    for (const Vec2& normal : wall_normals)
+    for (const Corner& normal : field_normals)
         if (const auto met = contact(there, normal)) sum += met->depth;
     return sum;
 }
 
-void Crowd::put(std::size_t rectangle, const PlanarPose& pose) {
-    bodies_[rectangle].lie(pose);
+void Crowd::put(std::size_t floe, const PlanarPose& pose) {
+    bodies_[floe].lie(pose);
 }
 
 std::vector<PlanarPose> Crowd::poses() const {
     std::vector<PlanarPose> result;
     for (const Body& body : std::span(bodies_).first(free_))
-        result.push_back({body.place.x(), body.place.y(), std::remainder(body.yaw, 2 * std::numbers::pi)});
+        result.push_back({body.pose.x, body.pose.z, std::remainder(body.pose.yaw, 2 * std::numbers::pi)});
     return result;
 }
 
-std::optional<Crowd::Contact> Crowd::contact(const Body& first, const Body& second) const {
-    const Vec2 apart = second.place - first.place;
-    if (apart.squaredNorm() >= diagonal_ * diagonal_) return {};
-    Contact found{std::numeric_limits<double>::infinity(), Vec2::Zero(), Vec2::Zero(), Vec2::Zero()};
+std::optional<Crowd::Contact> Crowd::contact(const Body& first, const Body& second) {
+    const Corner apart = second.place() - first.place();
+    const double reach = first.reach + second.reach;
+    if (dot(apart, apart) >= reach * reach) return {};
+    if (first.rectangle && second.rectangle) return contact_of_rectangles(first, second);
+    const Face of_first = widest(first.corners, second.corners, apart);
+    if (of_first.gap >= 0) return {};
+    const Face of_second = widest(second.corners, first.corners, -1 * apart);
+    if (of_second.gap >= 0) return {};
+    if (of_first.gap >= of_second.gap) {
+        const Corner at = pressed_point(first.corners, of_first.edge, second.corners, apart);
+        return Contact{-of_first.gap, outward(first.corners, of_first.edge), at, at - apart};
+    }
+    const Corner at = pressed_point(second.corners, of_second.edge, first.corners, -1 * apart);
+    return Contact{-of_second.gap, -1 * outward(second.corners, of_second.edge), at + apart, at};
+}
+
+/// The same in fewer operations.
+std::optional<Crowd::Contact> Crowd::contact_of_rectangles(const Body& first, const Body& second) {
+    const Vec2 apart = as_vector(second.place() - first.place());
+    const TurnedRectangle one{*first.rectangle, first.turn};
+    const TurnedRectangle other{*second.rectangle, second.turn};
+    double least = std::numeric_limits<double>::infinity();
+    Vec2 normal = Vec2::Zero();
     bool side_of_first = true;
     for (const bool is_first : {true, false}) {
         const Turn turn = is_first ? first.turn : second.turn;
-        const Extent reach =
-            is_first ? joint_extent(first.turned(), second.turned()) : joint_extent(second.turned(), first.turned());
+        const Extent reach = is_first ? joint_extent(one, other) : joint_extent(other, one);
         for (const auto& [axis, width] : {std::pair{along(turn), reach.x}, std::pair{across(turn), reach.z}}) {
             const double distance = axis.dot(apart);
             const double depth = width - std::abs(distance);
             if (depth <= 0) return {};
-            if (depth >= found.depth) continue;
-            found.depth = depth;
-            found.normal = distance < 0 ? Vec2(-axis) : axis;
+            if (depth >= least) continue;
+            least = depth;
+            normal = distance < 0 ? Vec2(-axis) : axis;
             side_of_first = is_first;
         }
     }
     if (side_of_first) {
-        found.arm_first = pressed_point(first.turned(), second.turned(), apart, found.normal, found.depth);
-        found.arm_second = found.arm_first - apart;
-    } else {
-        found.arm_second = pressed_point(second.turned(), first.turned(), -apart, -found.normal, found.depth);
-        found.arm_first = found.arm_second + apart;
+        const Vec2 at = pressed_point_of_rectangle(one, other, apart, normal, least);
+        return Contact{least, as_corner(normal), as_corner(at), as_corner(at - apart)};
     }
-    return found;
+    const Vec2 at = pressed_point_of_rectangle(other, one, -apart, -normal, least);
+    return Contact{least, as_corner(normal), as_corner(at + apart), as_corner(at)};
 }
 
-std::optional<Crowd::Contact> Crowd::contact(const Body& body, const Vec2& wall_normal) const {
-    const Vec2 arm = corner(body.shape, body.turn, -wall_normal);
-    const Vec2 edge(wall_normal.x() > 0 ? walls_.low_x : walls_.low_x + walls_.length,
-                    wall_normal.y() > 0 ? walls_.low_z : walls_.low_z + walls_.breadth);
-    const double depth = wall_normal.dot(edge - body.place - arm);
+std::optional<Crowd::Contact> Crowd::contact(const Body& body, const Corner& wall_normal) const {
+    const Corner arm =
+        body.rectangle
+            ? as_corner(corner(*body.rectangle, body.turn, -as_vector(wall_normal)))
+            : *std::ranges::min_element(body.corners, {}, [&](const Corner& p) { return dot(wall_normal, p); });
+    const Corner edge{wall_normal.x > 0 ? walls_.low_x : walls_.low_x + walls_.length,
+                      wall_normal.z > 0 ? walls_.low_z : walls_.low_z + walls_.breadth};
+    const double depth = dot(wall_normal, edge - body.place() - arm);
     if (depth <= 0) return {};
-    return Contact{depth, wall_normal, arm, Vec2::Zero()};
+    return Contact{depth, wall_normal, arm, {}};
 }
 
 bool Crowd::neighbours_are_old() const {
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        if ((bodies_[i].place - places_[i]).squaredNorm() > 0.25 * skin_ * skin_) return true;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Corner way = bodies_[i].place() - places_[i];
+        if (dot(way, way) > 0.25 * skin_ * skin_) return true;
+    }
     return false;
 }
 
 void Crowd::find_neighbours() {
-    const double reach = diagonal_ + skin_;
-    Cells cells({walls_.low_x, walls_.low_z, walls_.length, walls_.breadth}, reach, bodies_.size());
+    Cells cells({walls_.low_x, walls_.low_z, walls_.length, walls_.breadth}, 2 * widest_ + skin_, bodies_.size());
     places_.clear();
     pairs_.clear();
     for (const Body& body : bodies_) {
         const std::size_t number = places_.size();
-        const double own = body.shape.half_diagonal();
-        cells.for_each_near(body.place.x(), body.place.y(), [&](const Resident& other) {
+        cells.for_each_near(body.pose.x, body.pose.z, [&](const Resident& other) {
             if (static_cast<std::size_t>(other.floe) >= free_) return;  // both are fixed
-            const double both = own + bodies_[static_cast<std::size_t>(other.floe)].shape.half_diagonal() + skin_;
-            if ((body.place - Vec2(other.x, other.z)).squaredNorm() < both * both)
-                pairs_.emplace_back(static_cast<std::size_t>(other.floe), number);
+            const double both = body.reach + bodies_[static_cast<std::size_t>(other.floe)].reach + skin_;
+            const Corner apart = body.place() - Corner{other.x, other.z};
+            if (dot(apart, apart) < both * both) pairs_.emplace_back(static_cast<std::size_t>(other.floe), number);
         });
-        cells.insert({body.place.x(), body.place.y(), body.turn, static_cast<int>(number)});
-        places_.push_back(body.place);
+        cells.insert({body.pose.x, body.pose.z, {}, static_cast<int>(number)});
+        places_.push_back(body.place());
     }
     // In order of numbers, so that sweeps have no preferred direction.
     std::ranges::sort(pairs_);

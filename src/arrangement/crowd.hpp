@@ -14,6 +14,7 @@
 
 #include "core/turn.hpp"
 #include "core/vector.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
 
@@ -116,17 +117,15 @@ inline double least_half_side(std::span<const Rectangle> shapes) {
 
 // What lies on the water already while other floes are laid beside it.
 
-/// Rectangles or outlines that stay where they are; a pose of each.
-template <class Shape>
+/// Floes that stay where they are; a pose of each outline.
 struct Fixed {
-    std::span<const Shape> shapes;
+    std::span<const Outline> outlines;
     std::span<const PlanarPose> poses;
 };
 
-/// Floes that stay, and others, the first of the shapes, that may be pushed from where they are.
-template <class Shape>
+/// Floes that stay, and others, the first of the outlines, that may be pushed from where they are.
 struct Beside {
-    Fixed<Shape> fixed;
+    Fixed fixed;
     std::span<const PlanarPose> loose;
     double from = 0;   ///< x: the middles of the other floes are thrown anywhere from here to the far wall, m
     double again = 0;  ///< x: and of any that does not fit from here, m
@@ -248,70 +247,76 @@ class Cells {
     std::vector<std::size_t> neighbours_begin_;
 };
 
-// Rectangles that overlap and push each other apart: how method scattered makes room for its floes. There is no
+// Convex floes that overlap and push each other apart: how method scattered makes room for its floes. There is no
 // randomness here.
 //
-// Two rectangles overlap by the least of the four depths of the separating-axis test. A sweep takes the pairs one after
-// another (Gauss-Seidel) and removes each overlap by the smallest shift and turn of both that does so, projected as in
+// Two floes overlap by the least of the depths of the separating-axis test. A sweep takes the pairs one after another
+// (Gauss-Seidel) and removes each overlap by the smallest shift and turn of both that does so, projected as in
 // M. Müller et al., "Position based dynamics", J. Vis. Commun. Image R. 18 (2007), and somewhat more. Where the sides
 // are parallel they press on each other in the middle of what they share, so that nothing rocks.
 
 class Crowd {
   public:
-    /// Rectangles between walls, at poses of any overlap, one a shape. Those of `fixed` push and are never pushed.
-    Crowd(const Walls& walls, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses,
-          const Fixed<Rectangle>& fixed = {});
+    /// Outlines about their centroids between walls, at poses of any overlap, one an outline. Those of `fixed` push and
+    /// are never pushed.
+    Crowd(const Walls& walls, std::span<const Outline> outlines, std::span<const PlanarPose> poses,
+          const Fixed& fixed = {});
 
-    /// Pushes every overlapping pair apart once, then every rectangle inside the walls. Returns the largest overlap
-    /// that it met, m.
+    /// Pushes every overlapping pair apart once, then every floe inside the walls. Returns the largest overlap that it
+    /// met, m.
     double sweep();
 
-    /// The largest overlap with another rectangle or a wall as they lie now, m; 0 if there is none. Valid after sweeps
-    /// that moved nothing far.
+    /// The largest overlap with another floe or a wall as they lie now, m; 0 if there is none. Valid after sweeps that
+    /// moved nothing far.
     double deepest() const;
 
-    /// Sum of the overlaps of each rectangle, m. As valid as deepest().
+    /// Sum of the overlaps of each floe, m. As valid as deepest().
     std::vector<double> overlaps() const;
 
-    /// Sum of the overlaps that a rectangle would have with the others at a pose, m.
-    double overlap_at(std::size_t rectangle, const PlanarPose& pose) const;
+    /// Sum of the overlaps that a floe would have with the others at a pose, m.
+    double overlap_at(std::size_t floe, const PlanarPose& pose) const;
 
-    void put(std::size_t rectangle, const PlanarPose& pose);
+    void put(std::size_t floe, const PlanarPose& pose);
 
     /// Where they lie. Yaw in [-pi, pi].
     std::vector<PlanarPose> poses() const;
 
   private:
     struct Body {
-        Rectangle shape;
-        double weight = 1;       // how readily it moves: the first one's area over its own
+        Outline own;                         // in its own axes
+        std::optional<Rectangle> rectangle;  // that it is, where all are
+        double reach = 0;
+        double weight = 0;       // how readily it moves: the first one's area over its own; 0 of one that is fixed
         double turn_weight = 0;  // turn (rad) that counts as much as a shift of 1 m, squared
-        double yaw = 0;
-        Turn turn;
-        Vec2 place = Vec2::Zero();  // (x, z)
+        PlanarPose pose;
+        Turn turn{};
+        Outline corners;  // where they are, from its centroid, unless a rectangle
 
-        TurnedRectangle turned() const { return {shape, turn}; }
-        void lie(const PlanarPose& pose);
+        Corner place() const { return {pose.x, pose.z}; }
+        void lie(const PlanarPose& at);
+        void shift(const Corner& arm, const Corner& normal, double push);
     };
     struct Contact {
         double depth;
-        Vec2 normal;      // in which the second is to move
-        Vec2 arm_first;   // from the middle of each to where they press
-        Vec2 arm_second;  // 0 for a wall
+        Corner normal;      // in which the second is to move
+        Corner arm_first;   // from the middle of each to where they press
+        Corner arm_second;  // 0 for a wall
     };
-    std::optional<Contact> contact(const Body& first, const Body& second) const;
-    std::optional<Contact> contact(const Body& body, const Vec2& wall_normal) const;
+    Body& add(const Outline& outline, bool as_rectangle, const PlanarPose& pose);
+    static std::optional<Contact> contact(const Body& first, const Body& second);
+    static std::optional<Contact> contact_of_rectangles(const Body& first, const Body& second);
+    std::optional<Contact> contact(const Body& body, const Corner& wall_normal) const;
     template <class See>
     void for_each_overlap(const See& see) const;
     bool neighbours_are_old() const;
     void find_neighbours();
 
     Walls walls_;
-    double diagonal_;   // of the largest, m
-    double skin_;       // m, in which neighbours are found beyond those that can touch
-    std::size_t free_;  // so many bodies, the first, can be pushed
+    double widest_ = 0;     // the largest reach, m
+    double skin_ = 0;       // m, in which neighbours are found beyond those that can touch
+    std::size_t free_ = 0;  // so many bodies, the first, can be pushed
     std::vector<Body> bodies_;
-    std::vector<Vec2> places_;  // of the bodies when neighbours were found
+    std::vector<Corner> places_;  // of the bodies when neighbours were found
     std::vector<std::pair<std::size_t, std::size_t>> pairs_;
 };
 

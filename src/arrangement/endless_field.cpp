@@ -107,33 +107,16 @@ constexpr double waiting_diagonals = 4;
 /// Part number of the draws of the floes that wait when nothing is laid yet; no field has so many parts.
 constexpr std::uint64_t first_waiting = 1U << 31U;
 
-/// For a polygon, twice as far as it reaches from its centroid.
-double diagonal(const SingleFloe& floe) {
-    if (floe.shape.is_polygon()) return 2 * reach_of(floe.shape.outline);
-    return std::hypot(floe.shape.length, floe.shape.breadth);
-}
-
+/// Twice as far as a floe reaches from its centroid, at most.
 double largest_diagonal(std::span<const SingleFloe> floes) {
     double largest = 0;
-    for (const SingleFloe& floe : floes) largest = std::max(largest, diagonal(floe));
+    for (const SingleFloe& floe : floes) largest = std::max(largest, 2 * reach_of(floe.shape.corners()));
     return largest;
 }
 
-template <class Shape>
-Shape outline_of(const FloeShape& shape);
-template <>
-Rectangle outline_of(const FloeShape& shape) {
-    return {0.5 * shape.length, 0.5 * shape.breadth};
-}
-template <>
-Outline outline_of(const FloeShape& shape) {
-    return shape.outline;
-}
-
-template <class Shape>
-std::vector<Shape> outlines(std::span<const SingleFloe> floes) {
-    std::vector<Shape> found;
-    for (const SingleFloe& floe : floes) found.push_back(outline_of<Shape>(floe.shape));
+std::vector<Outline> outlines_of(std::span<const SingleFloe> floes) {
+    std::vector<Outline> found;
+    for (const SingleFloe& floe : floes) found.push_back(floe.shape.corners());
     return found;
 }
 
@@ -171,13 +154,12 @@ struct Laying {
     double clearance = 0;
 };
 
-template <class Shape>
 std::vector<PlanarPose> poses_beside(const Laying& of, RandomStream& random) {
-    const std::vector<Shape> shapes = outlines<Shape>(of.floes);
-    if (of.laid.empty()) return scattered(of.walls, shapes, of.clearance, random);
-    const std::vector<Shape> fixed = outlines<Shape>(of.laid);
+    const std::vector<Outline> outlines = outlines_of(of.floes);
+    if (of.laid.empty()) return scattered(of.walls, outlines, of.clearance, random);
+    const std::vector<Outline> fixed = outlines_of(of.laid);
     const std::vector<PlanarPose> poses = poses_of(of.laid);
-    return scattered_beside(of.walls, shapes, {{fixed, poses}, of.loose, of.from, of.again}, of.clearance, random);
+    return scattered_beside(of.walls, outlines, {{fixed, poses}, of.loose, of.from, of.again}, of.clearance, random);
 }
 
 }  // namespace
@@ -227,10 +209,8 @@ FieldPart EndlessField::next() {
     RandomStream random(seed_, number_, StreamId::scattering, key);
     const double from = wall - diagonals_at_the_wall * reach;
     const std::vector<PlanarPose> loose = shaken(before, {end_, from}, reach, random);
-    const Laying laying{walls, floes, laid_, loose, from, end_, clearance};
-    const bool polygons = scenario_.shapes.any();
     const std::vector<PlanarPose> poses =
-        polygons ? poses_beside<Outline>(laying, random) : poses_beside<Rectangle>(laying, random);
+        poses_beside({walls, floes, laid_, loose, from, end_, clearance}, random);
     for (std::size_t i = 0; i < floes.size(); ++i) floes[i].pose = poses[i];
     std::ranges::stable_sort(floes, {}, [](const SingleFloe& floe) { return floe.pose.x; });
 
@@ -239,10 +219,7 @@ FieldPart EndlessField::next() {
     end_ = 0.5 * (floes[static_cast<std::size_t>(stay) - 1].pose.x + waiting_.front().pose.x);
     floes.resize(static_cast<std::size_t>(stay));
     laid_.insert(laid_.end(), floes.begin(), floes.end());
-    const std::vector<PlanarPose> all = poses_of(laid_);
-    expect_none(polygons ? nearness_fault(walls, outlines<Outline>(laid_), all, clearance)
-                         : nearness_fault(walls, outlines<Rectangle>(laid_), all, clearance),
-                part, number_);
+    expect_none(nearness_fault(walls, outlines_of(laid_), poses_of(laid_), clearance), part, number_);
     return {std::move(floes), end_};
 }
 

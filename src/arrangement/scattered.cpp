@@ -11,7 +11,6 @@
 #include <string>
 
 #include "arrangement/crowd.hpp"
-#include "arrangement/polygon_crowd.hpp"
 #include "core/error.hpp"
 
 namespace floes {
@@ -48,23 +47,15 @@ std::vector<std::size_t> most_pressed(const Crowd& crowd) {
     return floes;
 }
 
-double reach(const Rectangle& shape) {
-    return shape.half_diagonal();
-}
-double reach(const Outline& shape) {
-    return reach_of(shape);
-}
-
 /// With mixed sizes, the smallest of the floes that overlap most, where it overlaps least among many throws: a pocket
 /// that a small floe fills loosens the rest, and large floes stay as they were thrown.
-template <class AnyCrowd, class Shape>
-void fill_a_pocket(AnyCrowd& crowd, std::span<const Shape> shapes, const Walls& thrown, RandomStream& random) {
+void fill_a_pocket(Crowd& crowd, std::span<const Outline> outlines, const Walls& thrown, RandomStream& random) {
     const std::vector<double> overlaps = crowd.overlaps();
     std::vector<std::size_t> floes(overlaps.size());
     std::iota(floes.begin(), floes.end(), std::size_t{0});
     std::ranges::stable_sort(floes, std::ranges::greater(), [&](std::size_t floe) { return overlaps[floe]; });
     floes.resize(1 + (floes.size() - 1) / pocket_choice);
-    const std::size_t floe = *std::ranges::min_element(floes, {}, [&](std::size_t i) { return reach(shapes[i]); });
+    const std::size_t floe = *std::ranges::min_element(floes, {}, [&](std::size_t i) { return reach_of(outlines[i]); });
     PlanarPose best = throw_anywhere(thrown, random);
     double least = crowd.overlap_at(floe, best);
     for (int i = 1; i < pocket_throws; ++i) {
@@ -78,12 +69,11 @@ void fill_a_pocket(AnyCrowd& crowd, std::span<const Shape> shapes, const Walls& 
 }
 
 /// Between which walls floes are pushed and thrown, and beside what.
-template <class Shape>
 struct Room {
     Walls walls;
     Walls first;  // where floes are thrown
     Walls again;  // where those are that do not fit
-    Fixed<Shape> fixed;
+    Fixed fixed;
     std::span<const PlanarPose> loose;
 
     std::vector<PlanarPose> poses(std::size_t floes, RandomStream& random) const {
@@ -93,28 +83,24 @@ struct Room {
     }
 };
 
-Crowd crowd_in(const Room<Rectangle>& room, std::span<const Rectangle> shapes, RandomStream& random) {
-    return {room.walls, shapes, room.poses(shapes.size(), random), room.fixed};
-}
-PolygonCrowd crowd_in(const Room<Outline>& room, std::span<const Outline> shapes, RandomStream& random) {
-    return {room.walls, shapes, room.poses(shapes.size(), random), room.fixed};
+Crowd crowd_in(const Room& room, std::span<const Outline> outlines, RandomStream& random) {
+    return {room.walls, outlines, room.poses(outlines.size(), random), room.fixed};
 }
 
-template <class Shape>
-std::optional<std::vector<PlanarPose>> attempt_mixed(const Room<Shape>& room, std::span<const Shape> shapes,
-                                                     double margin, RandomStream& random) {
-    auto crowd = crowd_in(room, shapes, random);
+std::optional<std::vector<PlanarPose>> attempt_mixed(const Room& room, std::span<const Outline> outlines, double margin,
+                                                     RandomStream& random) {
+    Crowd crowd = crowd_in(room, outlines, random);
     for (int round = 0; round < pocket_rounds; ++round) {
         for (int sweep = 0; sweep < pocket_sweeps; ++sweep)
             if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
-        fill_a_pocket(crowd, shapes, room.again, random);
+        fill_a_pocket(crowd, outlines, room.again, random);
     }
     return {};
 }
 
-std::optional<std::vector<PlanarPose>> attempt_alike(const Room<Rectangle>& room, std::span<const Rectangle> shapes,
-                                                     double margin, RandomStream& random) {
-    Crowd crowd = crowd_in(room, shapes, random);
+std::optional<std::vector<PlanarPose>> attempt_alike(const Room& room, std::span<const Outline> outlines, double margin,
+                                                     RandomStream& random) {
+    Crowd crowd = crowd_in(room, outlines, random);
     for (int round = 0; round < rounds; ++round) {
         for (int sweep = 0; sweep < sweeps_per_round; ++sweep)
             if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
@@ -125,68 +111,53 @@ std::optional<std::vector<PlanarPose>> attempt_alike(const Room<Rectangle>& room
     return {};
 }
 
-/// Floes of one size are thrown again where they are wedged, of others the smallest fills a pocket.
-std::optional<std::vector<PlanarPose>> attempt(const Room<Rectangle>& room, std::span<const Rectangle> shapes,
-                                               double margin, RandomStream& random) {
-    const bool mixed = std::ranges::any_of(shapes, [&](const Rectangle& one) { return one != shapes.front(); });
-    return mixed ? attempt_mixed(room, shapes, margin, random) : attempt_alike(room, shapes, margin, random);
-}
-std::optional<std::vector<PlanarPose>> attempt(const Room<Outline>& room, std::span<const Outline> shapes,
-                                               double margin, RandomStream& random) {
-    return attempt_mixed(room, shapes, margin, random);
-}
-
-double half_width(const Rectangle& shape) {
-    return std::min(shape.half_length, shape.half_breadth);
-}
-double half_width(const Outline& shape) {
-    return inner_radius(shape);
-}
-
-Rectangle enlarged(const Rectangle& shape, double clearance, double margin) {
-    return shape.grown(0.5 * clearance).grown(margin);
-}
-Outline enlarged(const Outline& shape, double clearance, double margin) {
-    return grown(shape, 0.5 * clearance + margin);
+/// Rectangles of one size are thrown again where they are wedged, of others the smallest fills a pocket.
+std::optional<std::vector<PlanarPose>> attempt(const Room& room, std::span<const Outline> outlines, double margin,
+                                               RandomStream& random) {
+    const bool alike = is_rectangle(outlines.front()) && std::ranges::all_of(outlines, [&](const Outline& one) {
+                           return one == outlines.front();
+                       });
+    return alike ? attempt_alike(room, outlines, margin, random) : attempt_mixed(room, outlines, margin, random);
 }
 
 /// a_part: of a field without end, which takes no other method.
-std::string refusal(const Walls& walls, std::span<const Rectangle> shapes, double clearance, bool a_part) {
-    const Rectangle largest = covering(shapes);
-    return fmt::format(
-        "{} floes of {} m x {} m, scattered in a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at "
-        "pushing them apart to a clearance of {} m; lower field.concentration_percent or the clearance{}",
-        shapes.size(), 2 * largest.half_length, 2 * largest.half_breadth, walls.length, walls.breadth, attempts,
-        clearance,
-        a_part ? "" : ", or use arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense");
-}
-std::string refusal(const Walls& walls, std::span<const Outline> outlines, double clearance, bool) {
+std::string refusal(const Walls& walls, std::span<const Outline> outlines, double clearance, bool a_part) {
+    const bool rectangles = std::ranges::all_of(outlines, is_rectangle);
+    Corner largest;
     double area = 0;
-    for (const Outline& one : outlines) area += area_of(one);
+    for (const Outline& one : outlines) {
+        largest = {std::max(largest.x, size_of(one).x), std::max(largest.z, size_of(one).z)};
+        area += area_of(one);
+    }
+    const std::string floes =
+        rectangles ? fmt::format("{} floes of {} m x {} m, scattered in", outlines.size(), largest.x, largest.z)
+                   : fmt::format("{} polygons that cover {:.3g} % of", outlines.size(),
+                                 100 * area / (walls.length * walls.breadth));
+    const char* other =
+        !rectangles ? ", or take shapes.kind = \"voronoi\", whose cells fit at any concentration"
+        : a_part    ? ""
+                    : ", or use arrangement.method = \"monte_carlo\", whose floes lie in rows where they are dense";
     return fmt::format(
-        "{} polygons that cover {:.3g} % of a field of {:.3f} m x {:.3f} m still overlap after {} attempts at pushing "
-        "them apart to a clearance of {} m; lower field.concentration_percent or the clearance, or take "
-        "shapes.kind = \"voronoi\", whose cells fit at any concentration",
-        outlines.size(), 100 * area / (walls.length * walls.breadth), walls.length, walls.breadth, attempts, clearance);
+        "{} a field of {:.3f} m x {:.3f} m, still overlap after {} attempts at pushing them apart to a clearance of {} "
+        "m; lower field.concentration_percent or the clearance{}",
+        floes, walls.length, walls.breadth, attempts, clearance, other);
 }
 
 /// Thrown and pushed until none overlap.
-template <class Shape>
-std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Shape> shapes,
-                                     const std::optional<Beside<Shape>>& beside, double clearance,
-                                     RandomStream& random) {
+std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Outline> outlines,
+                                     const std::optional<Beside>& beside, double clearance, RandomStream& random) {
     // Floes are enlarged by this margin and come to rest with overlaps below it, so the true floes do not overlap.
     double margin = std::numeric_limits<double>::infinity();
-    for (const Shape& shape : shapes) margin = std::min(margin, 1e-4 * half_width(shape));
-    const auto enlarge_all = [&](std::span<const Shape> given) {
-        std::vector<Shape> larger;
-        for (const Shape& shape : given) larger.push_back(enlarged(shape, clearance, margin));
+    for (const Outline& one : outlines) margin = std::min(margin, 1e-4 * inner_radius(one));
+    const auto enlarge_all = [&](std::span<const Outline> given) {
+        std::vector<Outline> larger;
+        for (const Outline& one : given) larger.push_back(grown(grown(one, 0.5 * clearance), margin));
         return larger;
     };
-    const std::vector<Shape> larger = enlarge_all(shapes);
-    const std::vector<Shape> fixed = beside ? enlarge_all(beside->fixed.shapes) : std::vector<Shape>{};
+    const std::vector<Outline> larger = enlarge_all(outlines);
+    const std::vector<Outline> fixed = beside ? enlarge_all(beside->fixed.outlines) : std::vector<Outline>{};
     const Walls inner = walls.shrunk(0.5 * clearance);
-    Room<Shape> room{inner, inner, inner, {}, {}};
+    Room room{inner, inner, inner, {}, {}};
     if (beside) {
         const auto beyond = [&](double x) {
             return Walls{x, inner.low_z, inner.low_x + inner.length - x, inner.breadth};
@@ -194,30 +165,20 @@ std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Shape> 
         room = {inner, beyond(beside->from), beyond(beside->again), {fixed, beside->fixed.poses}, beside->loose};
     }
     for (int i = 0; i < attempts; ++i)
-        if (const auto poses = attempt(room, std::span<const Shape>(larger), margin, random)) return *poses;
-    throw InputError(refusal(walls, shapes, clearance, beside.has_value()));
+        if (const auto poses = attempt(room, larger, margin, random)) return *poses;
+    throw InputError(refusal(walls, outlines, clearance, beside.has_value()));
 }
 
 }  // namespace
 
-std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
-                                  RandomStream& random) {
-    return pushed_apart<Rectangle>(walls, shapes, {}, clearance, random);
-}
-
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
                                   RandomStream& random) {
-    return pushed_apart<Outline>(walls, outlines, {}, clearance, random);
+    return pushed_apart(walls, outlines, {}, clearance, random);
 }
 
-std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Rectangle> shapes,
-                                         const Beside<Rectangle>& beside, double clearance, RandomStream& random) {
-    return pushed_apart<Rectangle>(walls, shapes, beside, clearance, random);
-}
-
-std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Outline> outlines,
-                                         const Beside<Outline>& beside, double clearance, RandomStream& random) {
-    return pushed_apart<Outline>(walls, outlines, beside, clearance, random);
+std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Outline> outlines, const Beside& beside,
+                                         double clearance, RandomStream& random) {
+    return pushed_apart(walls, outlines, beside, clearance, random);
 }
 
 }  // namespace floes

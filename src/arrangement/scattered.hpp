@@ -1,5 +1,5 @@
 #pragma once
-// A disordered field: rectangles thrown on the water anywhere and at any angle, then pushed apart until none overlap.
+// A disordered field: floes thrown on the water anywhere and at any angle, then pushed apart until none overlap.
 
 #include <span>
 #include <vector>
@@ -11,19 +11,13 @@
 
 namespace floes {
 
-/// A pose of each shape, at least clearance (m) apart and from the walls. Throws InputError if they do not come to rest
-/// in any of ten attempts.
-std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
-                                  RandomStream& random);
-
-/// The same of convex polygons, about their centroids.
+/// A pose of each convex outline, about its centroid, at least clearance (m) apart and from the walls. Throws InputError
+/// if they do not come to rest in any of ten attempts.
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
                                   RandomStream& random);
 
 /// The same beside what lies already.
-std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Rectangle> shapes,
-                                         const Beside<Rectangle>& beside, double clearance, RandomStream& random);
-std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Outline> outlines,
-                                         const Beside<Outline>& beside, double clearance, RandomStream& random);
+std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Outline> outlines, const Beside& beside,
+                                         double clearance, RandomStream& random);
 
 }  // namespace floes

@@ -163,6 +163,7 @@ double separation(Corners a, Corners b) {
 
 double inner_radius(Corners polygon) {
     FLOES_EXPECTS(polygon.size() >= 3);
+    if (const auto half = half_sides_of(polygon)) return std::min(half->x, half->z);
     double low = 0;
     double high = reach_of(in_axes(polygon, measures_of(polygon).centroid, {1, 0}));
     const double exact = 1e-6 * high;
@@ -184,6 +185,13 @@ Outline corners_of(double half_length, double half_breadth) {
             {half_length, half_breadth},
             {-half_length, half_breadth},
             {-half_length, -half_breadth}};
+}
+
+std::optional<Corner> half_sides_of(Corners polygon) {
+    if (polygon.size() != 4) return std::nullopt;
+    const Corner half = polygon[1];
+    if (!std::ranges::equal(polygon, corners_of(half.x, half.z))) return std::nullopt;
+    return half;
 }
 
 Corner size_of(Corners polygon) {

@@ -90,7 +90,7 @@ bool contains(Corners polygon, const Corner& point);
 double separation(Corners a, Corners b);
 
 /// Least distance of a point within from the edges, at its largest: half the breadth of the widest circle, to 1e-6 of
-/// the polygon's size.
+/// the polygon's size; exact for corners_of().
 double inner_radius(Corners polygon);
 
 /// Largest distance of a corner from the origin.
@@ -98,6 +98,12 @@ double reach_of(Corners polygon);
 
 /// The corners of a rectangle about its middle; its edges are those at +x, +z, -x and -z.
 Outline corners_of(double half_length, double half_breadth);
+
+/// Half the sides along x and z of corners that are exactly those of corners_of(); nothing of others.
+std::optional<Corner> half_sides_of(Corners polygon);
+inline bool is_rectangle(Corners polygon) {
+    return half_sides_of(polygon).has_value();
+}
 
 /// Extents along x and z.
 Corner size_of(Corners polygon);

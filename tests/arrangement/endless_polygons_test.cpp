@@ -10,7 +10,7 @@
 #include "arrangement/check.hpp"
 #include "arrangement/endless_field.hpp"
 #include "arrangement/order.hpp"
-#include "arrangement/polygon_crowd.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/error.hpp"
 #include "scattered_scenario.hpp"
 #include "shapes/polygon.hpp"
@@ -172,11 +172,11 @@ TEST(EndlessPolygons, EachPartHasWeakFloesOfItsOwn) {
 }
 
 /// A polygon that is fixed stays, and pushes the other as far as two that move part together.
-TEST(PolygonCrowd, PushesOneFromOneThatIsFixed) {
+TEST(Crowd, PushesOneFromOneThatIsFixed) {
     const std::vector<Outline> square{{{-0.2, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {-0.2, 0.2}}};
     const std::vector<PlanarPose> at{{0.3, 0, 0}};
     const std::vector<PlanarPose> lies{{0, 0, 0}};
-    PolygonCrowd crowd({-5, -5, 10, 10}, square, at, {square, lies});
+    Crowd crowd({-5, -5, 10, 10}, square, at, {square, lies});
     EXPECT_NEAR(crowd.deepest(), 0.1, 1e-12);
     EXPECT_NEAR(crowd.overlaps().front(), 0.1, 1e-12);
     crowd.sweep();

@@ -7,7 +7,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
-#include "arrangement/polygon_crowd.hpp"
+#include "arrangement/crowd.hpp"
 #include "core/error.hpp"
 #include "scattered_scenario.hpp"
 
@@ -65,10 +65,10 @@ TEST(Polygons, TooDenseIsASentence) {
 }
 
 /// Two triangles that overlap part by a shift that the deeper normal says.
-TEST(PolygonCrowd, PartsTwoThatOverlap) {
+TEST(Crowd, PartsTwoThatOverlap) {
     const Outline triangle{{-0.2, -0.1}, {0.2, -0.1}, {0, 0.2}};
     const std::vector<Outline> two{triangle, triangle};
-    PolygonCrowd crowd({-5, -5, 10, 10}, two, std::vector<PlanarPose>{{0, 0, 0}, {0.1, 0.05, 2}});
+    Crowd crowd({-5, -5, 10, 10}, two, std::vector<PlanarPose>{{0, 0, 0}, {0.1, 0.05, 2}});
     EXPECT_GT(crowd.deepest(), 0.01);
     int sweeps = 0;
     while (crowd.sweep() > 0) ASSERT_LT(++sweeps, 100);
