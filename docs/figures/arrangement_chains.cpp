@@ -27,12 +27,13 @@ using namespace floes;
 struct Channel {
     Scenario scenario;
     Walls walls = field_walls(scenario);
-    Rectangle shape = floe_shape(scenario);
+    Rectangle shape = rectangles(floes_of(scenario)).front();
     double clearance = scenario.arrangement.clearance;
     int count = scenario.field.floes;
 
-    HardRectangles<Walls> chain(const std::vector<PlanarPose>& poses) const {
-        return {walls.shrunk(clearance), shape, clearance, poses};
+    HardFloes<Walls> chain(const std::vector<PlanarPose>& poses) const {
+        return {walls.shrunk(clearance), std::vector(poses.size(), corners_of(shape.half_length, shape.half_breadth)),
+                clearance, poses};
     }
 };
 
@@ -59,9 +60,9 @@ void follow(const Channel& channel, const char* start_name, const std::vector<Pl
             int sweeps) {
     const auto name = [&](int sweep) { return fmt::format("{},{},{}", start_name, number, sweep); };
     RandomStream random(1, number, StreamId::monte_carlo, digest64(start_name));
-    HardRectangles tuned = channel.chain(lattice_start(channel.walls, channel.shape, channel.clearance, channel.count));
+    HardFloes tuned = channel.chain(lattice_start(channel.walls, channel.shape, channel.clearance, channel.count));
     const Step step = tune(tuned, random);
-    HardRectangles floes = channel.chain(start);
+    HardFloes floes = channel.chain(start);
     print_state(channel, name(0), floes.poses());
     if (number == 0) print_poses(name(0), floes.poses());
     double next = 100;

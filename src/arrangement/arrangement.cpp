@@ -26,43 +26,9 @@ namespace {
 
 using Rectangles = std::span<const Rectangle>;
 
-std::vector<Outline> outlines_of(Rectangles shapes) {
-    std::vector<Outline> found;
-    for (const Rectangle& one : shapes) found.push_back(corners_of(one.half_length, one.half_breadth));
-    return found;
-}
-
 std::vector<PlanarPose> lattice_for(const Scenario& scenario, Rectangles shapes) {
     return lattice_start(field_walls(scenario), covering(shapes), scenario.arrangement.clearance,
                          static_cast<int>(shapes.size()));
-}
-
-/// Floes of mixed sizes begin where they were scattered: dense ones fit on no lattice of cells for the largest.
-std::vector<PlanarPose> monte_carlo_of_mixed(const Scenario& scenario, Rectangles shapes, RandomStream random) {
-    const ArrangementRule& rule = scenario.arrangement;
-    const Walls walls = field_walls(scenario);
-    HardRectangles floes(walls.shrunk(rule.clearance), shapes, rule.clearance,
-                         scattered(walls, outlines_of(shapes), rule.clearance, random));
-    const Step step = tune(floes, random);
-    for (int i = 0; i < rule.sweeps; ++i) floes.sweep(step, random);
-    return floes.poses();
-}
-
-std::vector<PlanarPose> monte_carlo(const Scenario& scenario, Rectangles shapes, RandomStream random) {
-    if (scenario.sizes.law != SizeLaw::one) return monte_carlo_of_mixed(scenario, shapes, random);
-    const ArrangementRule& rule = scenario.arrangement;
-    const Walls walls = field_walls(scenario);
-    const auto begin_at = [&](const std::vector<PlanarPose>& poses) {
-        return HardRectangles(walls.shrunk(rule.clearance), shapes, rule.clearance, poses);
-    };
-    // The step is tuned on the lattice, for any start: tuned on packed stripes it would be too short to leave them.
-    HardRectangles floes = begin_at(lattice_for(scenario, shapes));
-    const Step step = tune(floes, random);
-    if (rule.start == ArrangementStart::stripes) {
-        floes = begin_at(stripes_start(walls, covering(shapes), rule.clearance, static_cast<int>(shapes.size())));
-    }
-    for (int i = 0; i < rule.sweeps; ++i) floes.sweep(step, random);
-    return floes.poses();
 }
 
 std::vector<PlanarPose> lattice(const Scenario& scenario, Rectangles shapes, RandomStream random) {
@@ -77,75 +43,68 @@ std::uint64_t unordered_key(const Scenario& scenario) {
     return geometry_key(unordered);
 }
 
-std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, Rectangles shapes, std::uint64_t seed,
-                                              std::uint32_t number) {
-    const ArrangementRule& rule = scenario.arrangement;
-    const Walls walls = field_walls(scenario);
-    const std::uint64_t geometry = unordered_key(scenario);
-    RandomStream scattering(seed, number, StreamId::scattering, geometry);
-    std::vector<PlanarPose> poses = scattered(walls, outlines_of(shapes), rule.clearance, scattering);
-    if (rule.ordering_sweeps == 0) return poses;
-    RandomStream ordering(seed, number, StreamId::ordering, geometry);
-    const Walls room = walls.shrunk(rule.clearance);
-    HardRectangles floes(room, shapes, rule.clearance, poses);
-    // The step of method monte_carlo, which is tuned on the lattice; of mixed sizes, where they are.
-    HardRectangles tuned = scenario.sizes.law != SizeLaw::one
-                               ? floes
-                               : HardRectangles(room, shapes, rule.clearance, lattice_for(scenario, shapes));
-    const Step step = tune(tuned, ordering);
-    for (int i = 0; i < rule.ordering_sweeps; ++i) floes.sweep(step, ordering);
-    return floes.poses();
+/// Cells of a Voronoi diagram have their places, other floes are scattered.
+std::vector<PlanarPose> laid(const Scenario& scenario, const FloeSet& floes, RandomStream& random) {
+    if (scenario.shapes.kind == ShapeKind::voronoi) return floes.poses();
+    return scattered(field_walls(scenario), outlines_of(floes), scenario.arrangement.clearance, random);
 }
 
-std::vector<PlanarPose> find_poses(const Scenario& scenario, Rectangles shapes, std::uint64_t seed,
+HardFloes<Walls> chain_from(const Scenario& scenario, const FloeSet& floes, std::span<const PlanarPose> poses) {
+    const double clearance = scenario.arrangement.clearance;
+    return {field_walls(scenario).shrunk(clearance), outlines_of(floes), clearance, poses};
+}
+
+/// Whether all floes are rectangles of one size. A chain of these is tuned on the lattice, for any start: tuned on
+/// packed stripes its step would be too short to leave them. Other floes may fit on no lattice.
+bool fit_on_lattice(const Scenario& scenario) {
+    return scenario.sizes.law == SizeLaw::one && !scenario.shapes.any();
+}
+
+std::vector<PlanarPose> monte_carlo(const Scenario& scenario, const FloeSet& floes, RandomStream random) {
+    const ArrangementRule& rule = scenario.arrangement;
+    const bool alike = fit_on_lattice(scenario);
+    HardFloes chain =
+        chain_from(scenario, floes, alike ? lattice_for(scenario, rectangles(floes)) : laid(scenario, floes, random));
+    const Step step = tune(chain, random);
+    if (alike && rule.start == ArrangementStart::stripes)
+        chain = chain_from(scenario, floes,
+                           stripes_start(field_walls(scenario), covering(rectangles(floes)), rule.clearance,
+                                         static_cast<int>(floes.size())));
+    for (int i = 0; i < rule.sweeps; ++i) chain.sweep(step, random);
+    return chain.poses();
+}
+
+std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, const FloeSet& floes, std::uint64_t seed,
+                                              std::uint32_t number) {
+    const std::uint64_t geometry = unordered_key(scenario);
+    RandomStream scattering(seed, number, StreamId::scattering, geometry);
+    std::vector<PlanarPose> poses = laid(scenario, floes, scattering);
+    if (scenario.arrangement.ordering_sweeps == 0) return poses;
+    RandomStream ordering(seed, number, StreamId::ordering, geometry);
+    HardFloes chain = chain_from(scenario, floes, poses);
+    // Tuning takes a thousand sweeps, which are none of those that were asked for.
+    HardFloes tuned =
+        fit_on_lattice(scenario) ? chain_from(scenario, floes, lattice_for(scenario, rectangles(floes))) : chain;
+    const Step step = tune(tuned, ordering);
+    for (int i = 0; i < scenario.arrangement.ordering_sweeps; ++i) chain.sweep(step, ordering);
+    return chain.poses();
+}
+
+std::vector<PlanarPose> find_poses(const Scenario& scenario, const FloeSet& floes, std::uint64_t seed,
                                    std::uint32_t number) {
     const std::uint64_t geometry = geometry_key(scenario);
     switch (scenario.arrangement.method) {
         case ArrangementMethod::file:
         case ArrangementMethod::traced:
-            return scenario.arrangement.poses;
+            return floes.poses();
         case ArrangementMethod::lattice:
-            return lattice(scenario, shapes, RandomStream(seed, number, StreamId::lattice_jitter, geometry));
+            return lattice(scenario, rectangles(floes), RandomStream(seed, number, StreamId::lattice_jitter, geometry));
         case ArrangementMethod::scattered:
-            return scattered_and_ordered(scenario, shapes, seed, number);
+            return scattered_and_ordered(scenario, floes, seed, number);
         case ArrangementMethod::monte_carlo:
             break;
     }
-    return monte_carlo(scenario, shapes, RandomStream(seed, number, StreamId::monte_carlo, geometry));
-}
-
-/// A chain of hard polygons from where they are, of which the step is tuned.
-std::vector<PlanarPose> moved_on(const Scenario& scenario, std::span<const Outline> outlines,
-                                 std::span<const PlanarPose> start, int sweeps, RandomStream& random) {
-    const double clearance = scenario.arrangement.clearance;
-    HardPolygons floes(field_walls(scenario).shrunk(clearance), outlines, clearance, start);
-    const Step step = tune(floes, random);
-    for (int i = 0; i < sweeps; ++i) floes.sweep(step, random);
-    return floes.poses();
-}
-
-/// Cells of a Voronoi diagram and floes that lie as traced have their places already, other polygons are scattered;
-/// Monte Carlo goes on from there.
-std::vector<PlanarPose> poses_of_polygons(const Scenario& scenario, const FloeSet& floes, std::uint64_t seed,
-                                          std::uint32_t number) {
-    const ArrangementRule& rule = scenario.arrangement;
-    if (rule.given()) return floes.poses();
-    const std::vector<Outline> outlines = outlines_of(floes);
-    const auto laid = [&](RandomStream& random) {
-        if (scenario.shapes.kind == ShapeKind::voronoi) return floes.poses();
-        return scattered(field_walls(scenario), outlines, rule.clearance, random);
-    };
-    if (rule.method == ArrangementMethod::monte_carlo) {
-        RandomStream random(seed, number, StreamId::monte_carlo, geometry_key(scenario));
-        const std::vector<PlanarPose> start = laid(random);
-        return moved_on(scenario, outlines, start, rule.sweeps, random);
-    }
-    const std::uint64_t geometry = unordered_key(scenario);
-    RandomStream scattering(seed, number, StreamId::scattering, geometry);
-    const std::vector<PlanarPose> poses = laid(scattering);
-    if (rule.ordering_sweeps == 0) return poses;
-    RandomStream ordering(seed, number, StreamId::ordering, geometry);
-    return moved_on(scenario, outlines, poses, rule.ordering_sweeps, ordering);
+    return monte_carlo(scenario, floes, RandomStream(seed, number, StreamId::monte_carlo, geometry));
 }
 
 /// Every floe's sides, in the order of the law.
@@ -219,8 +178,7 @@ double coverage_ahead(const Scenario& scenario, const FloeSet& floes) {
 Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
     if (scenario.field.endless()) return lay_field(scenario, seed, number).floes;
     Arrangement made{floes_of(scenario, {seed, number})};
-    const std::vector<PlanarPose> poses = scenario.shapes.any() ? poses_of_polygons(scenario, made, seed, number)
-                                                                : find_poses(scenario, rectangles(made), seed, number);
+    const std::vector<PlanarPose> poses = find_poses(scenario, made, seed, number);
     for (std::size_t i = 0; i < poses.size(); ++i) made.floes[i].pose = poses[i];
     if (const std::optional<Fault> fault = find_fault(scenario, made)) {
         if (scenario.arrangement.given()) {

@@ -207,10 +207,7 @@ Corner as_corner(const Vec2& at) {
 void Crowd::Body::lie(const PlanarPose& at) {
     pose = at;
     turn = turn_of(at.yaw);
-    if (rectangle) return;
-    corners.clear();
-    for (const Corner& one : own)
-        corners.push_back({one.x * turn.cos + one.z * turn.sin, one.z * turn.cos - one.x * turn.sin});
+    if (!rectangle) turn_corners(own, turn, corners);
 }
 
 void Crowd::Body::shift(const Corner& arm, const Corner& normal, double push) {
@@ -369,10 +366,9 @@ std::optional<Crowd::Contact> Crowd::contact_of_rectangles(const Body& first, co
 }
 
 std::optional<Crowd::Contact> Crowd::contact(const Body& body, const Corner& wall_normal) const {
-    const Corner arm =
-        body.rectangle
-            ? as_corner(corner(*body.rectangle, body.turn, -as_vector(wall_normal)))
-            : *std::ranges::min_element(body.corners, {}, [&](const Corner& p) { return dot(wall_normal, p); });
+    const Corner arm = body.rectangle ? as_corner(corner(*body.rectangle, body.turn, -as_vector(wall_normal)))
+                                      : *std::ranges::min_element(body.corners, {},
+                                                                  [&](const Corner& p) { return dot(wall_normal, p); });
     const Corner edge{wall_normal.x > 0 ? walls_.low_x : walls_.low_x + walls_.length,
                       wall_normal.z > 0 ? walls_.low_z : walls_.low_z + walls_.breadth};
     const double depth = dot(wall_normal, edge - body.place() - arm);

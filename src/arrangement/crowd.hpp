@@ -108,11 +108,11 @@ inline double widest_reach(std::span<const Rectangle> shapes) {
     return reach;
 }
 
-/// The smallest half side, m; infinite without shapes.
-inline double least_half_side(std::span<const Rectangle> shapes) {
-    double half = std::numeric_limits<double>::infinity();
-    for (const Rectangle& one : shapes) half = std::min({half, one.half_length, one.half_breadth});
-    return half;
+/// The corners of an outline in its own axes, turned.
+inline void turn_corners(Corners own, Turn turn, Outline& corners) {
+    corners.clear();
+    for (const Corner& one : own)
+        corners.push_back({one.x * turn.cos + one.z * turn.sin, one.z * turn.cos - one.x * turn.sin});
 }
 
 // What lies on the water already while other floes are laid beside it.
@@ -135,6 +135,7 @@ struct Beside {
 //   low_x, low_z, length, breadth   the area, m
 //   periodic                        do opposite edges meet?
 //   admits(shape, x, z, turn)       may a rectangle lie there, as far as the edge is concerned?
+//   admits(corners, x, z)           or a floe with these corners about (x, z)?
 //   into(x, z)                      brings a point that left by less than one box back in
 //   nearest(dx, dz)                 the shortest difference between two points of the area that this one stands for
 
@@ -150,6 +151,12 @@ struct Walls {
         const Extent half = extent(shape, turn);
         return x - half.x >= low_x && x + half.x <= low_x + length && z - half.z >= low_z &&
                z + half.z <= low_z + breadth;
+    }
+    bool admits(Corners corners, double x, double z) const {
+        return std::ranges::all_of(corners, [&](const Corner& one) {
+            return x + one.x >= low_x && x + one.x <= low_x + length && z + one.z >= low_z &&
+                   z + one.z <= low_z + breadth;
+        });
     }
     void into(double&, double&) const {}
     void nearest(double&, double&) const {}

@@ -1,8 +1,8 @@
 #pragma once
-// Hard-rectangle Monte Carlo (Metropolis: every arrangement without overlap is equally likely). A trial move shifts and
-// turns one floe uniformly and is accepted if the floe then overlaps nothing. A sweep tries every floe once, in order.
-// The boundary (walls or periodic) is a template parameter: the reference test checks the same code that fills the
-// channel.
+// Monte Carlo of hard convex floes (Metropolis: every arrangement without overlap is equally likely). A trial move
+// shifts and turns one floe uniformly and is accepted if the floe then overlaps nothing. A sweep tries every floe once,
+// in order. The boundary (walls or periodic) is a template parameter: the reference test checks the same code that
+// fills the channel.
 
 #include <algorithm>
 #include <cmath>
@@ -24,23 +24,28 @@ struct Step {
     double turn = 0;
 };
 
+/// Whether two convex polygons overlap, the second's corners moved by `apart`. Touching is not overlap.
+bool overlap(Corners a, Corners b, const Corner& apart);
+
 template <class Boundary>
-class HardRectangles {
+class HardFloes {
   public:
-    /// Rectangles at least clearance (m) apart, starting at `poses`, one a shape, which must not overlap.
-    HardRectangles(const Boundary& boundary, std::span<const Rectangle> shapes, double clearance,
-                   std::span<const PlanarPose> poses)
+    /// Outlines about their centroids at least clearance (m) apart, starting at `poses`, one an outline, which must not
+    /// overlap. boundary: moved inwards by the clearance.
+    HardFloes(const Boundary& boundary, std::span<const Outline> outlines, double clearance,
+              std::span<const PlanarPose> poses)
         : boundary_(boundary),
-          wall_shapes_(shapes.begin(), shapes.end()),
-          shapes_(grown(shapes, 0.5 * clearance)),
-          half_diagonal_(widest_reach(shapes_)),
-          certainly_apart_(4 * half_diagonal_ * half_diagonal_),
-          certainly_overlapping_(4 * square(least_half_side(shapes_))),
+          rectangles_(std::ranges::all_of(outlines, is_rectangle)),
           poses_(poses.begin(), poses.end()),
+          bodies_(bodies_of(outlines, 0.5 * clearance)),
+          half_diagonal_(std::ranges::max(bodies_, {}, &Body::reach).reach),
+          certainly_overlapping_(4 * square(least_half_side(bodies_))),
           cells_({boundary.low_x, boundary.low_z, boundary.length, boundary.breadth, Boundary::periodic},
                  2 * half_diagonal_, poses.size()) {
         for (std::size_t i = 0; i < poses_.size(); ++i) {
-            cells_.insert({poses_[i].x, poses_[i].z, turn_of(poses_[i].yaw), static_cast<int>(i)});
+            const Turn turn = turn_of(poses_[i].yaw);
+            if (!rectangles_) turn_corners(bodies_[i].larger, turn, bodies_[i].corners);
+            cells_.insert({poses_[i].x, poses_[i].z, turn, static_cast<int>(i)});
         }
     }
 
@@ -54,16 +59,37 @@ class HardRectangles {
     /// Where the floes are now. Yaw in [-pi, pi].
     const std::vector<PlanarPose>& poses() const { return poses_; }
 
-    /// Reach of the largest rectangle, with half the clearance round it, m.
+    /// Reach of the largest floe, with half the clearance round it, m.
     double half_diagonal() const { return half_diagonal_; }
 
   private:
+    /// Larger: by half the clearance. The walls have been moved inwards by the whole clearance, and want the actual
+    /// size.
+    struct Body {
+        Rectangle rectangle, larger_rectangle;  // of those that are
+        Outline own, larger;                    // in its own axes
+        Outline corners;                        // of the larger one, turned
+        double reach = 0;                       // likewise, m
+    };
+
     static double square(double value) { return value * value; }
 
-    static std::vector<Rectangle> grown(std::span<const Rectangle> shapes, double margin) {
-        std::vector<Rectangle> result;
-        for (const Rectangle& shape : shapes) result.push_back(shape.grown(margin));
-        return result;
+    static std::vector<Body> bodies_of(std::span<const Outline> outlines, double margin) {
+        std::vector<Body> bodies;
+        for (const Outline& one : outlines) {
+            Body& body = bodies.emplace_back(Body{{}, {}, one, grown(one, margin), {}, 0});
+            body.reach = reach_of(body.larger);
+            if (const auto half = half_sides_of(one)) body.rectangle = {half->x, half->z};
+            body.larger_rectangle = body.rectangle.grown(margin);
+        }
+        return bodies;
+    }
+
+    static double least_half_side(std::span<const Body> bodies) {
+        double half = std::numeric_limits<double>::infinity();
+        for (const Body& one : bodies)
+            half = std::min({half, one.larger_rectangle.half_length, one.larger_rectangle.half_breadth});
+        return half;
     }
 
     bool try_move(std::size_t floe, const Step& step, RandomStream& random) {
@@ -71,40 +97,61 @@ class HardRectangles {
         pose.x += step.shift * (2 * random.uniform() - 1);
         pose.z += step.shift * (2 * random.uniform() - 1);
         pose.yaw += step.turn * (2 * random.uniform() - 1);
-        const Resident trial = resident(pose, static_cast<int>(floe));
-        if (!boundary_.admits(wall_shapes_[floe], trial.x, trial.z, trial.turn) || hits_another(trial)) return false;
+        Resident trial{pose.x, pose.z, turn_of(pose.yaw), static_cast<int>(floe)};
+        boundary_.into(trial.x, trial.z);
+        if (!(rectangles_ ? is_free_rectangle(trial) : is_free(trial))) return false;
         poses_[floe] = {trial.x, trial.z, std::remainder(pose.yaw, 2 * std::numbers::pi)};
         cells_.move(trial);
         return true;
     }
 
-    Resident resident(const PlanarPose& pose, int floe) const {
-        Resident result{pose.x, pose.z, turn_of(pose.yaw), floe};
-        boundary_.into(result.x, result.z);
-        return result;
-    }
+    const Body& body(const Resident& of) const { return bodies_[static_cast<std::size_t>(of.floe)]; }
 
-    bool hits_another(const Resident& trial) const {
-        const TurnedRectangle own{shapes_[static_cast<std::size_t>(trial.floe)], trial.turn};
+    /// `see(other, from trial to other)` until it holds of one.
+    template <class See>
+    bool any_beside(const Resident& trial, const See& see) const {
         return cells_.any_near(trial.x, trial.z, [&](const Resident& other) {
-            double dx = other.x - trial.x;
-            double dz = other.z - trial.z;
-            boundary_.nearest(dx, dz);
-            const double squared = dx * dx + dz * dz;
-            if (squared >= certainly_apart_ || other.floe == trial.floe) return false;
-            if (squared < certainly_overlapping_) return true;
-            return overlap(own, {shapes_[static_cast<std::size_t>(other.floe)], other.turn}, dx, dz);
+            if (other.floe == trial.floe) return false;
+            Corner apart{other.x - trial.x, other.z - trial.z};
+            boundary_.nearest(apart.x, apart.z);
+            return see(other, apart);
         });
     }
 
+    bool is_free_rectangle(const Resident& trial) const {
+        if (!boundary_.admits(body(trial).rectangle, trial.x, trial.z, trial.turn)) return false;
+        const TurnedRectangle own{body(trial).larger_rectangle, trial.turn};
+        const double certainly_apart = 4 * half_diagonal_ * half_diagonal_;
+        return !any_beside(trial, [&](const Resident& other, const Corner& apart) {
+            const double squared = dot(apart, apart);
+            if (squared >= certainly_apart) return false;
+            if (squared < certainly_overlapping_) return true;
+            return overlap(own, {body(other).larger_rectangle, other.turn}, apart.x, apart.z);
+        });
+    }
+
+    /// Leaves its corners there.
+    bool is_free(const Resident& trial) {
+        Body& own = bodies_[static_cast<std::size_t>(trial.floe)];
+        turn_corners(own.own, trial.turn, trial_);
+        if (!boundary_.admits(trial_, trial.x, trial.z)) return false;
+        turn_corners(own.larger, trial.turn, trial_);
+        const bool hits = any_beside(trial, [&](const Resident& other, const Corner& apart) {
+            return dot(apart, apart) < square(own.reach + body(other).reach) &&
+                   overlap(trial_, body(other).corners, apart);
+        });
+        if (!hits) std::swap(own.corners, trial_);
+        return !hits;
+    }
+
     Boundary boundary_;
-    std::vector<Rectangle> wall_shapes_;  // actual sizes: the walls have been moved inward by the whole clearance
-    std::vector<Rectangle> shapes_;       // grown by half the clearance
-    double half_diagonal_;                // of the largest
-    double certainly_apart_;        // squared distance of centres at which the largest circumscribed circles touch, m²
-    double certainly_overlapping_;  // squared distance of centres at which the smallest inscribed circles touch, m²
+    bool rectangles_;  // all are, which takes fewer operations
     std::vector<PlanarPose> poses_;
+    std::vector<Body> bodies_;
+    double half_diagonal_;          // of the largest
+    double certainly_overlapping_;  // squared distance of centres at which the smallest inscribed circles touch, m²
     Cells cells_;
+    Outline trial_;  // corners of the one that is tried
 };
 
 /// Tuning of the step size: rounds of sweeps, each followed by a correction towards the target acceptance.
@@ -114,10 +161,10 @@ struct Tuning {
     double target = 0.45;  ///< accepted moves per trial
 };
 
-/// Samples HardRectangles or HardPolygons. Runs the rounds, which are part of the chain and also equilibrate it.
+/// Runs the rounds, which are part of the chain and also equilibrate it.
 /// Returns the step to use from then on.
-template <class HardFloes>
-Step tune(HardFloes& floes, RandomStream& random, const Tuning& tuning = {}) {
+template <class Boundary>
+Step tune(HardFloes<Boundary>& floes, RandomStream& random, const Tuning& tuning = {}) {
     const double half_diagonal = floes.half_diagonal();
     double scale =
         0.1;  // largest shift in half-diagonals, and largest turn in radians: a corner moves as far by either
@@ -167,41 +214,5 @@ struct Jitter {
 /// position in 10 000 trials.
 std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rectangle> shapes, double clearance,
                                          const Jitter& jitter, RandomStream& random);
-
-// Monte Carlo of hard convex polygons between walls: sampler.hpp for other shapes than rectangles, with the same moves
-// by the same draws. Squares given as outlines take the very steps of squares.
-
-/// Whether two convex polygons overlap: separation() below 0. Touching is not overlap.
-bool overlap(Corners a, Corners b);
-
-class HardPolygons {
-  public:
-    /// Outlines about their centroids at least clearance (m) apart, starting at `poses`, one an outline, which must not
-    /// overlap. walls: moved inward by the clearance.
-    HardPolygons(const Walls& walls, std::span<const Outline> outlines, double clearance,
-                 std::span<const PlanarPose> poses);
-
-    /// As HardRectangles'.
-    int sweep(const Step& step, RandomStream& random);
-    const std::vector<PlanarPose>& poses() const { return poses_; }
-    double half_diagonal() const { return widest_; }
-
-  private:
-    struct Body {
-        Outline own;      // in its own axes
-        Outline larger;   // likewise, grown by half the clearance
-        Outline corners;  // of the larger one, where it is
-        double reach;     // of the larger one, m
-    };
-    bool try_move(std::size_t polygon, const Step& step, RandomStream& random);
-    bool hits_another(const Resident& trial, Corners corners) const;
-
-    Walls walls_;
-    std::vector<Body> bodies_;
-    double widest_;  // the largest reach, m
-    std::vector<PlanarPose> poses_;
-    Cells cells_;
-    Outline trial_;  // corners of the one that is tried
-};
 
 }  // namespace floes

@@ -15,6 +15,7 @@
 namespace floes {
 namespace hard_polygons_test {
 
+/// A square whose corners begin elsewhere than those of corners_of(), so that it is taken for any polygon.
 Outline square(double half) {
     return {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
 }
@@ -29,8 +30,8 @@ TEST(HardPolygons, OverlapWhereTheirSeparationIsNegative) {
         };
         const Outline a = one();
         const Outline b = one();
-        ASSERT_EQ(overlap(a, b), separation(a, b) < 0) << i;
-        overlaps += overlap(a, b) ? 1 : 0;
+        ASSERT_EQ(overlap(a, b, {}), separation(a, b) < 0) << i;
+        overlaps += overlap(a, b, {}) ? 1 : 0;
     }
     EXPECT_GT(overlaps, 30'000);
     EXPECT_LT(overlaps, 70'000);
@@ -39,11 +40,11 @@ TEST(HardPolygons, OverlapWhereTheirSeparationIsNegative) {
 TEST(HardPolygons, ThatAreSquaresTakeTheStepsOfSquares) {
     const Walls walls{2, -2, 6, 4};
     const double clearance = 0.002;
-    const std::vector<Rectangle> squares(48, {0.3, 0.3});
+    const std::vector<Outline> squares(48, corners_of(0.3, 0.3));
     const std::vector<Outline> outlines(48, square(0.3));
-    const std::vector<PlanarPose> start = lattice_start(walls, squares.front(), clearance, 48);
-    HardRectangles one(walls.shrunk(clearance), squares, clearance, start);
-    HardPolygons other(walls.shrunk(clearance), outlines, clearance, start);
+    const std::vector<PlanarPose> start = lattice_start(walls, {0.3, 0.3}, clearance, 48);
+    HardFloes one(walls.shrunk(clearance), squares, clearance, start);
+    HardFloes other(walls.shrunk(clearance), outlines, clearance, start);
     RandomStream first(1, 0, StreamId::monte_carlo, 0);
     RandomStream second(1, 0, StreamId::monte_carlo, 0);
     int accepted = 0;
@@ -101,7 +102,7 @@ TEST(HardPolygons, TwoInABoxLieAsPlacesDrawnAtRandomThatDoNotOverlap) {
         if (start.empty()) start = poses;
         drawn.push_back(figures(poses));
     }
-    HardPolygons chain(box, outlines, 0, start);
+    HardFloes chain(box, outlines, 0, start);
     RandomStream moves(5, 0, StreamId::monte_carlo, 0);
     constexpr int blocks = 200, sweeps = 2500;
     std::vector<std::vector<double>> means;

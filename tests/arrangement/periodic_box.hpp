@@ -14,6 +14,7 @@ struct PeriodicBox {
     static constexpr bool periodic = true;
 
     bool admits(const Rectangle&, double, double, Turn) const { return true; }
+    bool admits(Corners, double, double) const { return true; }
     void into(double& x, double& z) const {
         fold(x, low_x, length);
         fold(z, low_z, breadth);

@@ -66,7 +66,7 @@ void append_psi4(std::vector<double>& series, const Run& run, const std::vector<
                  std::uint32_t chain) {
     constexpr int sweeps_per_sample = 10;
     const double side = std::sqrt(400 / run.concentration);
-    HardRectangles floes(PeriodicBox{0, 0, side, side}, std::vector<Rectangle>(start.size(), {0.5, 0.5}), 0, start);
+    HardFloes floes(PeriodicBox{0, 0, side, side}, std::vector(start.size(), corners_of(0.5, 0.5)), 0, start);
     RandomStream random(1, chain, StreamId::monte_carlo, 0);
     const Step step = tune(floes, random);
     for (int i = 0; i < run.equilibration; ++i) floes.sweep(step, random);

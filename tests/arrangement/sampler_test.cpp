@@ -14,12 +14,12 @@
 namespace floes {
 namespace sampler_test {
 
-HardRectangles<Walls> papers_channel() {
+HardFloes<Walls> papers_channel() {
     const Scenario scenario;
     const double clearance = scenario.arrangement.clearance;
-    const std::vector<Rectangle> shapes = rectangles(floes_of(scenario));
-    return {field_walls(scenario).shrunk(clearance), shapes, clearance,
-            lattice_start(field_walls(scenario), shapes.front(), clearance, scenario.field.floes)};
+    const FloeSet floes = floes_of(scenario);
+    return {field_walls(scenario).shrunk(clearance), outlines_of(floes), clearance,
+            lattice_start(field_walls(scenario), rectangles(floes).front(), clearance, scenario.field.floes)};
 }
 
 std::string digest(const std::vector<PlanarPose>& poses) {
@@ -29,7 +29,7 @@ std::string digest(const std::vector<PlanarPose>& poses) {
 }
 
 TEST(Sampler, TakesThreeDrawsAFloe) {
-    HardRectangles floes = papers_channel();
+    HardFloes floes = papers_channel();
     RandomStream random(1, 0, StreamId::monte_carlo, 0);
     floes.sweep({0.05, 0.1}, random);
     EXPECT_EQ(random.draws(), 3u * 189);
@@ -38,7 +38,7 @@ TEST(Sampler, TakesThreeDrawsAFloe) {
 }
 
 TEST(Sampler, IsTunedToTheAcceptanceAskedFor) {
-    HardRectangles floes = papers_channel();
+    HardFloes floes = papers_channel();
     RandomStream random(1, 0, StreamId::monte_carlo, 0);
     const Step step = tune(floes, random);
     int accepted = 0;
@@ -49,8 +49,8 @@ TEST(Sampler, IsTunedToTheAcceptanceAskedFor) {
 
 TEST(Sampler, StepStaysBelowTheFloeWhereEverythingIsAccepted) {
     const Rectangle square{0.5, 0.5};
-    HardRectangles floes(PeriodicBox{0, 0, 50, 50}, std::vector(4, square), 0,
-                         lattice_start({0, 0, 50, 50}, square, 0, 4));
+    HardFloes floes(PeriodicBox{0, 0, 50, 50}, std::vector(4, corners_of(0.5, 0.5)), 0,
+                    lattice_start({0, 0, 50, 50}, square, 0, 4));
     RandomStream random(1, 0, StreamId::monte_carlo, 0);
     EXPECT_EQ(tune(floes, random).shift, square.half_diagonal());
 }
@@ -58,8 +58,7 @@ TEST(Sampler, StepStaysBelowTheFloeWhereEverythingIsAccepted) {
 // A square alone between walls: where its centre may be depends on its yaw, and every allowed pose is equally likely.
 // So the density of yaws is proportional to the room that each leaves.
 TEST(Sampler, GivesALoneFloeEveryPoseEquallyOften) {
-    const Rectangle square{0.5, 0.5};
-    HardRectangles floes(Walls{0, 0, 2, 2}, std::vector{square}, 0, std::vector<PlanarPose>{{1, 1, 0}});
+    HardFloes floes(Walls{0, 0, 2, 2}, std::vector{corners_of(0.5, 0.5)}, 0, std::vector<PlanarPose>{{1, 1, 0}});
     RandomStream random(1, 0, StreamId::monte_carlo, 0);
     constexpr int samples = 200'000;
     double order = 0, order_expected = 0, normal = 0, spread = 0, spread_expected = 0;
@@ -83,8 +82,8 @@ TEST(Sampler, GivesALoneFloeEveryPoseEquallyOften) {
 TEST(Sampler, KeepsPeriodicFloesApartAcrossTheSeam) {
     const Rectangle square{0.5, 0.5};
     const double side = std::sqrt(100 / 0.7);
-    HardRectangles floes(PeriodicBox{-3, 5, side, side}, std::vector(100, square), 0.01,
-                         lattice_start({-3, 5, side, side}, square, 0.01, 100));
+    HardFloes floes(PeriodicBox{-3, 5, side, side}, std::vector(100, corners_of(0.5, 0.5)), 0.01,
+                    lattice_start({-3, 5, side, side}, square, 0.01, 100));
     RandomStream random(1, 0, StreamId::monte_carlo, 0);
     for (int i = 0; i < 2000; ++i) floes.sweep({0.1, 0.1}, random);
     const std::vector<PlanarPose>& poses = floes.poses();
@@ -108,10 +107,9 @@ TEST(Sampler, KeepsPeriodicFloesApartAcrossTheSeam) {
 }
 
 TEST(Sampler, RefusesAPeriodicBoxTooSmallForItsFloes) {
-    const Rectangle square{0.5, 0.5};
-    const std::vector<Rectangle> shapes{square};
+    const std::vector<Outline> shapes{corners_of(0.5, 0.5)};
     const std::vector<PlanarPose> poses{{1, 1, 0}};
-    EXPECT_THROW(HardRectangles(PeriodicBox{0, 0, 4, 4}, shapes, 0, poses), InputError);
+    EXPECT_THROW(HardFloes(PeriodicBox{0, 0, 4, 4}, shapes, 0, poses), InputError);
 }
 
 // The same bits on every machine: stored once, compared for ever.
