@@ -44,8 +44,7 @@ PeerScene peer_scene(const Scene& scene) {
         for (int k = 0; k + 1 < scenario.floe.elements_broad(); ++k) {
             for (int i = 0; i + 1 < along; ++i) {
                 const int at = first + i + k * along;
-                for (const auto& [a, b] :
-                     {std::pair{at, at + along + 1}, std::pair{at + 1, at + along}}) {
+                for (const auto& [a, b] : {std::pair{at, at + along + 1}, std::pair{at + 1, at + along}}) {
                     const auto& elements = simulation.ice().elements();
                     if (elements[static_cast<std::size_t>(a)].piece == elements[static_cast<std::size_t>(b)].piece) {
                         peer.diagonals.emplace_back(a, b);

@@ -165,8 +165,8 @@ class Faces {
         faces_.push_back(std::move(face));
     }
 
-    /// A prism of ice, as thick as its box: bit k of `exposed` is its edge k. Sides without lines are drawn all the same:
-    /// they close the gaps between elements.
+    /// A prism of ice, as thick as its box: bit k of `exposed` is its edge k. Sides without lines are drawn all the
+    /// same: they close the gaps between elements.
     void add(const Box& box, const Outline& outline, std::uint32_t exposed, const Colour& colour, double clear_water) {
         const auto at = [&](const Corner& corner, double y) {
             return Vec3(box.centre + box.rotation * Vec3(corner.x, y * box.half.y(), corner.z));
@@ -222,8 +222,7 @@ std::vector<SheetPart> in_parts(const std::vector<IceSheet>& sheets, double long
 std::vector<std::uint32_t> exposed_sides(const IceLayout& layout, const std::vector<bool>& failed) {
     const std::vector<IceLayout::LaidJoint>& joints = layout.joints;
     std::vector<std::uint32_t> exposed;
-    for (const IceLayout::LaidElement& one : layout.elements)
-        exposed.push_back((1u << one.corners.size()) - 1);
+    for (const IceLayout::LaidElement& one : layout.elements) exposed.push_back((1u << one.corners.size()) - 1);
     for (std::size_t k = 0; k < joints.size(); ++k) {
         if (failed[k]) continue;
         exposed[static_cast<std::size_t>(joints[k].a)] &= ~joints[k].edge_a;

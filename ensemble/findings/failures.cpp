@@ -61,15 +61,15 @@ struct CaseFailures {
     double total = 0;
 };
 
-/// None where floes differ in shape, from each other or from one arrangement to the next: their joints are not the same.
+/// None where floes differ in shape, from each other or from one arrangement to the next: their joints are not the
+/// same.
 std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case) {
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
     const FloeSet floes = floes_of(scenario);
     if (floes.shapes.size() != 1 || (scenario.shapes.any() && !scenario.shapes.from_file())) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = floes.shapes.front();
-    CaseFailures found{
-        evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), floe.cut(), {}, {}};
+    CaseFailures found{evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), floe.cut(), {}, {}};
     found.of_joint.resize(found.cut.joints.size(), 0.0);
     const double share = 1.0 / row.done / found.floes;
     for (const BreakRow& one : breaks_of(evidence)) {
@@ -124,8 +124,8 @@ Figure panel(const CaseFailures& found, double largest) {
         const double z = (along ? 0.78 : 0.22) * side;
         figure.cell(at.x - x / 2, at.z - z / 2, x, z, found.of_joint[k] / largest, "heat");
         if (found.cut.joints.size() <= most_numbers)
-            figure.text(at.x, at.z - 0.03 * side, fmt::format("{:.1f}", found.of_joint[k] / unit::percent),
-                        "middle", "key");
+            figure.text(at.x, at.z - 0.03 * side, fmt::format("{:.1f}", found.of_joint[k] / unit::percent), "middle",
+                        "key");
     }
     return figure;
 }

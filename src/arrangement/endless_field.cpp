@@ -209,8 +209,7 @@ FieldPart EndlessField::next() {
     RandomStream random(seed_, number_, StreamId::scattering, key);
     const double from = wall - diagonals_at_the_wall * reach;
     const std::vector<PlanarPose> loose = shaken(before, {end_, from}, reach, random);
-    const std::vector<PlanarPose> poses =
-        poses_beside({walls, floes, laid_, loose, from, end_, clearance}, random);
+    const std::vector<PlanarPose> poses = poses_beside({walls, floes, laid_, loose, from, end_, clearance}, random);
     for (std::size_t i = 0; i < floes.size(); ++i) floes[i].pose = poses[i];
     std::ranges::stable_sort(floes, {}, [](const SingleFloe& floe) { return floe.pose.x; });
 

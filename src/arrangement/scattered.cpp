@@ -114,9 +114,8 @@ std::optional<std::vector<PlanarPose>> attempt_alike(const Room& room, std::span
 /// Rectangles of one size are thrown again where they are wedged, of others the smallest fills a pocket.
 std::optional<std::vector<PlanarPose>> attempt(const Room& room, std::span<const Outline> outlines, double margin,
                                                RandomStream& random) {
-    const bool alike = is_rectangle(outlines.front()) && std::ranges::all_of(outlines, [&](const Outline& one) {
-                           return one == outlines.front();
-                       });
+    const bool alike = is_rectangle(outlines.front()) &&
+                       std::ranges::all_of(outlines, [&](const Outline& one) { return one == outlines.front(); });
     return alike ? attempt_alike(room, outlines, margin, random) : attempt_mixed(room, outlines, margin, random);
 }
 

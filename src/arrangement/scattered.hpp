@@ -11,8 +11,8 @@
 
 namespace floes {
 
-/// A pose of each convex outline, about its centroid, at least clearance (m) apart and from the walls. Throws InputError
-/// if they do not come to rest in any of ten attempts.
+/// A pose of each convex outline, about its centroid, at least clearance (m) apart and from the walls. Throws
+/// InputError if they do not come to rest in any of ten attempts.
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
                                   RandomStream& random);
 

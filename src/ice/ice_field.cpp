@@ -74,10 +74,9 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
     const Material& material = floe.material;
     const Water& water = scenario.water;
     const auto place = static_cast<std::size_t>(
-        std::ranges::find_if(floes_,
-                             [&](const Sheet& sheet) {
-                                 return !sheet.there && sheet.cut->elements.size() == cut->elements.size();
-                             }) -
+        std::ranges::find_if(
+            floes_,
+            [&](const Sheet& sheet) { return !sheet.there && sheet.cut->elements.size() == cut->elements.size(); }) -
         floes_.begin());
     const bool again = place < floes_.size();
     const auto first = again ? static_cast<std::size_t>(floes_[place].first) : elements_.size();
@@ -118,8 +117,7 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                                                  .erp = material.joint.erp,
                                                  .spring = joint_spring(shape, material, joint.length, joint.span)});
         sheet.joints.push_back(at);
-        joints_.push_back(
-            {joint_ids_[at], static_cast<int>(place), static_cast<int>(number), joint.a, joint.b, at});
+        joints_.push_back({joint_ids_[at], static_cast<int>(place), static_cast<int>(number), joint.a, joint.b, at});
         if (by_stress_) feel(joints_.back(), first);
     }
 }
@@ -138,12 +136,12 @@ void IceField::feel(const Joint& joint, std::size_t first) {
 /// At the end, or in place of an element that has left.
 void IceField::put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism,
                            bool square) {
-    const BoxDefinition box{.half_extents = {std::abs(prism.corners[0].x), prism.half_thickness,
-                                             std::abs(prism.corners[0].z)},
-                            .mass = prism.mass,
-                            .pose = prism.pose,
-                            .piece = prism.piece,
-                            .crushing_pressure = prism.crushing_pressure};
+    const BoxDefinition box{
+        .half_extents = {std::abs(prism.corners[0].x), prism.half_thickness, std::abs(prism.corners[0].z)},
+        .mass = prism.mass,
+        .pose = prism.pose,
+        .piece = prism.piece,
+        .crushing_pressure = prism.crushing_pressure};
     if (at < elements_.size()) {
         const BodyId body = elements_[at].body;
         square ? world.put_in(body, box) : world.put_in(body, prism);
@@ -422,8 +420,9 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
         else if (joint.crack)
             used = 2 - joint.crack->sound();
         else
-            used = utilisation(stress_.load(world, joint.place), strength_of(joint).section, strength_of(joint).thresholds)
-                       .share;
+            used =
+                utilisation(stress_.load(world, joint.place), strength_of(joint).section, strength_of(joint).thresholds)
+                    .share;
         const auto first = static_cast<std::size_t>(sheet.first);
         for (const int index : {joint.a, joint.b}) {
             double& element = worst[first + static_cast<std::size_t>(index)];

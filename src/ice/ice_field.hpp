@@ -154,7 +154,7 @@ class IceField {
 
     /// A floe as its elements and joints need it.
     struct Sheet {
-        int first;  // of its elements
+        int first;   // of its elements
         int number;  // in the order of entry
         std::shared_ptr<const CutFloe> cut;
         std::vector<JointStrength> strength{};  // of the joints, by number
@@ -187,7 +187,8 @@ class IceField {
     int pieces_at(const Sheet& sheet) const;
     void add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas) const;
     void add_floe(World& world, const Scenario& scenario, const SingleFloe& floe, std::shared_ptr<const CutFloe> cut);
-    void put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism, bool square);
+    void put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism,
+                     bool square);
     std::size_t put_joint(World& world, const JointDefinition& definition);
     void feel(const Joint& joint, std::size_t first);
     /// Where a joint is, by the state of its element a.

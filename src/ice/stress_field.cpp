@@ -87,7 +87,8 @@ std::array<Nearest, 2> nearest_joints(const PressedElement& element, const Corne
         const double beside = std::max(0.0, std::abs(cross(joint.outward, from)) - joint.length / 2);
         const double distance = std::hypot(dot(joint.outward, from), beside);
         Nearest& best = found[joint.axis()];
-        if (best.joint == ContactStress::none || distance * element.joints[best.joint].span < best.distance * joint.span)
+        if (best.joint == ContactStress::none ||
+            distance * element.joints[best.joint].span < best.distance * joint.span)
             best = {k, distance};
     }
     return found;
@@ -125,7 +126,8 @@ ContactStress contact_stress(const PressedElement& element, const Press& press) 
 
 double most_contact_stress(const PressedElement& element) {
     double largest = 0;
-    for (const ElementJoint& joint : element.joints) largest = std::max(largest, size_of_grid(joint.length, joint.span));
+    for (const ElementJoint& joint : element.joints)
+        largest = std::max(largest, size_of_grid(joint.length, joint.span));
     const double per_decade = std::max(edge_stress_per_decade(1, element.thickness, element.poisson_ratio),
                                        interior_stress_per_decade(1, element.thickness, element.poisson_ratio));
     // A tension s along a rim is s cos² φ along the normal with a shear of s cos φ sin φ, together at most:

@@ -17,7 +17,7 @@ struct ElementState {
     Mat3 rotation = Mat3::Identity();      ///< body -> world; the columns are the element's x, normal (y) and z
     Vec3 velocity = Vec3::Zero();          ///< of the centre of mass
     Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
-    std::uint32_t exposed_edges = 0;  ///< edge faces with form drag: bit k for edge k, of a square +x, +z, -x, -z
+    std::uint32_t exposed_edges = 0;       ///< edge faces with form drag: bit k for edge k, of a square +x, +z, -x, -z
 };
 
 /// Size of an element: a square box of `side` x `thickness` x `side`, m.

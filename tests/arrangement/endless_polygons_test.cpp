@@ -8,9 +8,9 @@
 #include <set>
 
 #include "arrangement/check.hpp"
+#include "arrangement/crowd.hpp"
 #include "arrangement/endless_field.hpp"
 #include "arrangement/order.hpp"
-#include "arrangement/crowd.hpp"
 #include "core/error.hpp"
 #include "scattered_scenario.hpp"
 #include "shapes/polygon.hpp"

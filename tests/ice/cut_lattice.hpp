@@ -72,7 +72,8 @@ class CutLattice {
         const Corner turned{motion_[3 * one.b + 1] - motion_[3 * one.a + 1],
                             motion_[3 * one.b + 2] - motion_[3 * one.a + 2]};
         // Slopes downwards: a joint whose slope grows along its normal hogs; one whose slope along -x grows twists.
-        return {.torsion = stiffness(joint) * cross(one.normal, turned), .bending = -stiffness(joint) * dot(one.normal, turned)};
+        return {.torsion = stiffness(joint) * cross(one.normal, turned),
+                .bending = -stiffness(joint) * dot(one.normal, turned)};
     }
 
     double stiffness(std::size_t joint) const {  // against bending, N m
@@ -103,7 +104,7 @@ class CutLattice {
     /// The prism of an element with its joints, and their numbers.
     PressedElement prism(int element, double crushing_pressure, std::vector<std::size_t>& numbers) const {
         PressedElement made{in_floe(static_cast<std::size_t>(element)), ice_.thickness, ice_.poisson_ratio,
-                          crushing_pressure};
+                            crushing_pressure};
         for (std::size_t k = 0; k < cut_.joints.size(); ++k) {
             const CutJoint& joint = cut_.joints[k];
             if (joint.a != element && joint.b != element) continue;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "cut_lattice.hpp"
 #include "ice/failure.hpp"
 #include "ice/stress_field.hpp"
-#include "cut_lattice.hpp"
 #include "theory/plate.hpp"
 
 namespace floes::test {

@@ -1,6 +1,5 @@
 // Floes that are polygons: as squares where they are squares, as beams and plates where they are not.
 
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
