@@ -141,9 +141,6 @@ void check_shapes(const Scenario& scenario, Contradictions& found) {
         refuse("arrangement.method",
                voronoi ? "cells of a Voronoi diagram lie where they grew" : "polygons fit on no lattice of rectangles",
                "arrangement.method = \"scattered\" or \"monte_carlo\"");
-    if (!scenario.structure.shape.is_of_revolution() && scenario.water.flow == WaterFlow::potential)
-        refuse("hull.shape", "the flow round a hull that is none of revolution is computed for square elements only",
-               "water.flow = \"still\"");
     if (voronoi && scenario.sizes.law != SizeLaw::one)
         refuse("sizes.law", "the diagram decides the areas",
                "sizes.law = \"one\", shapes.kind = \"polygon\", or another number of shapes.relaxations");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "solver/lane_width.hpp"
@@ -24,39 +25,28 @@ std::vector<FlowEllipse> flow_ellipses(const Shape& shape) {
 
 WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceField& ice) {
     const std::vector<IceElement>& elements = ice.elements();
-    std::map<std::pair<std::size_t, double>, std::size_t> kinds;  // shape and density -> model
+    std::map<std::tuple<std::size_t, double, int>, std::size_t>
+        kinds;  // shape, density, and which element, if it matters
     std::vector<WaterModel> models;
-    std::vector<std::size_t> kind_of_floe;
+    std::vector<std::size_t> model_of;
     const double radius = scenario.structure.shape.waterline_radius();
     const std::vector<FlowEllipse> ellipses = flow_ellipses(scenario.structure.shape);
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-        if (floes.shape(i).is_polygon()) {
-            kind_of_floe.push_back(0);
-            continue;
-        }
-        const auto [kind, is_new] =
-            kinds.try_emplace({floes.floes[i].shape, floes.material(i).ice.density}, kinds.size());
-        kind_of_floe.push_back(kind->second);
-        if (!is_new) continue;
-        const FloeShape& shape = floes.shape(i);
-        models.emplace_back(scenario.water, scenario.general.gravity, ElementShape{shape.element, shape.thickness},
-                            shape.element_mass(floes.material(i).ice), radius, scenario.structure.speed,
-                            scenario.wind.stress());
-        models.back().flow_round(ellipses);
-    }
-    std::vector<std::size_t> kind_of_element;
-    std::vector<PolygonWater> polygons;
     for (const IceElement& element : elements) {
         const auto floe = static_cast<std::size_t>(element.floe);
         const FloeShape& shape = floes.shape(floe);
-        kind_of_element.push_back(shape.is_polygon() ? models.size() + polygons.size() : kind_of_floe[floe]);
-        if (!shape.is_polygon()) continue;
-        const CutElement& one = ice.cut_element(element);
-        polygons.emplace_back(scenario.water, scenario.general.gravity, one, shape.thickness,
-                              shape.element_mass(floes.material(floe).ice, one), radius, scenario.structure.speed,
-                              scenario.wind.stress());
+        const Ice& ice_of_floe = floes.material(floe).ice;
+        const bool squares = ice.cut(element.floe).squares;
+        const auto [kind, is_new] = kinds.try_emplace(
+            {floes.floes[floe].shape, ice_of_floe.density, squares ? 0 : element.index}, models.size());
+        model_of.push_back(kind->second);
+        if (!is_new) continue;
+        const CutElement& cut = ice.cut_element(element);
+        models.emplace_back(scenario.water, scenario.general.gravity, cut, shape.thickness,
+                            shape.element_mass(ice_of_floe, cut), radius, scenario.structure.speed,
+                            scenario.wind.stress());
+        models.back().flow_round(ellipses);
     }
-    return {models, kind_of_element, lane_widths().back(), std::move(polygons)};
+    return {models, model_of, lane_widths().back()};
 }
 
 PieceWater::PieceWater(const Scenario& scenario, const FloeSet& floes)

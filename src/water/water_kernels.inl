@@ -51,7 +51,8 @@ struct LaneWrench {
 
 /// The submerged part of the column through body point (x, 0, z); the water surface is y = 0. Exact for any tilt,
 /// upside down too.
-inline Column submerged_column(const Element& e, double x, double z, double thickness) {
+template <class At>
+inline Column submerged_column(const Element& e, At x, At z, double thickness) {
     const Pack zero{};
     const V3 foot = e.x * (zero + x) + e.z * (zero + z);
     const Pack height = e.position.y + foot.y;
@@ -144,31 +145,76 @@ inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors&
     return water - (e.velocity + cross(e.angular_velocity, arm));
 }
 
-template <bool drifts>
-inline void add_form_drag(LaneWrench& total, const Element& e, Mask exposed, const V3& axis, double sign, double x,
-                          double z, const WaterFactors& factors, double structure_x) {
+/// On the edge at (x, z) in the axes of the element.
+template <bool drifts, class At>
+inline void add_form_drag(LaneWrench& total, const Element& e, Mask exposed, const V3& outward, At side, At x, At z,
+                          const WaterFactors& factors, double structure_x) {
     const Column column = submerged_column(e, x, z, factors.thickness);
-    const V3 outward = axis * (Pack{} + sign);
     const Pack approach = dot(relative_velocity<drifts>(e, column.arm, factors, structure_x), outward);
-    const Pack area = factors.side * column.length;
+    const Pack area = side * column.length;
     total.add(exposed & (column.length != 0.0) & (approach < 0.0),
               outward * (factors.form * area * approach * approach), column.arm);
 }
 
-template <bool drifts>
-inline LaneWrench drag_on_faces(const Element& e, const std::int64_t* exposed_edges, const WaterFactors& factors,
-                                double structure_x) {
-    const Bits exposed = *reinterpret_cast<const Bits*>(exposed_edges);
-    std::int64_t any = 0;
-    for (int lane = 0; lane < lanes; ++lane) any |= exposed_edges[lane];
-    const double half = factors.half_side;
-    LaneWrench total{};
-    if (any & 1) add_form_drag<drifts>(total, e, (exposed & 1) != 0, e.x, 1.0, half, 0.0, factors, structure_x);
-    if (any & 4) add_form_drag<drifts>(total, e, (exposed & 4) != 0, e.x, -1.0, -half, 0.0, factors, structure_x);
-    if (any & 2) add_form_drag<drifts>(total, e, (exposed & 2) != 0, e.z, 1.0, 0.0, half, factors, structure_x);
-    if (any & 8) add_form_drag<drifts>(total, e, (exposed & 8) != 0, e.z, -1.0, 0.0, -half, factors, structure_x);
-    return total;
-}
+/// Elements side by side that are squares of one size.
+struct Squares {
+    const WaterFactors& factors;
+
+    Squares(const WaterArrays&, std::size_t, const WaterFactors& of) : factors(of) {}
+    double column_x() const { return factors.side / 3.4641016151377544; }  // √12
+    double column_z() const { return column_x(); }
+    double quarter() const { return 1; }  // of what the factors hold
+
+    template <bool drifts>
+    LaneWrench drag_on_edges(const Element& e, const std::int64_t* exposed_edges, double structure_x) const {
+        const Bits exposed = *reinterpret_cast<const Bits*>(exposed_edges);
+        std::int64_t any = 0;
+        for (int lane = 0; lane < lanes; ++lane) any |= exposed_edges[lane];
+        const double half = 0.5 * factors.side;
+        LaneWrench total{};
+        const auto add = [&](std::int64_t bit, const V3& axis, double sign, double x, double z) {
+            if (any & bit)
+                add_form_drag<drifts>(total, e, (exposed & bit) != 0, axis * (Pack{} + sign), factors.side, x, z,
+                                      factors, structure_x);
+        };
+        add(1, e.x, 1.0, half, 0.0);
+        add(4, e.x, -1.0, -half, 0.0);
+        add(2, e.z, 1.0, 0.0, half);
+        add(8, e.z, -1.0, 0.0, -half);
+        return total;
+    }
+};
+
+/// Elements side by side of any plan.
+struct AnyPlans {
+    const double* plan;
+    std::size_t stride;
+    std::size_t edges;
+    const WaterFactors& factors;
+
+    AnyPlans(const WaterArrays& arrays, std::size_t i, const WaterFactors& of)
+        : plan(arrays.plan + i), stride(arrays.stride), edges(arrays.edges), factors(of) {}
+    Pack field(std::size_t f) const { return *reinterpret_cast<const Pack*>(plan + f * stride); }
+    Pack column_x() const { return field(plan_field::column_x); }
+    Pack column_z() const { return field(plan_field::column_z); }
+    Pack quarter() const { return field(plan_field::quarter); }
+
+    template <bool drifts>
+    LaneWrench drag_on_edges(const Element& e, const std::int64_t* exposed_edges, double structure_x) const {
+        const Bits exposed = *reinterpret_cast<const Bits*>(exposed_edges);
+        std::int64_t any = 0;
+        for (int lane = 0; lane < lanes; ++lane) any |= exposed_edges[lane];
+        LaneWrench total{};
+        for (std::size_t k = 0; k < edges; ++k) {
+            const std::int64_t bit = std::int64_t{1} << k;
+            if ((any & bit) == 0) continue;
+            const std::size_t f = plan_field::first_edge + plan_field::of_edge * k;
+            add_form_drag<drifts>(total, e, (exposed & bit) != 0, e.x * field(f + 2) + e.z * field(f + 3), field(f + 4),
+                                  field(f), field(f + 1), factors, structure_x);
+        }
+        return total;
+    }
+};
 
 /// Turned about the upward normal of the ice.
 inline V3 turned_layer(const V3& along, const Element& e, const WaterFactors& factors) {
@@ -176,13 +222,13 @@ inline V3 turned_layer(const V3& along, const Element& e, const WaterFactors& fa
     return along * (Pack{} + factors.turn_cos) + cross(e.normal, along) * up;
 }
 
-template <bool drifts>
-inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Element& e, Pack linear, double x, double z,
-                            const WaterFactors& factors, double structure_x) {
+template <bool drifts, class At>
+inline void add_column(LaneWrench& buoyancy, LaneWrench& drag, const Element& e, Pack linear, At x, At z, At quarter,
+                       const WaterFactors& factors, double structure_x) {
     const Pack zero{};
     const Column column = submerged_column(e, x, z, factors.thickness);
     const Mask wet = column.length != 0.0;
-    buoyancy.add(wet, {zero, factors.buoyancy * column.length, zero}, column.arm);
+    buoyancy.add(wet, {zero, factors.buoyancy * quarter * column.length, zero}, column.arm);
 
     const V3 foot = column.arm - e.normal * dot(e.normal, column.arm);
     const Pack down = e.normal.y >= 0.0 ? zero - 0.5 : zero + 0.5;
@@ -191,20 +237,19 @@ inline void add_gauss_point(LaneWrench& buoyancy, LaneWrench& drag, const Elemen
     const Pack through = dot(relative, e.normal);
     const V3 along = relative - e.normal * through;
     const V3 drawn = drifts ? turned_layer(along, e, factors) : along;
-    const V3 skin = drawn * (factors.skin * square_root(dot(along, along)));
+    const V3 skin = drawn * (factors.skin * quarter * square_root(dot(along, along)));
     const Pack waves = column.length < factors.waves_below ? linear : zero;
-    const Pack heave = (factors.heave * absolute(through) + waves) * through;
+    const Pack heave = (factors.heave * quarter * absolute(through) + waves) * through;
     drag.add(wet, skin + e.normal * heave, arm);
     if constexpr (drifts) {
         const Pack above = factors.thickness * (1 - 1e-9) + zero;
-        drag.add(column.length < above, {zero + factors.wind_x, zero, zero + factors.wind_z},
+        drag.add(column.length < above, {zero + factors.wind_x * quarter, zero, zero + factors.wind_z * quarter},
                  foot - e.normal * down * (zero + factors.thickness));
     }
 }
 
-template <bool drifts>
+template <bool drifts, class Plans>
 void water_on_all(const WaterArrays& arrays, const WaterFactors& factors, std::size_t count, double structure_x) {
-    const double g = factors.gauss_offset;
     for (std::size_t i = 0; i < count; i += lanes) {
         const Group group{arrays.state + i, arrays.stride};
         const Element e{group.vector(water_field::position),     group.vector(water_field::rotation),
@@ -212,11 +257,15 @@ void water_on_all(const WaterArrays& arrays, const WaterFactors& factors, std::s
                         group.vector(water_field::velocity),     group.vector(water_field::angular_velocity)};
         const Pack linear = *reinterpret_cast<const Pack*>(arrays.linear + i);
         LaneWrench total{};
-        LaneWrench drag = drag_on_faces<drifts>(e, arrays.exposed_edges + i, factors, structure_x);
-        add_gauss_point<drifts>(total, drag, e, linear, -g, -g, factors, structure_x);
-        add_gauss_point<drifts>(total, drag, e, linear, -g, g, factors, structure_x);
-        add_gauss_point<drifts>(total, drag, e, linear, g, -g, factors, structure_x);
-        add_gauss_point<drifts>(total, drag, e, linear, g, g, factors, structure_x);
+        const Plans plans(arrays, i, factors);
+        const auto x = plans.column_x();
+        const auto z = plans.column_z();
+        const auto quarter = plans.quarter();
+        LaneWrench drag = plans.template drag_on_edges<drifts>(e, arrays.exposed_edges + i, structure_x);
+        add_column<drifts>(total, drag, e, linear, -x, -z, quarter, factors, structure_x);
+        add_column<drifts>(total, drag, e, linear, -x, z, quarter, factors, structure_x);
+        add_column<drifts>(total, drag, e, linear, x, -z, quarter, factors, structure_x);
+        add_column<drifts>(total, drag, e, linear, x, z, quarter, factors, structure_x);
         const Pack sum[wrench_fields] = {total.force.x + drag.force.x,   total.force.y + drag.force.y,
                                          total.force.z + drag.force.z,   total.moment.x + drag.moment.x,
                                          total.moment.y + drag.moment.y, total.moment.z + drag.moment.z};
@@ -227,7 +276,9 @@ void water_on_all(const WaterArrays& arrays, const WaterFactors& factors, std::s
 }
 
 void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t count, double structure_x) {
-    const auto act = factors.drifts ? water_on_all<true> : water_on_all<false>;
+    const bool squares = factors.side > 0;
+    const auto act = factors.drifts ? (squares ? water_on_all<true, Squares> : water_on_all<true, AnyPlans>)
+                                    : (squares ? water_on_all<false, Squares> : water_on_all<false, AnyPlans>);
     act(arrays, factors, count, structure_x);
 }
 

@@ -33,24 +33,26 @@ WaterFactors with(WaterTerms terms, WaterFactors factors) {
 
 }  // namespace
 
-WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width,
-                       std::vector<PolygonWater> polygons)
+WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width)
     : kernel_(water_kernel(width)),
-      group_of_(model_of.begin(), model_of.end()),
       place_of_(model_of.size()),
-      is_set_(model_of.size()),
-      polygon_water_(std::move(polygons)) {
-    for (const WaterModel& model : models) groups_.push_back({model.factors(), model.flows()});
-    for (std::size_t element = 0; element < group_of_.size(); ++element) {
-        const std::size_t group = group_of_[element];
-        linear_of_.push_back(
-            (is_polygon(element) ? polygon_water_[group - models.size()].damping() : models[group].damping()) / 4);
-        if (!is_polygon(element)) {
-            ++groups_[group].elements;
-            continue;
-        }
-        place_of_[element] = polygons_.size();
-        polygons_.push_back({element, {}, {}});
+      plan_of_(model_of.begin(), model_of.end()),
+      is_set_(model_of.size()) {
+    std::vector<std::size_t> group_of_model;
+    std::size_t edges = 0;
+    for (const WaterModel& model : models) {
+        auto group = std::ranges::find(groups_, model.factors(), &Group::factors);
+        if (group == groups_.end()) group = groups_.insert(group, Group{model.factors(), model.flows()});
+        group_of_model.push_back(static_cast<std::size_t>(group - groups_.begin()));
+        const std::vector<double>& plan = plans_.emplace_back(model.plan());
+        if (!plan.empty())
+            group->edges = std::max(group->edges, (plan.size() - plan_field::first_edge) / plan_field::of_edge);
+        edges = std::max(edges, group->edges);
+    }
+    for (const std::size_t model : model_of) {
+        group_of_.push_back(group_of_model[model]);
+        linear_of_.push_back(models[model].damping() / 4);
+        ++groups_[group_of_.back()].elements;
     }
     for (Group& group : groups_) {
         group.first = stride_;
@@ -60,11 +62,11 @@ WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::
     exposed_edges_ = AlignedArray<std::int64_t>(stride_);
     linear_ = AlignedArray<double>(stride_);
     wrench_ = AlignedArray<double>(wrench_fields * stride_);
+    if (edges > 0) plan_ = AlignedArray<double>((plan_field::first_edge + plan_field::of_edge * edges) * stride_);
 }
 
 void WaterLanes::move_structure(const StructureInWater& structure) {
     for (Group& group : groups_) follow_structure(group.factors, group.flows, structure);
-    for (PolygonWater& water : polygon_water_) water.move_structure(structure);
 }
 
 void WaterLanes::clear() {
@@ -74,33 +76,25 @@ void WaterLanes::clear() {
 
 void WaterLanes::set(std::size_t element, const ElementState& state) {
     is_set_[element] = 1;
-    if (is_polygon(element)) {
-        polygons_[place_of_[element]].state = state;
-        return;
-    }
     Group& group = groups_[group_of_[element]];
     const std::size_t place = place_of_[element] = group.first + group.count++;
     put_fields(state, state_.data() + place, stride_);
     exposed_edges_[place] = state.exposed_edges;
     linear_[place] = linear_of_[element];
+    const std::vector<double>& plan = plans_[plan_of_[element]];
+    for (std::size_t f = 0; f < plan.size(); ++f) plan_[f * stride_ + place] = plan[f];
 }
 
 void WaterLanes::compute(double structure_x, WaterTerms terms) {
-    for (Polygon& one : polygons_) {
-        if (!is_set(one.element)) continue;
-        const PolygonWater& water = polygon_water_[group_of_[one.element] - groups_.size()];
-        one.wrench = water.wrench(one.state, with(terms, water.factors()), 4 * linear_of_[one.element], structure_x);
-    }
     for (const Group& group : groups_) {
         const WaterFactors factors = with(terms, group.factors);
         kernel_({state_.data() + group.first, exposed_edges_.data() + group.first, linear_.data() + group.first,
-                 wrench_.data() + group.first, stride_},
+                 wrench_.data() + group.first, stride_, plan_.data() + group.first, group.edges},
                 factors, group.count, structure_x);
     }
 }
 
 Wrench WaterLanes::wrench(std::size_t element) const {
-    if (is_polygon(element)) return polygons_[place_of_[element]].wrench;
     return wrench_at(wrench_.data() + place_of_[element], stride_);
 }
 

@@ -7,7 +7,8 @@
 //   water.compute(structure_x);     // have the same exposed edges
 //   water.wrench(element);
 //
-// Elements of one model fill lanes together, so a vector of floes that differ in shape or density is a few lanes short.
+// Elements that differ in nothing but their plan and damping fill lanes together, so a vector of squares of several
+// sizes or thicknesses is a few lanes short.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +17,6 @@
 
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
-#include "water/polygon_water.hpp"
 #include "water/water_kernels.hpp"
 #include "water/water_model.hpp"
 
@@ -28,9 +28,7 @@ enum class WaterTerms { buoyancy, buoyancy_and_wind, and_plane_drag, all_but_wav
 class WaterLanes {
   public:
     /// model_of: by element, the index of its model. width: one of lane_widths(); throws RunError for any other.
-    /// An index from models.size() on is that of a polygon, and there the first is 0.
-    WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width,
-               std::vector<PolygonWater> polygons = {});
+    WaterLanes(std::span<const WaterModel> models, std::span<const std::size_t> model_of, int width);
 
     /// Damping c of an element from now on, kg/s (water_model.hpp); that of an element alone at first.
     void set_damping(std::size_t element, double damping) { linear_of_[element] = damping / 4; }
@@ -52,36 +50,30 @@ class WaterLanes {
     Wrench wrench(std::size_t element) const;
 
   private:
-    /// Elements of one model, side by side from a vector boundary on.
+    /// Elements of one kind, side by side from a vector boundary on.
     struct Group {
         WaterFactors factors;
-        bool flows = false;  ///< round the structure
+        bool flows = false;     ///< round the structure
+        std::size_t edges = 0;  ///< most of any plan
         std::size_t elements = 0;
         std::size_t first = 0;
         std::size_t count = 0;
     };
 
-    /// An element that is a polygon, and the last force on it.
-    struct Polygon {
-        std::size_t element;
-        ElementState state;
-        Wrench wrench;
-    };
-    bool is_polygon(std::size_t element) const { return group_of_[element] >= groups_.size(); }
-
     WaterKernel kernel_;
     std::vector<Group> groups_;
-    std::vector<std::size_t> group_of_;  // by element
-    std::vector<std::size_t> place_of_;  // by element; of a polygon its place in polygons_
-    std::vector<double> linear_of_;      // by element: c/4
-    std::vector<std::uint8_t> is_set_;   // by element
+    std::vector<std::size_t> group_of_;       // by element
+    std::vector<std::size_t> place_of_;       // by element
+    std::vector<std::size_t> plan_of_;        // by element: its model
+    std::vector<std::vector<double>> plans_;  // by model: fields of plan_field
+    std::vector<double> linear_of_;           // by element: c/4
+    std::vector<std::uint8_t> is_set_;        // by element
     std::size_t stride_ = 0;
     AlignedArray<double> state_;
     AlignedArray<std::int64_t> exposed_edges_;
     AlignedArray<double> linear_;
     AlignedArray<double> wrench_;
-    std::vector<PolygonWater> polygon_water_;
-    std::vector<Polygon> polygons_;
+    AlignedArray<double> plan_;  // of the last element at each place
 };
 
 }  // namespace floes

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "water/floating_plate.hpp"
 #include "water/water_kernels.hpp"
@@ -24,6 +25,19 @@ void put_fields(const ElementState& state, double* fields, std::size_t stride) {
 Wrench wrench_at(const double* fields, std::size_t stride) {
     const auto field = [&](std::size_t f) { return fields[f * stride]; };
     return {{field(0), field(1), field(2)}, {field(3), field(4), field(5)}};
+}
+
+std::vector<double> plan_of(const CutElement& element) {
+    const std::optional<Corner> half = half_sides_of(element.corners);
+    if (half && half->x == half->z) return {};
+    std::vector<double> plan{std::sqrt(element.xx / element.area), std::sqrt(element.zz / element.area),
+                             element.area / 4};
+    for (std::size_t k = 0; k < element.corners.size(); ++k) {
+        const Corner middle = 0.5 * (element.corners[k] + after(element.corners, k));
+        const Corner normal = outward(element.corners, k);
+        plan.insert(plan.end(), {middle.x, middle.z, normal.x, normal.z, edge_length(element.corners, k)});
+    }
+    return plan;
 }
 
 namespace {
@@ -50,10 +64,8 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
     const Vec2 current = water.current_velocity();
     const Vec2 through = water.flow == WaterFlow::still ? Vec2::Zero() : Vec2(Vec2(speed, 0) - current);
     const bool by_outline = water.heave_damping_from == WaterFrom::outline;
-    factors_ = {.half_side = 0.5 * shape.side,
-                .side = shape.side,
+    factors_ = {.side = shape.side,
                 .thickness = shape.thickness,
-                .gauss_offset = shape.side / std::sqrt(12.0),
                 .buoyancy = water.density * gravity * gauss_area,
                 .form = -0.5 * water.density * water.form_drag,
                 .skin = half_area * water.skin_drag,
@@ -83,6 +95,18 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
     }
 }
 
+WaterModel::WaterModel(const Water& water, double gravity, const CutElement& element, double thickness, double mass,
+                       double waterline_radius, double speed, const Vec2& wind_stress)
+    : WaterModel(water, gravity, {std::sqrt(element.area), thickness}, mass, waterline_radius, speed, wind_stress) {
+    plan_ = plan_of(element);
+    if (plan_.empty()) return;
+    const double damping = damping_;
+    *this = WaterModel(water, gravity, {2, thickness}, mass, waterline_radius, speed, wind_stress);  // of 4 m²
+    factors_.side = 0;
+    plan_ = plan_of(element);
+    damping_ = damping;
+}
+
 void WaterModel::flow_round(std::span<const FlowEllipse> ellipses) {
     factors_.ellipses = 0;
     for (const FlowEllipse& one : ellipses.first(std::min<std::size_t>(ellipses.size(), most_flow_ellipses)))
@@ -95,7 +119,9 @@ Wrench WaterModel::wrench(const ElementState& state, double structure_x, double 
     const std::int64_t exposed_edges = state.exposed_edges;
     const double linear = damping / 4;
     put_fields(state, fields.data(), 1);
-    water_scalar({fields.data(), &exposed_edges, &linear, result.data(), 1}, factors_, 1, structure_x);
+    const std::size_t edges = plan_.empty() ? 0 : (plan_.size() - plan_field::first_edge) / plan_field::of_edge;
+    water_scalar({fields.data(), &exposed_edges, &linear, result.data(), 1, plan_.data(), edges}, factors_, 1,
+                 structure_x);
     return wrench_at(result.data(), 1);
 }
 

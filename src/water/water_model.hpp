@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/vector.hpp"
 #include "scenario/scenario.hpp"
+#include "shapes/elements.hpp"
 #include "water/water_kernels.hpp"
 
 namespace floes {
@@ -26,6 +28,9 @@ struct ElementShape {
     double thickness = 0;
 };
 
+/// Fields of plan_field of an element; none for a square.
+std::vector<double> plan_of(const CutElement& element);
+
 /// Writes the fields of water_field, the first to `fields`, the next `stride` further on.
 void put_fields(const ElementState& state, double* fields, std::size_t stride);
 
@@ -33,6 +38,8 @@ void put_fields(const ElementState& state, double* fields, std::size_t stride);
 Wrench wrench_at(const double* fields, std::size_t stride);
 
 // The force of the water on one element, as a pure function of its state: buoyancy, form drag, skin drag, heave drag.
+//
+// For a square of side L and area L²; below, for other elements.
 //
 // Buoyancy. At the 2 x 2 Gauss points of the element's base, (±L/√12, ±L/√12), there is a column along the element's
 // normal. Each gives ρ_w g (L²/4) x (its submerged length), upward, at the middle of its submerged part. As long as
@@ -64,6 +71,10 @@ Wrench wrench_at(const double* fields, std::size_t stride);
 // Below the ice the boundary layer turns skin drag by θ, anticlockwise from above (Leppäranta, The Drift of Sea Ice,
 // 2011, chapter 5: τ = ρ C |U| (cosθ U + sinθ k × U), U the water's velocity relative to the ice).
 //
+// An element of any other convex plan, of area A, has its four columns at (±√(xx/A), ±√(zz/A)) in its principal axes,
+// each for A/4, so buoyancy and the moment that rights it are as exact as a square's; form drag acts in the middle of
+// each exposed edge; alone it has the damping of the square of its area.
+//
 // Wind. Where a column's top is above the water, ρ_a C_a U² (L²/4) along the wind at the top.
 
 /// Where the structure is across the channel, and how it moves through the water.
@@ -83,6 +94,10 @@ class WaterModel {
     WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
                double speed, const Vec2& wind_stress = Vec2::Zero());
 
+    /// For an element of any plan and this thickness, m.
+    WaterModel(const Water& water, double gravity, const CutElement& element, double thickness, double mass,
+               double waterline_radius, double speed, const Vec2& wind_stress = Vec2::Zero());
+
     /// From now on the water flows round these ellipses, at most most_flow_ellipses, in place of the circle.
     void flow_round(std::span<const FlowEllipse> ellipses);
 
@@ -100,8 +115,12 @@ class WaterModel {
     /// Whether the water flows round the structure.
     bool flows() const { return flows_; }
 
+    /// Fields of plan_field; none of a square.
+    const std::vector<double>& plan() const { return plan_; }
+
   private:
     WaterFactors factors_;
+    std::vector<double> plan_;
     bool flows_;
     double damping_;
 };

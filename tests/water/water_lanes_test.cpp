@@ -28,6 +28,19 @@ WaterModel model(WaterFlow flow, ElementShape size = shape, double current = 0) 
     return {water, 9.81, size, 930 * size.side * size.side * size.thickness, 0.614, 0.07, wind_stress};
 }
 
+/// A regular polygon of ice.
+WaterModel model_of_polygon(WaterFlow flow, int corners) {
+    Water water;
+    water.flow = flow;
+    Outline outline;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * std::numbers::pi * k / corners;
+        outline.push_back({0.1 * std::cos(angle), 0.1 * std::sin(angle)});
+    }
+    const CutElement element = cut_into_elements(outline, 1).elements.front();
+    return {water, 9.81, element, 0.033, 930 * 0.033 * element.area, 0.614, 0.07};
+}
+
 Mat3 turned(double angle, const Vec3& axis) {
     return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
@@ -79,13 +92,17 @@ class WaterLanesOf : public ::testing::TestWithParam<WaterFlow> {};
 
 TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
     const std::vector<WaterModel> models{model(GetParam()), model(GetParam(), {0.3, 0.05}),
-                                         model(GetParam(), shape, 0.1)};
-    const std::vector<ElementState> elements = every_kind_of_element();
+                                         model(GetParam(), shape, 0.1), model_of_polygon(GetParam(), 3),
+                                         model_of_polygon(GetParam(), 6)};
+    std::vector<ElementState> elements = every_kind_of_element();
     std::vector<std::size_t> model_of;
-    for (std::size_t i = 0; i < elements.size(); ++i) model_of.push_back(i / 2 % 3);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        model_of.push_back(i / 2 % models.size());
+        if (model_of.back() == 3) elements[i].exposed_edges &= 0b111;
+    }
     for (const int width : lane_widths()) {
-        // Three models by turns, one that drifts, and every third element left out: lanes are filled with what there is
-        // of a model.
+        // Squares and polygons by turns, some that drift, and every third element left out: lanes are filled with what
+        // there is of a kind.
         WaterLanes many(models, model_of, width);
         many.clear();
         for (std::size_t i = 0; i < elements.size(); ++i)
