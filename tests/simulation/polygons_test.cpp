@@ -39,10 +39,12 @@ TEST(PolygonTow, SquaresAsPolygonsBearTheLoadOfSquares) {
     EXPECT_LT(difference, 0.01 * load);
 }
 
-/// The first joint that cracks is the same one, at the same time.
+/// The first joint that cracks is the same one, at the same time. The ice is weak, so that it cracks within a second:
+/// contacts of boxes and of prisms differ by a micrometre, which a tow makes a millimetre of by and by.
 TEST(PolygonTow, SquaresAsPolygonsCrackWhereSquaresDo) {
     Scenario scenario = channel();
     scenario.joint.failure = JointFailure::stress;
+    scenario.ice.bending_strength *= 0.2;
     const Arrangement squares = make_arrangement(scenario, 1, 0);
     FloeSet polygons = squares;
     polygons.shapes.front().outline = {{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}};
@@ -52,6 +54,7 @@ TEST(PolygonTow, SquaresAsPolygonsCrackWhereSquaresDo) {
         while (tow->ice().breaks().empty() && tow->time() < 8) tow->step();
     ASSERT_FALSE(one.ice().breaks().empty());
     ASSERT_FALSE(other.ice().breaks().empty());
+    EXPECT_LT(one.time(), 1);
     const BreakEvent& of_square = one.ice().breaks().front();
     const BreakEvent& of_polygon = other.ice().breaks().front();
     EXPECT_NEAR(of_square.time, of_polygon.time, 1.5 * scenario.general.time_step);
