@@ -58,7 +58,8 @@ TEST(Sampler, StepStaysBelowTheFloeWhereEverythingIsAccepted) {
 // A square alone between walls: where its centre may be depends on its yaw, and every allowed pose is equally likely.
 // So the density of yaws is proportional to the room that each leaves.
 TEST(Sampler, GivesALoneFloeEveryPoseEquallyOften) {
-    HardFloes floes(Walls{0, 0, 2, 2}, std::vector<Outline>{corners_of(0.5, 0.5)}, 0, std::vector<PlanarPose>{{1, 1, 0}});
+    HardFloes floes(Walls{0, 0, 2, 2}, std::vector<Outline>{corners_of(0.5, 0.5)}, 0,
+                    std::vector<PlanarPose>{{1, 1, 0}});
     RandomStream random(1, 0, StreamId::monte_carlo, 0);
     constexpr int samples = 200'000;
     double order = 0, order_expected = 0, normal = 0, spread = 0, spread_expected = 0;
