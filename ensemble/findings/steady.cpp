@@ -268,6 +268,7 @@ Section convergence_section(Evidence& evidence) {
             figure.x.high = std::max(figure.x.high, n);
         }
     }
+    if (drawn.empty()) return {};
     figure.x.high *= 1.02;
     figure.y = axis_around("mean load", drawn, true, "N");
     for (Curve& curve : curves) {

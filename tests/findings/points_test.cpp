@@ -209,6 +209,11 @@ TEST(Conditions, OfManyDifferentCasesAreCountedNotListed) {
     EXPECT_THAT(lines, testing::Contains(testing::StartsWith("Contacts: 5 different ones, as preset physical")));
 }
 
+TEST(Convergence, OfTwoArrangementsIsNoFigure) {
+    Evidence evidence = evidence_with("[campaign]\narrangements = 2\n");
+    EXPECT_TRUE(convergence_section(evidence).figures.empty());
+}
+
 TEST(Convergence, FigureFollowsTheMeansNotTheWidestInterval) {
     Evidence evidence = evidence_with("[campaign]\narrangements = 6\n");
     for (MemberRow& row : evidence.table.members) row.load.mean = row.arrangement == 0 ? 100 : row.arrangement;
