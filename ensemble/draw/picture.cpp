@@ -165,8 +165,9 @@ int picture_height(const PictureStyle& style, const RecordingSubject& subject) {
 
 void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
     const Vec2 size(canvas.width(), canvas.height() - strip_height(style));
-    const Projection projection(camera(style.view, stage.subject(), frame.structure.x, frame.structure.z), size.x(),
-                                size.y());
+    const Projection projection(
+        camera(style.view, stage.subject(), frame.structure.position.x(), frame.structure.position.z()), size.x(),
+        size.y());
     draw_faces(canvas, stage.faces(frame, projection, size, style.colouring), size, unit_of(style));
     const bool forces = style.view != View::plan;
     draw_lines(canvas, stage, frame, projection, unit_of(style));

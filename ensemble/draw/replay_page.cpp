@@ -81,8 +81,8 @@ json poses(const Recording& recording) {
     if (recording.subject().scenario.towed_straight()) return nullptr;
     json all = json::array();
     for (int frame = 0; frame < recording.frames(); ++frame) {
-        const PlanarPose pose = recording.structure(frame);
-        all.push_back({recording.time(frame), pose.x, pose.z, pose.yaw});
+        const StructurePose pose = recording.structure(frame);
+        all.push_back({recording.time(frame), pose.position.x(), pose.position.z(), pose.yaw});
     }
     return all;
 }

@@ -68,7 +68,7 @@ void draw_tow(Canvas& canvas, const Stage& stage, const Frame& frame, const Proj
     const Structure& structure = stage.subject().scenario.structure;
     const double ahead = structure.speed < 0 ? -1 : 1;
     const double radius = structure.shape.largest_radius();
-    const Vec3 from(frame.structure.x + 1.08 * ahead * radius, structure.shape.top(), frame.structure.z);
+    const Vec3 from = frame.structure.position + Vec3(1.08 * ahead * radius, structure.shape.top(), 0);
     const Vec3 to = from + Vec3(0.75 * ahead * radius, 0, 0);
     if (!projection.before(from) || !projection.before(to)) return;
     canvas.arrow(projection.at(from), projection.at(to), tow_orange, 5 * unit);
@@ -92,7 +92,7 @@ void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const P
         draw(contact.point, contact_stretch * contact.normal, normal_magenta, 1.8 * unit, false);
         draw(contact.point, contact_stretch * contact.friction, friction_teal, 1.8 * unit, false);
     }
-    const Vec3 middle(frame.structure.x, stage.subject().scenario.structure.shape.top(), frame.structure.z);
+    const Vec3 middle = frame.structure.position + Vec3(0, stage.subject().scenario.structure.shape.top(), 0);
     draw(middle, frame.load, ink.faded(0.55), 7 * unit, true);
     draw(middle, frame.load, sum_white, 4 * unit, true);
     draw(middle, {frame.load.x(), 0, 0}, surge_red, 4 * unit, true);
@@ -232,14 +232,13 @@ std::vector<std::uint32_t> exposed_sides(const IceLayout& layout, const std::vec
 }
 
 /// A face that reaches behind the eye is left out, so walls are cut into strips no longer than `longest`, m.
-void add_structure(Faces& faces, const Shape& shape, const PlanarPose& pose, double longest, double clear_water) {
+void add_structure(Faces& faces, const Shape& shape, const StructurePose& pose, double longest, double clear_water) {
     const SurfaceMesh surface = shape.mesh(directions);
-    const Mat3 turn = Eigen::AngleAxisd(pose.yaw, Vec3::UnitY()).toRotationMatrix();
-    const Vec3 axis(pose.x, 0, pose.z);
+    const Mat3 turn = pose.orientation().toRotationMatrix();
     for (const std::vector<int>& polygon : surface.polygons) {
         std::vector<Vec3> corners;
         for (const int index : polygon)
-            corners.push_back(axis + turn * surface.points[static_cast<std::size_t>(index)]);
+            corners.push_back(pose.position + turn * surface.points[static_cast<std::size_t>(index)]);
         const Vec3 normal = turn * surface.normal(polygon);
         if (corners.size() != 4) {
             faces.add(corners, normal, structure_yellow, 0, clear_water);

@@ -206,7 +206,7 @@ VtkMesh load_part(const Frame& frame) {
     for (int i = 0; i < 3; ++i) append(force, frame.load[i] * Vec3::Unit(i));
     append(force, frame.load);
     std::vector<float> points;
-    for (int i = 0; i < 4; ++i) append(points, {frame.structure.x, 0, frame.structure.z});
+    for (int i = 0; i < 4; ++i) append(points, frame.structure.position);
     VtkMesh mesh = vertices(std::move(points));
     mesh.point_data = {vtk_array("force", force, 3), vtk_array("component", std::vector<std::int32_t>{0, 1, 2, 3})};
     return mesh;
@@ -229,11 +229,11 @@ VtkMesh moorings_part(const Frame& frame) {
     return mesh;
 }
 
-VtkMesh structure_part(const Shape& shape, const PlanarPose& pose) {
+VtkMesh structure_part(const Shape& shape, const StructurePose& pose) {
     const SurfaceMesh surface = shape.mesh(96);
     VtkMesh mesh{.kind = VtkCells::polygons};
-    const Mat3 turn = Eigen::AngleAxisd(pose.yaw, Vec3::UnitY()).toRotationMatrix();
-    for (const Vec3& point : surface.points) append(mesh.points, Vec3(pose.x, 0, pose.z) + turn * point);
+    const Mat3 turn = pose.orientation().toRotationMatrix();
+    for (const Vec3& point : surface.points) append(mesh.points, pose.position + turn * point);
     for (const std::vector<int>& polygon : surface.polygons) {
         mesh.connectivity.insert(mesh.connectivity.end(), polygon.begin(), polygon.end());
         mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
@@ -465,8 +465,8 @@ void VtkSeries::add(const Frame& frame) {
     list("ice_sheets", 4, sheets_, frame.time);
     if (!subject_.scenario.moorings.lines.empty()) write("moorings", 5, moorings_part(frame), frame.time);
 
-    if (frames_ == 0) state_.first_axis = frame.structure.x;
-    state_.last_axis = frame.structure.x;
+    if (frames_ == 0) state_.first_axis = frame.structure.position.x();
+    state_.last_axis = frame.structure.position.x();
     if (frames_ == 0 || frame.load.norm() > state_.largest_load) {
         state_.largest_load = frame.load.norm();
         state_.time_of_largest_load = frame.time;

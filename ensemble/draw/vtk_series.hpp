@@ -80,7 +80,7 @@ VtkMesh load_part(const Frame& frame);
 VtkMesh moorings_part(const Frame& frame);
 
 /// The surface of the structure with its axis there.
-VtkMesh structure_part(const Shape& shape, const PlanarPose& pose);
+VtkMesh structure_part(const Shape& shape, const StructurePose& pose);
 
 /// A hexahedron for each sheet of fixed ice.
 VtkMesh ice_sheets_part(const Channel& channel);

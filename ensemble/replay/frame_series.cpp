@@ -295,8 +295,8 @@ FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
 void FrameSeries::add(const Frame& frame) {
     time_.append(frame.time);
     numbers_.step.append(frame.step);
-    numbers_.structure.append(frame.structure.x);
-    numbers_.across.append(frame.structure.z);
+    numbers_.structure.append(frame.structure.position.x());
+    numbers_.across.append(frame.structure.position.z());
     numbers_.yaw.append(frame.structure.yaw);
     numbers_.surge.append(-frame.load.x());
     numbers_.sway.append(frame.load.z());

@@ -161,8 +161,8 @@ class Recording::File {
         check_sizes();
     }
 
-    PlanarPose structure(std::size_t number) const {
-        return {structure_.at(number), across_.at(number), yaw_.at(number)};
+    StructurePose structure(std::size_t number) const {
+        return {.position = {structure_.at(number), 0, across_.at(number)}, .yaw = yaw_.at(number)};
     }
 
     std::vector<FrameLine> lines(std::size_t number) {
@@ -372,7 +372,7 @@ int Recording::nearest(double time) const {
     return static_cast<int>(nearest - file_->times.begin());
 }
 
-PlanarPose Recording::structure(int frame) const {
+StructurePose Recording::structure(int frame) const {
     return file_->structure(static_cast<std::size_t>(frame));
 }
 
@@ -481,7 +481,7 @@ class RecordingWriter::File {
     }
 
     void add(const Frame& frame) {
-        const double x = frame.structure.x;
+        const double x = frame.structure.position.x();
         subject_.way = any_ ? Vec2(std::min(subject_.way.x(), x), std::max(subject_.way.y(), x)) : Vec2(x, x);
         any_ = true;
         open_->series.add(frame);

@@ -85,7 +85,7 @@ class Recording {
 
     int frames() const;
     double time(int frame) const;  ///< s
-    PlanarPose structure(int frame) const;
+    StructurePose structure(int frame) const;
     std::vector<FrameLine> lines(int frame) const;  ///< mooring lines that hold
     /// The frame whose time is nearest to `time`, s.
     int nearest(double time) const;

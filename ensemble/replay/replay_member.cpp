@@ -200,7 +200,8 @@ KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) 
     kept.breaks = endless ? roll.breaks(kept.result.breaks) : kept.result.breaks;
     if (!endless) return kept;
     kept.about.floes = roll.floes();
-    const std::array way{kept.start.structure.x, kept.worst.structure.x, kept.end.structure.x};
+    const std::array way{kept.start.structure.position.x(), kept.worst.structure.position.x(),
+                         kept.end.structure.position.x()};
     kept.about.way = {std::ranges::min(way), std::ranges::max(way)};
     return kept;
 }

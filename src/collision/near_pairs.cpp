@@ -5,14 +5,14 @@
 
 namespace floes {
 
-Bounds bounds_of(const BoxPlace& box) {
+Bounds bounds_of(const PrismPlace& prism) {
+    const Triple& half = prism.shape->half_extent;
     Bounds bounds;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double* row = box.rotation + 3 * i;
-        const double half = box.half_extent[0] * std::abs(row[0]) + box.half_extent[1] * std::abs(row[1]) +
-                            box.half_extent[2] * std::abs(row[2]);
-        bounds.low[i] = box.position[i] - half;
-        bounds.high[i] = box.position[i] + half;
+        const double* row = prism.rotation + 3 * i;
+        const double reach = half[0] * std::abs(row[0]) + half[1] * std::abs(row[1]) + half[2] * std::abs(row[2]);
+        bounds.low[i] = prism.position[i] - reach;
+        bounds.high[i] = prism.position[i] + reach;
     }
     return bounds;
 }

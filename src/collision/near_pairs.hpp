@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "collision/box.hpp"
+#include "collision/prism.hpp"
 
 namespace floes {
 
@@ -23,7 +23,7 @@ struct Bounds {
     }
 };
 
-Bounds bounds_of(const BoxPlace& box);
+Bounds bounds_of(const PrismPlace& prism);
 Bounds both(const Bounds& a, const Bounds& b);
 
 class NearPairs {

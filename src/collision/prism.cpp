@@ -54,24 +54,13 @@ Below below(const Outline& corners, const Corner& normal, double bound) {
 
 }  // namespace
 
-PrismShape::PrismShape(Outline of, double half) : corners(std::move(of)), half_thickness(half) {
+PrismShape::PrismShape(Outline of, double half)
+    : corners(std::move(of)), half_thickness(half), half_extent{0, half, 0}, is_box(is_rectangle(corners)) {
     for (std::size_t k = 0; k < corners.size(); ++k) normals.push_back(outward(corners, k));
-}
-
-PrismShape prism_of_box(const Triple& half_extent) {
-    if (half_extent == Triple{}) return {};
-    const double x = half_extent[0];
-    const double z = half_extent[2];
-    return {{{-x, -z}, {x, -z}, {x, z}, {-x, z}}, half_extent[1]};
-}
-
-Triple bounds_of(const PrismShape& prism) {
-    Triple half{0, prism.half_thickness, 0};
-    for (const Corner& one : prism.corners) {
-        half[0] = std::max(half[0], std::abs(one.x));
-        half[2] = std::max(half[2], std::abs(one.z));
+    for (const Corner& one : corners) {
+        half_extent[0] = std::max(half_extent[0], std::abs(one.x));
+        half_extent[2] = std::max(half_extent[2], std::abs(one.z));
     }
-    return half;
 }
 
 PrismSection section_of(const PrismShape& prism, const Triple& normal, double depth) {
@@ -95,8 +84,8 @@ PrismSection section_of(const PrismShape& prism, const Triple& normal, double de
 }
 
 PrismSection crushed_section(const PrismShape& prism, const Triple& normal, double depth) {
-    const Triple bounds = bounds_of(prism);
-    const double touching = 2 * flattest * std::min({bounds[0], bounds[1], bounds[2]});
+    const Triple& half = prism.half_extent;
+    const double touching = 2 * flattest * std::min({half[0], half[1], half[2]});
     const double taken = std::max(depth, touching);
     const PrismSection at = section_of(prism, normal, taken);
     return {std::max(0.0, at.area + at.growth * (depth - taken)), at.growth};

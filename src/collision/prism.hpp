@@ -2,31 +2,56 @@
 // Prisms: convex polygons of even thickness, in their own axes. y runs along the thickness; corners lie in (x, z) about
 // the centre of mass. A box is one with four corners.
 
-#include "collision/box.hpp"
+#include <array>
+
 #include "shapes/polygon.hpp"
 
 namespace floes {
+
+using Triple = std::array<double, 3>;
+
+inline Triple operator-(const Triple& a, const Triple& b) {
+    return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+inline double dot(const Triple& a, const Triple& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 struct PrismShape {
     Outline corners;            ///< m
     Outline normals;            ///< outward, of each edge
     double half_thickness = 0;  ///< m
+    Triple half_extent{};       ///< of the box about the centre of mass that holds it, m
+    bool is_box = false;        ///< it is that box
 
     PrismShape() = default;
     PrismShape(Outline of, double half_thickness);
     bool empty() const { return corners.empty(); }
 };
 
-PrismShape prism_of_box(const Triple& half_extent);
-
-/// Half extents of the box about the centre of mass that holds the prism, m.
-Triple bounds_of(const PrismShape& prism);
-
-/// Where a prism is; place.half_extent is not looked at.
+/// Where a prism is. World axes, m.
 struct PrismPlace {
     const PrismShape* shape;
-    BoxPlace place;
+    const double* position;  ///< 3, of the centre of mass
+    const double* rotation;  ///< 9, prism -> world, row by row
 };
+
+/// A point of the prism in world axes, and the other way round.
+inline Triple to_world(const PrismPlace& prism, const Triple& p) {
+    const double* r = prism.rotation;
+    return {r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + prism.position[0],
+            r[3] * p[0] + r[4] * p[1] + r[5] * p[2] + prism.position[1],
+            r[6] * p[0] + r[7] * p[1] + r[8] * p[2] + prism.position[2]};
+}
+
+inline Triple to_own(const PrismPlace& prism, const Triple& p) {
+    const double* r = prism.rotation;
+    const double x = p[0] - prism.position[0];
+    const double y = p[1] - prism.position[1];
+    const double z = p[2] - prism.position[2];
+    return {r[0] * x + r[3] * y + r[6] * z, r[1] * x + r[4] * y + r[7] * z, r[2] * x + r[5] * y + r[8] * z};
+}
 
 /// Area that a plane cuts from a prism at a depth below its first point, m², and what it gains per depth, m.
 struct PrismSection {

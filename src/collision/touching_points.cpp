@@ -15,25 +15,15 @@ double square(const Triple& a) {
 
 }  // namespace
 
-void TouchingPoints::update(const BoxPlace& a, const BoxPlace& b, const BoxOverlap& overlap, double reach) {
-    for (int i = 0; i < overlap.count; ++i) {
-        const BoxOverlap::Point& found = overlap.points[static_cast<std::size_t>(i)];
-        TouchingPoint point;
-        point.distance = -found.depth;
-        point.on_b = found.on_b;
-        for (std::size_t k = 0; k < 3; ++k) {
-            point.normal[k] = -overlap.normal[k];
-            point.on_a[k] = point.on_b[k] + point.normal[k] * point.distance;
-        }
-        point.in_a = to_box(a, point.on_a);
-        point.in_b = to_box(b, point.on_b);
-        add(point, reach);
-    }
-    refresh(a, b, reach);
-}
-
-/// A point near a known one takes its place and its impulses.
-void TouchingPoints::add(const TouchingPoint& point, double reach) {
+void TouchingPoints::add(const PrismPlace& a, const PrismPlace& b, const Triple& on_b, const Triple& normal,
+                         double distance, double reach) {
+    TouchingPoint point;
+    point.distance = distance;
+    point.on_b = on_b;
+    point.normal = normal;
+    for (std::size_t k = 0; k < 3; ++k) point.on_a[k] = on_b[k] + normal[k] * distance;
+    point.in_a = to_own(a, point.on_a);
+    point.in_b = to_own(b, point.on_b);
     double nearest = reach * reach;
     int place = -1;
     for (int i = 0; i < count_; ++i) {
@@ -43,18 +33,15 @@ void TouchingPoints::add(const TouchingPoint& point, double reach) {
             place = i;
         }
     }
-    if (place >= 0) {
-        TouchingPoint& known = (*this)[place];
-        const double impulse = known.impulse;
-        const Triple slide = known.slide;
-        const double friction_impulse = known.friction_impulse;
-        known = point;
-        known.impulse = impulse;
-        known.slide = slide;
-        known.friction_impulse = friction_impulse;
+    if (place < 0) {
+        (*this)[count_ < most ? count_++ : least_wanted(point)] = point;
         return;
     }
-    (*this)[count_ < most ? count_++ : least_wanted(point)] = point;
+    TouchingPoint& known = (*this)[place];
+    point.impulse = known.impulse;
+    point.slide = known.slide;
+    point.friction_impulse = known.friction_impulse;
+    known = point;
 }
 
 /// The deepest point stays; of the others that one goes without which the four span most.
@@ -83,7 +70,7 @@ int TouchingPoints::least_wanted(const TouchingPoint& added) const {
     return widest < 0 ? 0 : widest;
 }
 
-void TouchingPoints::refresh(const BoxPlace& a, const BoxPlace& b, double reach) {
+void TouchingPoints::refresh(const PrismPlace& a, const PrismPlace& b, double reach) {
     for (int i = 0; i < count_; ++i) {
         TouchingPoint& point = (*this)[i];
         point.on_a = to_world(a, point.in_a);
@@ -103,6 +90,22 @@ void TouchingPoints::refresh(const BoxPlace& a, const BoxPlace& b, double reach)
         --count_;
         if (i != count_) (*this)[i] = (*this)[count_];
     }
+}
+
+void ContactStore::reserve(std::size_t count) {
+    points_.reserve(count);
+    free_.reserve(count);
+}
+
+std::int32_t ContactStore::take() {
+    if (free_.empty()) {
+        free_.push_back(static_cast<std::int32_t>(points_.size()));
+        points_.emplace_back();
+    }
+    const std::int32_t place = free_.back();
+    free_.pop_back();
+    (*this)[place] = {};
+    return place;
 }
 
 }  // namespace floes

@@ -3,9 +3,10 @@
 // keep their impulses. The rules of Bullet's btPersistentManifold, to the last bit.
 
 #include <array>
+#include <cstdint>
+#include <vector>
 
-#include "collision/box.hpp"
-#include "collision/box_box.hpp"
+#include "collision/overlap.hpp"
 
 namespace floes {
 
@@ -27,17 +28,51 @@ class TouchingPoints {
     TouchingPoint& operator[](int i) { return points_[static_cast<std::size_t>(i)]; }
     const TouchingPoint& operator[](int i) const { return points_[static_cast<std::size_t>(i)]; }
 
-    /// Takes up the points of an overlap, at most four in all, and drops those whose halves are `reach` apart. m.
-    void update(const BoxPlace& a, const BoxPlace& b, const BoxOverlap& overlap, double reach);
+    // Lengths in m. `reach`: a point lasts while its halves are nearer than this.
+
+    /// Takes up a point, at most four in all: where it is on b, the unit normal from b to a, and how far a is from
+    /// there along it. One near a known point takes its place and its impulses.
+    void add(const PrismPlace& a, const PrismPlace& b, const Triple& on_b, const Triple& normal, double distance,
+             double reach);
+
+    /// Moves the points with the bodies, and drops those whose halves have come apart.
+    void refresh(const PrismPlace& a, const PrismPlace& b, double reach);
 
   private:
-    void add(const TouchingPoint& point, double reach);
     int least_wanted(const TouchingPoint& added) const;
-    void refresh(const BoxPlace& a, const BoxPlace& b, double reach);
 
     static constexpr int most = 4;
     std::array<TouchingPoint, most> points_;
     int count_ = 0;
+};
+
+/// Two bodies that touch, and where in a store their points are. Ordered as contacts are solved.
+struct Touching {
+    std::uint32_t a = 0;
+    std::uint32_t b = 0;
+    std::int32_t solid = -1;  ///< of a structure's solids, which one it is at; -1: at none
+    std::int32_t points = -1;
+
+    friend bool operator<(const Touching& one, const Touching& other) {
+        if (one.a != other.a) return one.a < other.a;
+        return one.b != other.b ? one.b < other.b : one.solid < other.solid;
+    }
+};
+
+/// The points of all that touches: of ice on ice and of ice on the structure. Places are used again.
+class ContactStore {
+  public:
+    void reserve(std::size_t count);
+
+    std::int32_t take();
+    void give_back(std::int32_t place) { free_.push_back(place); }
+
+    TouchingPoints& operator[](std::int32_t place) { return points_[static_cast<std::size_t>(place)]; }
+    const TouchingPoints& operator[](std::int32_t place) const { return points_[static_cast<std::size_t>(place)]; }
+
+  private:
+    std::vector<TouchingPoints> points_;
+    std::vector<std::int32_t> free_;
 };
 
 }  // namespace floes

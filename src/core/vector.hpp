@@ -32,6 +32,32 @@ struct PlanarPose {
     double yaw = 0;
 };
 
+/// Turned by this about +y, rad; exactly not at all by 0.
+inline Quat turned_about_y(double yaw) {
+    return yaw == 0 ? Quat::Identity() : Quat(Eigen::AngleAxisd(yaw, Vec3::UnitY()));
+}
+
+/// Where a structure is, in six degrees of freedom. Its reference point is its axis at the height of the calm water.
+/// Turns follow each other as given: yaw about +y (right-handed: the bow to port), pitch about its own +z (lifts the
+/// bow), roll about its own +x (heels to starboard), rad.
+struct StructurePose {
+    Vec3 position = Vec3::Zero();  ///< of the reference point: surge x, heave y, sway z, m
+    double yaw = 0;
+    double pitch = 0;
+    double roll = 0;
+
+    Quat orientation() const {
+        const Quat flat = turned_about_y(yaw);
+        if (pitch == 0 && roll == 0) return flat;
+        return flat * Quat(Eigen::AngleAxisd(pitch, Vec3::UnitZ())) * Quat(Eigen::AngleAxisd(roll, Vec3::UnitX()));
+    }
+    Pose pose() const { return {position, orientation()}; }
+    /// A vector of the world in the structure's axes: ahead, up and to starboard.
+    Vec3 in_own_axes(const Vec3& vector) const {
+        return yaw == 0 && pitch == 0 && roll == 0 ? vector : orientation().conjugate() * vector;
+    }
+};
+
 /// A force (N) and a moment about the centre of mass (N m), both in world axes.
 struct Wrench {
     Vec3 force = Vec3::Zero();

@@ -99,8 +99,7 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                      .mass = shape.element_mass(material.ice, one) * (1 + water.isotropic_mass()),
                      .pose = {middle + yaw * flat(one.centre), yaw * turned_to(one.axis)},
                      .piece = static_cast<int>(first),
-                     .crushing_pressure = pressure},
-                    cut->squares);
+                     .crushing_pressure = pressure});
         if (by_stress_)
             stress_.put_element(
                 first + index, elements_[first + index].body, one.axis,
@@ -134,22 +133,16 @@ void IceField::feel(const Joint& joint, std::size_t first) {
 }
 
 /// At the end, or in place of an element that has left.
-void IceField::put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism,
-                           bool square) {
-    const BoxDefinition box{
-        .half_extents = {std::abs(prism.corners[0].x), prism.half_thickness, std::abs(prism.corners[0].z)},
-        .mass = prism.mass,
-        .pose = prism.pose,
-        .piece = prism.piece,
-        .crushing_pressure = prism.crushing_pressure};
+void IceField::put_element(World& world, std::size_t at, const IceElement& element,
+                           const ElementDefinition& definition) {
     if (at < elements_.size()) {
         const BodyId body = elements_[at].body;
-        square ? world.put_in(body, box) : world.put_in(body, prism);
+        world.put_in(body, definition);
         elements_[at] = element;
         elements_[at].body = body;
         return;
     }
-    const BodyId body = square ? world.add_element(box) : world.add_prism(prism);
+    const BodyId body = world.add_element(definition);
     element_of_body_.resize(std::max(element_of_body_.size(), body.index() + 1), no_element);
     element_of_body_[body.index()] = elements_.size();
     elements_.push_back(element);

@@ -187,8 +187,7 @@ class IceField {
     int pieces_at(const Sheet& sheet) const;
     void add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas) const;
     void add_floe(World& world, const Scenario& scenario, const SingleFloe& floe, std::shared_ptr<const CutFloe> cut);
-    void put_element(World& world, std::size_t at, const IceElement& element, const PrismDefinition& prism,
-                     bool square);
+    void put_element(World& world, std::size_t at, const IceElement& element, const ElementDefinition& definition);
     std::size_t put_joint(World& world, const JointDefinition& definition);
     void feel(const Joint& joint, std::size_t first);
     /// Where a joint is, by the state of its element a.

@@ -131,7 +131,6 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
         if (refusal) refused.push_back(*refusal);
     };
     if (scenario.joint.model == JointModel::beam) add(refused_springs(solver));
-    if (scenario.shapes.any()) add(refused_polygons(solver));
     if (scenario.water.added_mass_from == WaterFrom::outline) add(refused_water(solver));
     if (scenario.field.wake_radius > 0) add(refused_sleep(solver));
     for (const auto& [key, with, reason, instead] : refused) {

@@ -190,7 +190,7 @@ Outline corners_of(double half_length, double half_breadth) {
 std::optional<Corner> half_sides_of(Corners polygon) {
     if (polygon.size() != 4) return std::nullopt;
     const Corner half = polygon[1];
-    if (!std::ranges::equal(polygon, corners_of(half.x, half.z))) return std::nullopt;
+    if (!(half.x > 0 && half.z > 0) || !std::ranges::equal(polygon, corners_of(half.x, half.z))) return std::nullopt;
     return half;
 }
 

@@ -34,7 +34,8 @@ class Strip {
         // The clamp acts only through its joint: its body is placed aside, where nothing touches it.
         BodyId last = world_.add_fixed_box({.half_extents = half_extents, .pose = {.position = {-10 * side, 0, 0}}});
         for (int i = 0; i < elements; ++i) {
-            elements_.push_back(world_.add_element({.half_extents = half_extents,
+            elements_.push_back(world_.add_element({.corners = corners_of(half_extents.x(), half_extents.z()),
+                                                    .half_thickness = half_extents.y(),
                                                     .mass = mass_,
                                                     .pose = {.position = {side * (i + 0.5), 0, 0}},
                                                     .piece = 0}));
@@ -148,7 +149,8 @@ class Beam {
         // The clamp acts only through its joint: its body is placed aside, where nothing touches it.
         BodyId last = world_.add_fixed_box({.half_extents = half_extents, .pose = {.position = {-10 * side_, 0, 0}}});
         for (int i = 0; i < test.elements; ++i) {
-            elements_.push_back(world_.add_element({.half_extents = half_extents,
+            elements_.push_back(world_.add_element({.corners = corners_of(half_extents.x(), half_extents.z()),
+                                                    .half_thickness = half_extents.y(),
                                                     .mass = mass_,
                                                     .pose = {.position = {side_ * (i + 0.5), height, 0}},
                                                     .piece = 0}));

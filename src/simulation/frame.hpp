@@ -31,9 +31,9 @@ struct FrameLine {
 };
 
 struct Frame {
-    int step = 0;                     ///< steps completed; 0: the start
-    double time = 0;                  ///< s
-    PlanarPose structure;             ///< of the structure's axis, and its yaw
+    int step = 0;     ///< steps completed; 0: the start
+    double time = 0;  ///< s
+    StructurePose structure;
     Vec3 load = Vec3::Zero();         ///< contact force on the structure, world axes (surge load: -x), N
     std::vector<BodyState> elements;  ///< in the order of IceField::elements()
     std::vector<int> pieces;          ///< of each element: the first element of its piece

@@ -16,16 +16,19 @@ HullLoads::HullLoads(const Shape& shape, std::vector<ConvexSolid> solids, std::s
     for (std::vector<double>* one : {&yaw_, &roll_, &pitch_}) one->reserve(steps);
 }
 
-void HullLoads::add(std::span<const ContactForce> contacts, BodyId structure, const StructureMotion& motion) {
-    const Vec3 axis(motion.after().x, 0, motion.after().z);
-    Vec3 moment = Vec3::Zero();
+void HullLoads::add(std::span<const ContactForce> contacts, BodyId structure, const StructurePose& pose,
+                    const Vec3& moment) {
+    const Vec3 own = pose.in_own_axes(moment);
+    roll_.push_back(own.x());
+    yaw_.push_back(own.y());
+    pitch_.push_back(own.z());
+    if (parts_.empty()) return;
     for (PartHistory& part : parts_)
         for (std::vector<double>* one : part.all()) one->push_back(0);
     for (const ContactForce& one : contacts) {
-        const Vec3 force = motion.in_own_axes((one.a == structure ? 1.0 : -1.0) * (one.normal + one.friction));
-        const Vec3 arm = motion.in_own_axes(one.point - axis);
-        moment += arm.cross(force);
-        if (parts_.empty() || one.solid < 0) continue;
+        if (one.solid < 0) continue;
+        const Vec3 force = pose.in_own_axes((one.a == structure ? 1.0 : -1.0) * (one.normal + one.friction));
+        const Vec3 arm = pose.in_own_axes(one.point - pose.position);
         const ConvexSolid& touched = solids_[static_cast<std::size_t>(one.solid)];
         PartHistory& part = parts_[static_cast<std::size_t>(part_at(touched, pieces_, arm))];
         part.surge.back() -= force.x();
@@ -33,9 +36,6 @@ void HullLoads::add(std::span<const ContactForce> contacts, BodyId structure, co
         part.heave.back() += force.y();
         part.normal.back() += one.normal.norm();
     }
-    roll_.push_back(moment.x());
-    yaw_.push_back(moment.y());
-    pitch_.push_back(moment.z());
 }
 
 std::vector<PartLoad> HullLoads::parts(const Averaging& how) const {

@@ -1,14 +1,14 @@
 #pragma once
 // What contacts exert on the parts of the structure, and the moments on the whole of it, step by step.
 //
-// Moments are about the axis at the waterline, in the structure's axes and by the right-hand rule: yaw about +y turns
+// Moments are about the reference point, in the structure's axes and by the right-hand rule: yaw about +y turns
 // the bow to port, roll about +x heels to starboard, pitch about +z lifts the bow.
 
 #include <span>
 #include <vector>
 
+#include "core/vector.hpp"
 #include "shapes/shape.hpp"
-#include "simulation/structure_motion.hpp"
 #include "statistics/averaged_load.hpp"
 #include "statistics/load_statistics.hpp"
 #include "world/state.hpp"
@@ -22,8 +22,9 @@ class HullLoads {
 
     const std::vector<ConvexSolid>& solids() const { return solids_; }
 
-    /// One step, at the end of which the structure is at motion.after(). `contacts`: of the structure.
-    void add(std::span<const ContactForce> contacts, BodyId structure, const StructureMotion& motion);
+    /// One step, at the end of which the structure is there. `contacts`: of the structure; `moment`: of them all about
+    /// its reference point, in the world's axes.
+    void add(std::span<const ContactForce> contacts, BodyId structure, const StructurePose& pose, const Vec3& moment);
 
     /// For each part; a structure that is one part has none.
     std::vector<PartLoad> parts(const Averaging& how) const;

@@ -67,7 +67,7 @@ void SleepingFloes::leave(int place) {
     floes_[static_cast<std::size_t>(place)].there = false;
 }
 
-void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, const PlanarPose& structure) {
+void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, const StructurePose& structure) {
     if (wake_radius_ == 0) return;
     for (FloeElements& floe : floes_) {
         floe.middle = middle_of(floe, states);
@@ -79,7 +79,7 @@ void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, co
     list_awake();
 }
 
-void SleepingFloes::wake(World& world, const PlanarPose& structure) {
+void SleepingFloes::wake(World& world, const StructurePose& structure) {
     if (wake_radius_ == 0 || sleepers_ == 0) return;  // a field without end has sleepers that nothing wakes but rouse()
     const std::size_t before = sleepers_;
     for (const BodyId body : world.touched_asleep()) set_asleep(world, floes_[floe_of_body_[body.index()]], false);
@@ -100,9 +100,9 @@ Vec3 SleepingFloes::middle_of(const FloeElements& floe, std::span<const BodyStat
     return middle;
 }
 
-bool SleepingFloes::reached(const FloeElements& floe, const PlanarPose& structure) const {
-    const double x = floe.middle.x() - structure.x;
-    const double z = floe.middle.z() - structure.z;
+bool SleepingFloes::reached(const FloeElements& floe, const StructurePose& structure) const {
+    const double x = floe.middle.x() - structure.position.x();
+    const double z = floe.middle.z() - structure.position.z();
     return x * x + z * z <= wake_radius_ * wake_radius_;
 }
 

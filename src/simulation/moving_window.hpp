@@ -61,10 +61,10 @@ class SleepingFloes {
 
     /// To be called with all awake: lays the floes down that do not move at all (states of all elements) and lie beyond
     /// the radius.
-    void lay_down(World& world, std::span<const BodyState> states, const PlanarPose& structure);
+    void lay_down(World& world, std::span<const BodyState> states, const StructurePose& structure);
 
     /// Wakes whom the structure's axis is near enough now, and whom something touched in the world's last step.
-    void wake(World& world, const PlanarPose& structure);
+    void wake(World& world, const StructurePose& structure);
 
     void wake_all(World& world);
 
@@ -91,7 +91,7 @@ class SleepingFloes {
     };
 
     static Vec3 middle_of(const FloeElements& floe, std::span<const BodyState> states);
-    bool reached(const FloeElements& floe, const PlanarPose& structure) const;
+    bool reached(const FloeElements& floe, const StructurePose& structure) const;
     void set_asleep(World& world, FloeElements& floe, bool asleep);
     void add(std::size_t element, const IceElement& of);
 

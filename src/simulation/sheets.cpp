@@ -127,7 +127,7 @@ void Sheets::press(World& world) const {
     }
 }
 
-void Sheets::read(const World& world, const PlanarPose& at, double time) {
+void Sheets::read(const World& world, const StructurePose& at, double time) {
     for (std::size_t i = 0; i < sheets_.size(); ++i) {
         const IceSheet& form = sheets_[i].form;
         const BodyState state = world.state(sheets_[i].body);
@@ -142,7 +142,7 @@ void Sheets::read(const World& world, const PlanarPose& at, double time) {
     }
 }
 
-void Sheets::check_fixed(const PlanarPose& at, const Vec2& offset, double time) const {
+void Sheets::check_fixed(const StructurePose& at, const Vec2& offset, double time) const {
     for (const IceSheet& form : fixed_) {
         if (!touches(form, form.centre, at)) continue;
         throw MemberFailure(fmt::format(
@@ -152,10 +152,9 @@ void Sheets::check_fixed(const PlanarPose& at, const Vec2& offset, double time) 
     }
 }
 
-bool Sheets::touches(const IceSheet& form, const Vec3& centre, const PlanarPose& at) const {
+bool Sheets::touches(const IceSheet& form, const Vec3& centre, const StructurePose& at) const {
     const Vec3 edge = centre + form.half_extents.cwiseProduct(form.inwards);
-    const Vec3 structure(at.x, 0, at.z);
-    return !((structure - edge).dot(form.inwards) > (is_side(form) ? radius_ : ahead_));
+    return !((at.position - edge).dot(form.inwards) > (is_side(form) ? radius_ : ahead_));
 }
 
 Vec3 Sheets::velocity(BodyId body) const {

@@ -59,11 +59,11 @@ class Sheets {
 
     /// After a step. Throws MemberFailure when a sheet has closed as far as the structure, s `time`: a sheet cannot
     /// touch it.
-    void read(const World& world, const PlanarPose& structure, double time);
+    void read(const World& world, const StructurePose& structure, double time);
 
     /// Throws MemberFailure when the structure, which its moorings have let go by `offset` (m along x and z), has come
     /// to a fixed sheet.
-    void check_fixed(const PlanarPose& structure, const Vec2& offset, double time) const;
+    void check_fixed(const StructurePose& structure, const Vec2& offset, double time) const;
 
     const std::vector<SheetMotion>& motions() const { return motions_; }
 
@@ -80,7 +80,7 @@ class Sheets {
     };
 
     /// Whether the structure reaches as far as a sheet whose middle is there.
-    bool touches(const IceSheet& form, const Vec3& centre, const PlanarPose& structure) const;
+    bool touches(const IceSheet& form, const Vec3& centre, const StructurePose& structure) const;
 
     double confining_;
     double radius_;  ///< of the structure

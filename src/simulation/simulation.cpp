@@ -112,7 +112,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
       hull_loads_(scenario.structure.shape, solids_of(scenario),
                   static_cast<std::size_t>(scenario.step_count() - scenario.first_window_step())),
       world_(scenario_world(scenario)),
-      structure_(world_.add_structure(hull_loads_.solids(), {scenario.structure.start, 0, 0})),
+      structure_(world_.add_structure(hull_loads_.solids(), {.position = {scenario.structure.start, 0, 0}})),
       ice_(world_, scenario, floes),
       sheets_(world_, scenario, channel_),
       water_(make_water(scenario, floes, ice_)),
@@ -187,7 +187,7 @@ void Simulation::read_frame(Frame& frame) const {
     frame.time = time();
     frame.structure = motion_.after();
     motion_.read_lines(frame.lines);
-    frame.load = ice_load_;
+    frame.load = ice_load_.force;
     frame.elements = states_;
     const std::vector<IceElement>& elements = ice_.elements();
     frame.pieces.resize(elements.size());
@@ -236,17 +236,16 @@ void Simulation::step() {
 }
 
 void Simulation::place_structure() {
-    const PlanarPose& pose = motion_.after();
-    world_.place(structure_, {.position = {pose.x, 0, pose.z},
-                              .rotation = Eigen::AngleAxisd(pose.yaw, Vec3::UnitY()).toRotationMatrix(),
+    const Pose pose = motion_.after().pose();
+    world_.place(structure_, {.position = pose.position,
+                              .rotation = pose.orientation.toRotationMatrix(),
                               .velocity = motion_.velocity(),
-                              .angular_velocity = {0, motion_.turning(), 0}});
+                              .angular_velocity = motion_.angular_velocity()});
 }
 
 void Simulation::move_structure() {
-    motion_.advance({ice_load_.x(), ice_load_.z(), ice_moment_});
-    const PlanarPose& pose = motion_.after();
-    world_.move_structure({pose.x, 0, pose.z}, pose.yaw);
+    motion_.advance(ice_load_);
+    world_.move_structure(motion_.after().pose());
 }
 
 void Simulation::wake_floes() {
@@ -262,13 +261,13 @@ void Simulation::apply_water() {
         water_.set(i,
                    {state.position, state.rotation, state.velocity, state.angular_velocity, elements[i].exposed_edges});
     }
-    const PlanarPose& structure = motion_.before();
+    const Vec3& structure = motion_.before().position;
     if (motion_.is_free())
-        water_.move_structure({structure.z, structure.yaw, {motion_.velocity().x(), motion_.velocity().z()}});
+        water_.move_structure({structure.z(), motion_.before().yaw, {motion_.velocity().x(), motion_.velocity().z()}});
     if (work_.looks_at(steps_))
-        work_.split_water(water_, structure.x);
+        work_.split_water(water_, structure.x());
     else
-        water_.compute(structure.x);
+        water_.compute(structure.x());
     for (const std::size_t i : awake) world_.apply(elements[i].body, water_.wrench(i));
 }
 
@@ -301,34 +300,29 @@ void Simulation::share_out_water(std::size_t first_break) {
 }
 
 void Simulation::read_ice_load() {
-    ice_load_ = world_.contact_force(structure_);
-    if (motion_.is_free()) {
-        const PlanarPose& axis = motion_.after();
-        ice_moment_ = 0;
-        for (const ContactForce& one : structure_contacts_) {
-            const Vec3 on_a = one.normal + one.friction;
-            const double moment = (one.point.z() - axis.z) * on_a.x() - (one.point.x() - axis.x) * on_a.z();
-            ice_moment_ += one.a == structure_ ? moment : -moment;
-        }
+    ice_load_ = {world_.contact_force(structure_), Vec3::Zero()};
+    for (const ContactForce& one : structure_contacts_) {
+        const Vec3 force = (one.a == structure_ ? 1.0 : -1.0) * (one.normal + one.friction);
+        ice_load_.moment += (one.point - motion_.after().position).cross(force);
     }
-    if (!ice_load_.allFinite() || !std::isfinite(ice_moment_)) {
+    if (!ice_load_.force.allFinite() || !ice_load_.moment.allFinite()) {
         throw MemberFailure(fmt::format("The load on the structure is not a number (t = {:.2f} s).", step_end()));
     }
 }
 
 void Simulation::map_contacts() {
-    const PlanarPose& axis = motion_.after();  // where contacts were looked for
+    const StructurePose& pose = motion_.after();  // where contacts were looked for
     for (const ContactForce& one : structure_contacts_) {
-        const Vec3 arm = motion_.in_own_axes(one.point - Vec3(axis.x, 0, axis.z));
-        const double surge = -motion_.in_own_axes(one.normal + one.friction).x();  // of a; on b the opposite
+        const Vec3 arm = pose.in_own_axes(one.point - pose.position);
+        const double surge = -pose.in_own_axes(one.normal + one.friction).x();  // of a; on b the opposite
         contact_bins_.add(arm.x(), arm.y(), arm.z(), one.a == structure_ ? surge : -surge, one.normal.norm());
     }
-    hull_loads_.add(structure_contacts_, structure_, motion_);
+    hull_loads_.add(structure_contacts_, structure_, pose, ice_load_.moment);
     ++steps_in_window_;
 }
 
 void Simulation::record() {
-    const Vec3 load = motion_.in_own_axes(ice_load_);
+    const Vec3 load = motion_.after().in_own_axes(ice_load_.force);
     loads_.surge.push_back(-load.x());
     loads_.sway.push_back(load.z());
     loads_.heave.push_back(load.y());
@@ -337,11 +331,11 @@ void Simulation::record() {
 }
 
 void Simulation::record_motion() {
-    const PlanarPose& pose = motion_.after();
-    motions_.x.push_back(pose.x);
-    motions_.z.push_back(pose.z);
+    const StructurePose& pose = motion_.after();
+    motions_.x.push_back(pose.position.x());
+    motions_.z.push_back(pose.position.z());
     motions_.yaw.push_back(pose.yaw);
-    motions_.yaw_load.push_back(ice_moment_);
+    motions_.yaw_load.push_back(ice_load_.moment.y());
     if (!motion_.moored()) return;
     const Vec3& offset = motion_.moored()->state().offset;
     const Vec3 restoring = motion_.moored()->restoring();
@@ -371,7 +365,7 @@ void Simulation::start_window(const FloeSet& floes, IceAhead ahead) {
 
 void Simulation::move_window() {
     if (!window_) return;
-    if (!window_->moves_to(motion_.before().x)) return check_way_back();
+    if (!window_->moves_to(motion_.before().position.x())) return check_way_back();
     leave_behind();
     bool came = false;
     while (enter_ahead()) came = true;
@@ -387,7 +381,7 @@ void Simulation::move_window() {
 
 /// Only moorings let a structure come so far back: of the other ways scenario/checks_endless.cpp has seen the whole.
 void Simulation::check_way_back() const {
-    const double x = motion_.before().x;
+    const double x = motion_.before().position.x();
     if (!window_->has_left(x)) return;
     throw MemberFailure(
         fmt::format("The moored structure has come back to x = {:.4g} m (t = {:.2f} s), and floes behind x = {:.4g} m "

@@ -192,8 +192,7 @@ class Simulation {
     SleepingFloes sleeping_;
     std::optional<MovingWindow> window_;  ///< of a field without end
     Encounters encounters_;
-    Vec3 ice_load_ = Vec3::Zero();
-    double ice_moment_ = 0;  ///< about the axis and +y, N m; of a structure that is not towed straight on
+    Wrench ice_load_;  ///< of the last step, in the world's axes and about the structure's reference point
     LoadHistory loads_;
     MotionHistory motions_;
     std::vector<ContactForce> structure_contacts_;  ///< of the last step

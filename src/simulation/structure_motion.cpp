@@ -23,16 +23,17 @@ PathPlace StructureMotion::prescribed(int step) const {
 }
 
 void StructureMotion::follow(const PathPlace& place) {
-    after_ = place.pose;
+    after_ = {.position = {place.pose.x, 0, place.pose.z}, .yaw = place.pose.yaw};
     velocity_ = {place.velocity.x(), 0, place.velocity.y()};
-    turning_ = place.turning;
+    angular_velocity_ = {0, place.turning, 0};
     pace_ = place.velocity.norm();
 }
 
 /// Beside the place that it would have with moorings that do not give way.
 void StructureMotion::add_offset() {
     const Vec3& offset = moored_->state().offset;
-    after_ = {after_.x + offset[0], after_.z + offset[1], after_.yaw + offset[2]};
+    after_.position += Vec3(offset[0], 0, offset[1]);
+    after_.yaw += offset[2];
 }
 
 void StructureMotion::place(int steps, const MooredState& moored) {
@@ -45,23 +46,23 @@ void StructureMotion::place(int steps, const MooredState& moored) {
     before_ = after_;
 }
 
-void StructureMotion::advance(const Vec3& load) {
+void StructureMotion::advance(const Wrench& load) {
     before_ = after_;
     follow(prescribed(++step_));
     if (!moored_) return;
     const Vec3 from = moored_->state().offset;
-    moored_->advance(load, step_ * time_step_);
+    moored_->advance({load.force.x(), load.force.z(), load.moment.y()}, step_ * time_step_);
     add_offset();
     const Vec3& offset = moored_->state().offset;
     velocity_ += Vec3(offset[0] - from[0], 0, offset[1] - from[1]) / time_step_;
-    turning_ += (offset[2] - from[2]) / time_step_;
+    angular_velocity_.y() += (offset[2] - from[2]) / time_step_;
 }
 
 void StructureMotion::read_lines(std::vector<FrameLine>& lines) const {
     lines.clear();
     if (!moored_) return;
     const Vec3& offset = moored_->state().offset;
-    const Vec2 place(after_.x - offset[0], after_.z - offset[1]);
+    const Vec2 place(after_.position.x() - offset[0], after_.position.z() - offset[1]);
     for (std::size_t i = 0; i < moored_->lines(); ++i) {
         const std::optional<LinePull> pulls = moored_->line(i);
         if (!pulls) continue;
@@ -70,12 +71,6 @@ void StructureMotion::read_lines(std::vector<FrameLine>& lines) const {
         lines.push_back(
             {static_cast<int>(i), {fairlead.x(), 0, fairlead.y()}, {anchor.x(), 0, anchor.y()}, pulls->tension});
     }
-}
-
-Vec3 StructureMotion::in_own_axes(const Vec3& vector) const {
-    if (after_.yaw == 0) return vector;
-    const Vec2 own = turned({vector.x(), vector.z()}, -after_.yaw);
-    return {own.x(), vector.y(), own.y()};
 }
 
 MooredMotion::MooredMotion(const Moorings& moorings, double step)

@@ -81,28 +81,26 @@ class StructureMotion {
   public:
     explicit StructureMotion(const Scenario& scenario);
 
-    /// Begins a step: after() is where the structure is at its end. `load`: of the ice in the step before, N, N and N m
-    /// about the axis; only moorings ask for it.
-    void advance(const Vec3& load);
+    /// Begins a step: after() is where the structure is at its end. `load`: of the ice in the step before, in the
+    /// world's axes and about the reference point; only moorings ask for it.
+    void advance(const Wrench& load);
 
     /// As after `steps` steps, with the moorings in this state.
     void place(int steps, const MooredState& moored);
 
-    const PlanarPose& before() const { return before_; }  ///< at the beginning of the step
-    const PlanarPose& after() const { return after_; }    ///< at its end
+    const StructurePose& before() const { return before_; }  ///< at the beginning of the step
+    const StructurePose& after() const { return after_; }    ///< at its end
 
-    /// In the step, m/s; at the start that of the tow or path alone.
+    /// Of the reference point in the step, m/s; at the start that of the tow or path alone.
     const Vec3& velocity() const { return velocity_; }
-    double turning() const { return turning_; }  ///< rad/s about +y
+    /// Likewise, rad/s, in the world's axes.
+    const Vec3& angular_velocity() const { return angular_velocity_; }
 
     /// How fast what it is towed by goes in the step, m/s.
     double pace() const { return pace_; }
 
     /// Whether it moves other than the straight tow.
     bool is_free() const { return !straight_; }
-
-    /// A vector in the world's axes as ahead, up and across in the structure's at after(); towards +z without yaw.
-    Vec3 in_own_axes(const Vec3& vector) const;
 
     /// Mooring lines that hold, at after(). The vector keeps its memory.
     void read_lines(std::vector<FrameLine>& lines) const;
@@ -121,9 +119,9 @@ class StructureMotion {
     std::vector<PathPlace> places_;
     std::optional<MooredMotion> moored_;
     int step_ = 0;
-    PlanarPose before_, after_;
+    StructurePose before_, after_;
     Vec3 velocity_ = Vec3::Zero();
-    double turning_ = 0;
+    Vec3 angular_velocity_ = Vec3::Zero();
     double pace_ = 0;
 };
 

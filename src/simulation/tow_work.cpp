@@ -27,8 +27,7 @@ TowWork::TowWork(const Scenario& scenario, const FloeSet& floes, const IceField&
       structure_(structure),
       carried_(1 + scenario.water.isotropic_mass()),
       speed_(scenario.structure.speed),
-      paced_(scenario.path.any()),
-      blows_(scenario.wind.speed > 0) {
+      paced_(scenario.path.any()) {
     measure(floes, ice);
 }
 
@@ -48,26 +47,25 @@ void TowWork::measure(const FloeSet& floes, const IceField& ice) {
         inertia_.push_back(mass_.back() * (over_area / cut.area + Vec3(thin, 0, thin) / 12));
     }
     const std::size_t count = ice.elements().size();
-    for (std::vector<Wrench>* wrenches : {&plane_, &vertical_, &waves_, &buoyancy_, &wind_}) wrenches->resize(count);
+    for (std::vector<Wrench>& term : terms_) term.resize(count);
     for (std::vector<Vec3>* vectors : {&velocity_, &angular_velocity_, &position_}) vectors->resize(count);
     contacts_.reserve(8 * count);
 }
 
 void TowWork::split_water(WaterLanes& water, double structure_x) {
-    const auto read = [&](WaterTerms terms, std::vector<Wrench>& into) {
-        water.compute(structure_x, terms);
-        for (std::size_t i = 0; i < into.size(); ++i) into[i] = water.is_set(i) ? water.wrench(i) : Wrench{};
-    };
-    read(WaterTerms::buoyancy, buoyancy_);
-    if (blows_) read(WaterTerms::buoyancy_and_wind, wind_);
-    read(WaterTerms::and_plane_drag, plane_);
-    read(WaterTerms::all_but_waves, vertical_);
-    read(WaterTerms::all, waves_);
-    for (std::size_t i = 0; i < waves_.size(); ++i) {
-        waves_[i] = difference(waves_[i], vertical_[i]);
-        vertical_[i] = difference(vertical_[i], plane_[i]);
-        plane_[i] = difference(plane_[i], blows_ ? wind_[i] : buoyancy_[i]);
-        if (blows_) wind_[i] = difference(wind_[i], buoyancy_[i]);
+    std::size_t last = 0;  // of those that act
+    for (std::size_t k = 0; k < terms_.size(); ++k)
+        if (water.acts(k)) last = k;
+    for (std::size_t k = 0; k <= last; ++k) {
+        if (!water.acts(k)) continue;
+        water.compute(structure_x, k + 1);
+        for (std::size_t i = 0; i < terms_[k].size(); ++i) terms_[k][i] = water.is_set(i) ? water.wrench(i) : Wrench{};
+    }
+    for (std::size_t k = last; k > 0; --k) {
+        if (!water.acts(k)) continue;
+        std::size_t before = k - 1;
+        while (before > 0 && !water.acts(before)) --before;
+        for (std::size_t i = 0; i < terms_[k].size(); ++i) terms_[k][i] = difference(terms_[k][i], terms_[before][i]);
     }
 }
 
@@ -84,7 +82,7 @@ void TowWork::add(const World& world, const IceField& ice, const Sheets& sheets,
     }
     const double before_step = together(sum_);
     double load = -world.contact_force(structure_).dot(motion.velocity());
-    load -= add_contacts(world, ice, sheets, motion) * motion.turning();
+    load -= add_contacts(world, ice, sheets, motion).dot(motion.angular_velocity());
     add_water();
     add_motion(water, before, after);
     sum_.joints -= ice.joint_power(world, before, velocity_, angular_velocity_);
@@ -93,21 +91,20 @@ void TowWork::add(const World& world, const IceField& ice, const Sheets& sheets,
     ++steps_;
 }
 
-/// Gives the moment of the ice about the structure's axis and +y, N m.
-double TowWork::add_contacts(const World& world, const IceField& ice, const Sheets& sheets,
-                             const StructureMotion& motion) {
+/// Gives the moment of the ice about the structure's reference point, N m.
+Vec3 TowWork::add_contacts(const World& world, const IceField& ice, const Sheets& sheets,
+                           const StructureMotion& motion) {
     world.read_contacts(contacts_);
-    const Vec3 axis(motion.after().x, 0, motion.after().z);
-    double moment = 0;
+    Vec3 moment = Vec3::Zero();
     for (const ContactForce& contact : contacts_) {
         bool hull = false;
         const Vec3 on_a = contact.normal + contact.friction;
         const auto velocity = [&](BodyId body) -> Vec3 {
             if (body == structure_) {
                 hull = true;
-                const Vec3 arm = contact.point - axis;
-                moment += arm.cross(body == contact.a ? on_a : Vec3(-on_a)).y();
-                return motion.velocity() + Vec3(0, motion.turning(), 0).cross(arm);
+                const Vec3 arm = contact.point - motion.after().position;
+                moment += arm.cross(body == contact.a ? on_a : Vec3(-on_a));
+                return motion.velocity() + motion.angular_velocity().cross(arm);
             }
             const std::optional<std::size_t> element = ice.element_of(body);
             if (!element) {  // an ice sheet
@@ -126,12 +123,12 @@ double TowWork::add_contacts(const World& world, const IceField& ice, const Shee
 }
 
 void TowWork::add_water() {
-    for (std::size_t i = 0; i < velocity_.size(); ++i) {
-        sum_.plane_drag -= power(plane_[i], i);
-        if (blows_) sum_.driving -= power(wind_[i], i);
-        sum_.vertical_drag -= power(vertical_[i], i);
-        sum_.waves -= power(waves_[i], i);
-        sum_.lifting -= power(buoyancy_[i], i) - weight_[i] * velocity_[i].y();
+    for (std::size_t k = 0; k < terms_.size(); ++k) {
+        double& share = sum_.*water_terms[k].work;
+        for (std::size_t i = 0; i < velocity_.size(); ++i) {
+            const double against_weight = k == 0 ? weight_[i] * velocity_[i].y() : 0;  // which buoyancy lifts
+            share -= power(terms_[k][i], i) - against_weight;
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 // they are the mean load; of a structure that gives way without what the damping of its moorings takes. Looked at in
 // some steps of the window only: it costs more than a step.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -30,8 +31,8 @@ class TowWork {
     /// Whether the step with this number, from 0, is looked at.
     bool looks_at(int step) const { return step >= first_step_ && (step - first_step_) % stride == 0; }
 
-    /// Before the water of a step that is looked at acts: what each kind of force of the water is. `water` has the
-    /// states set and the structure's axis is at x = `structure_x`; all terms are computed last.
+    /// Before the water of a step that is looked at acts: what each of its terms is. `water` has the states set and the
+    /// structure's axis is at x = `structure_x`; all terms are computed last.
     void split_water(WaterLanes& water, double structure_x);
 
     /// After the step and before joints break: from the states of its beginning and its end, in the order of
@@ -46,7 +47,7 @@ class TowWork {
     static constexpr int stride = 5;
 
     double power(const Wrench& wrench, std::size_t element) const;
-    double add_contacts(const World& world, const IceField& ice, const Sheets& sheets, const StructureMotion& motion);
+    Vec3 add_contacts(const World& world, const IceField& ice, const Sheets& sheets, const StructureMotion& motion);
     void add_water();
     void add_motion(const PieceWater& water, std::span<const BodyState> before, std::span<const BodyState> after);
 
@@ -54,16 +55,15 @@ class TowWork {
     double time_step_;
     double gravity_;
     BodyId structure_;
-    double carried_;                                                  ///< mass with isotropic added mass / mass of ice
-    double speed_;                                                    ///< of the straight tow, m/s
-    double way_ = 0;                                                  ///< sum of the paces of the steps looked at, m/s
-    bool paced_;                                                      ///< whether they differ from that speed
-    bool blows_;                                                      ///< whether there is wind
-    std::vector<double> mass_;                                        ///< by element, with isotropic added mass, kg
-    std::vector<double> weight_;                                      ///< by element, N
-    std::vector<Vec3> inertia_;                                       ///< by element, principal, kg m²
-    std::vector<Wrench> plane_, vertical_, waves_, buoyancy_, wind_;  ///< by element
-    std::vector<Vec3> velocity_, angular_velocity_, position_;        ///< by element, mean over the step
+    double carried_;                                             ///< mass with isotropic added mass / mass of ice
+    double speed_;                                               ///< of the straight tow, m/s
+    double way_ = 0;                                             ///< sum of the paces of the steps looked at, m/s
+    bool paced_;                                                 ///< whether they differ from that speed
+    std::vector<double> mass_;                                   ///< by element, with isotropic added mass, kg
+    std::vector<double> weight_;                                 ///< by element, N
+    std::vector<Vec3> inertia_;                                  ///< by element, principal, kg m²
+    std::array<std::vector<Wrench>, water_terms.size()> terms_;  ///< of the water, each by element
+    std::vector<Vec3> velocity_, angular_velocity_, position_;   ///< by element, mean over the step
     std::vector<ContactForce> contacts_;
     WorkShares sum_;
     int steps_ = 0;

@@ -52,12 +52,6 @@ std::optional<Refusal> refused_water(SolverKind solver) {
                    "general.solver = \"direct\", or water.added_mass_from = \"share\""};
 }
 
-std::optional<Refusal> refused_polygons(SolverKind solver) {
-    if (solver == SolverKind::direct) return std::nullopt;
-    return Refusal{"shapes.kind", solver_key, "contacts and joints of polygons are solved directly only",
-                   "general.solver = \"direct\", or shapes.kind = \"rectangle\""};
-}
-
 std::optional<Refusal> refused_cracks(SolverKind solver) {
     if (solver == SolverKind::direct) return std::nullopt;
     return Refusal{"joint.failure", solver_key, "what a crack takes off a joint's stiffness goes into an exact solve",

@@ -32,9 +32,6 @@ std::optional<Refusal> refused_springs(SolverKind solver);
 /// Whether it refuses bodies that carry water.
 std::optional<Refusal> refused_water(SolverKind solver);
 
-/// Whether it refuses bodies that are no boxes.
-std::optional<Refusal> refused_polygons(SolverKind solver);
-
 /// Whether it refuses joints that crack by stress, and soften as they do.
 std::optional<Refusal> refused_cracks(SolverKind solver);
 

@@ -23,11 +23,8 @@ WaterKernel water_kernel(int width) {
     return water_scalar;
 }
 
-WaterFactors with(WaterTerms terms, WaterFactors factors) {
-    if (terms < WaterTerms::buoyancy_and_wind) factors.wind_x = factors.wind_z = 0;
-    if (terms < WaterTerms::and_plane_drag) factors.form = factors.skin = 0;
-    if (terms < WaterTerms::all_but_waves) factors.heave = 0;
-    if (terms < WaterTerms::all) factors.waves_below = 0;
+WaterFactors with_first(std::size_t terms, WaterFactors factors) {
+    for (std::size_t k = terms; k < water_terms.size(); ++k) water_terms[k].leave_out(factors);
     return factors;
 }
 
@@ -85,13 +82,21 @@ void WaterLanes::set(std::size_t element, const ElementState& state) {
     for (std::size_t f = 0; f < plan.size(); ++f) plan_[f * stride_ + place] = plan[f];
 }
 
-void WaterLanes::compute(double structure_x, WaterTerms terms) {
+void WaterLanes::compute(double structure_x, std::size_t terms) {
     for (const Group& group : groups_) {
-        const WaterFactors factors = with(terms, group.factors);
+        const WaterFactors factors = with_first(terms, group.factors);
         kernel_({state_.data() + group.first, exposed_edges_.data() + group.first, linear_.data() + group.first,
                  wrench_.data() + group.first, stride_, plan_.data() + group.first, group.edges},
                 factors, group.count, structure_x);
     }
+}
+
+bool WaterLanes::acts(std::size_t term) const {
+    return std::ranges::any_of(groups_, [&](const Group& group) {
+        WaterFactors without = group.factors;
+        water_terms[term].leave_out(without);
+        return without != group.factors;
+    });
 }
 
 Wrench WaterLanes::wrench(std::size_t element) const {

@@ -10,6 +10,7 @@
 // Elements that differ in nothing but their plan and damping fill lanes together, so a vector of squares of several
 // sizes or thicknesses is a few lanes short.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,13 +18,26 @@
 
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
+#include "statistics/work_shares.hpp"
 #include "water/water_kernels.hpp"
 #include "water/water_model.hpp"
 
 namespace floes {
 
-/// Which forces of the water and the wind are computed; drag in the plane of the ice is form and skin drag.
-enum class WaterTerms { buoyancy, buoyancy_and_wind, and_plane_drag, all_but_waves, all };
+/// A force of the water or the wind on floes.
+struct WaterTerm {
+    void (*leave_out)(WaterFactors&);  ///< factors with which the kernel computes everything else
+    double WorkShares::*work;          ///< where its work goes
+};
+
+/// All of them, in the order in which a split adds one after the other. A new one is its part of the kernel with its
+/// factors (water_kernels), what they are (water_model), its keys (scenario/tables_water.cpp) and its line here.
+inline constexpr std::array water_terms{
+    WaterTerm{[](WaterFactors& factors) { factors.buoyancy = 0; }, &WorkShares::lifting},
+    WaterTerm{[](WaterFactors& factors) { factors.wind_x = factors.wind_z = 0; }, &WorkShares::driving},
+    WaterTerm{[](WaterFactors& factors) { factors.form = factors.skin = 0; }, &WorkShares::plane_drag},
+    WaterTerm{[](WaterFactors& factors) { factors.heave = 0; }, &WorkShares::vertical_drag},
+    WaterTerm{[](WaterFactors& factors) { factors.waves_below = 0; }, &WorkShares::waves}};
 
 class WaterLanes {
   public:
@@ -40,8 +54,12 @@ class WaterLanes {
     void clear();
     void set(std::size_t element, const ElementState& state);
 
-    /// Forces on the elements set since clear(), with the structure's axis at x = `structure_x`, m.
-    void compute(double structure_x, WaterTerms terms = WaterTerms::all);
+    /// Forces on the elements set since clear(), with the structure's axis at x = `structure_x`, m: the sum of the
+    /// first `terms` of water_terms.
+    void compute(double structure_x, std::size_t terms = water_terms.size());
+
+    /// Whether the term acts on any element.
+    bool acts(std::size_t term) const;
 
     /// Whether the element was set since clear().
     bool is_set(std::size_t element) const { return is_set_[element] != 0; }

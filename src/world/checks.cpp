@@ -47,24 +47,18 @@ void check(const WorldDefinition& d) {
     check_contact(d.contact, d.solver);
 }
 
-void check(const BoxDefinition& box) {
-    check_box(box.half_extents);
-    require(box.mass > 0, "the mass of an element", box.mass, "above 0 kg");
-}
-
-void check(const PrismDefinition& prism, SolverKind solver) {
-    if (const auto refusal = refused_polygons(solver)) refuse(*refusal);
-    if (const auto fault = fault_of(prism.corners))
+void check(const ElementDefinition& element) {
+    require(element.half_thickness > 0, "half the thickness of an element", element.half_thickness, "above 0 m");
+    require(element.mass > 0, "the mass of an element", element.mass, "above 0 kg");
+    if (const auto fault = fault_of(element.corners))
         throw InputError(fmt::format("The world cannot be built: an element is no convex polygon: {}.", *fault));
-    require(prism.corners.size() <= most_corners, "the number of corners of an element",
-            static_cast<double>(prism.corners.size()), fmt::format("at most {}", most_corners).c_str());
-    const Measures of = measures_of(prism.corners);
+    require(element.corners.size() <= most_corners, "the number of corners of an element",
+            static_cast<double>(element.corners.size()), fmt::format("at most {}", most_corners).c_str());
+    const Measures of = measures_of(element.corners);
     require(of.area > 0, "the area of an element", of.area, "above 0 m², with corners from x to z");
-    require(std::abs(of.centroid.x) + std::abs(of.centroid.z) <= 1e-6 * reach_of(prism.corners) &&
+    require(std::abs(of.centroid.x) + std::abs(of.centroid.z) <= 1e-6 * reach_of(element.corners) &&
                 std::abs(of.xz) <= 1e-6 * (of.xx + of.zz),
             "the product of inertia of an element", of.xz, "0, about its centre of mass");
-    require(prism.half_thickness > 0, "half the thickness of an element", prism.half_thickness, "above 0 m");
-    require(prism.mass > 0, "the mass of an element", prism.mass, "above 0 kg");
 }
 
 void check(const FixedBoxDefinition& box) {

@@ -13,8 +13,7 @@ namespace floes {
 
 /// With the contact law: what the solver that the definition names refuses (solver/solver_kind.hpp).
 void check(const WorldDefinition& definition);
-void check(const BoxDefinition& box);
-void check(const PrismDefinition& prism, SolverKind solver);
+void check(const ElementDefinition& element);
 void check(const FixedBoxDefinition& box);
 void check(const SlidingBoxDefinition& box);
 void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver);

@@ -3,6 +3,8 @@
 
 #include <LinearMath/btTransform.h>
 
+#include <array>
+
 #include "core/vector.hpp"
 
 namespace floes {
@@ -18,6 +20,10 @@ inline btTransform to_bullet(const Pose& pose) {
 
 inline btMatrix3x3 to_bullet(const Mat3& m) {
     return {m(0, 0), m(0, 1), m(0, 2), m(1, 0), m(1, 1), m(1, 2), m(2, 0), m(2, 1), m(2, 2)};
+}
+
+inline std::array<double, 3> array_of(const btVector3& v) {
+    return {v.x(), v.y(), v.z()};
 }
 
 inline Vec3 from_bullet(const btVector3& v) {

@@ -32,23 +32,14 @@ struct WorldDefinition {
 /// Bodies of the same piece (>= 0) never collide with each other; bodies of no piece collide with all.
 inline constexpr int no_piece = -1;
 
-/// A box of ice that moves freely.
-struct BoxDefinition {
-    Vec3 half_extents = Vec3::Zero();  ///< m, along the body's own axes, all > 0
-    double mass = 0;                   ///< kg, > 0, homogeneous
-    Pose pose;                         ///< of the centre
-    int piece = no_piece;
-    double crushing_pressure = 0;  ///< Pa, of its edges, with NormalLaw::crushing; 0: that of the contact law
-};
-
-/// A convex polygon of ice, of even thickness, that moves freely; with the direct solver only.
-struct PrismDefinition {
-    Outline corners;            ///< in its own x and z about the centre of mass, along principal axes, m
+/// An element of ice that moves freely: a prism, a convex polygon of even thickness.
+struct ElementDefinition {
+    Outline corners{};  ///< in its own x and z about the centre of mass, along principal axes, m; corners_of() a box's
     double half_thickness = 0;  ///< m, > 0, along its own y
     double mass = 0;            ///< kg, > 0, homogeneous
-    Pose pose;                  ///< of the centre of mass
+    Pose pose{};                ///< of the centre of mass
     int piece = no_piece;
-    double crushing_pressure = 0;  ///< Pa, as of a box
+    double crushing_pressure = 0;  ///< Pa, of its edges, with NormalLaw::crushing; 0: that of the contact law
 };
 
 /// A box of ice that never moves.

@@ -9,19 +9,12 @@ WorldDefinition FroudeUnits::to_own(WorldDefinition definition) const {
     return definition;
 }
 
-BoxDefinition FroudeUnits::to_own(BoxDefinition box) const {
-    box.half_extents /= length_;
-    box.crushing_pressure *= length_ * length_;
-    box.pose = to_own(box.pose);
-    return box;
-}
-
-PrismDefinition FroudeUnits::to_own(PrismDefinition prism) const {
-    for (Corner& corner : prism.corners) corner = {corner.x / length_, corner.z / length_};
-    prism.half_thickness /= length_;
-    prism.crushing_pressure *= length_ * length_;
-    prism.pose = to_own(prism.pose);
-    return prism;
+ElementDefinition FroudeUnits::to_own(ElementDefinition element) const {
+    for (Corner& corner : element.corners) corner = {corner.x / length_, corner.z / length_};
+    element.half_thickness /= length_;
+    element.crushing_pressure *= length_ * length_;
+    element.pose = to_own(element.pose);
+    return element;
 }
 
 FixedBoxDefinition FroudeUnits::to_own(FixedBoxDefinition box) const {
@@ -57,16 +50,6 @@ BodyState FroudeUnits::to_own(const BodyState& state) const {
 
 BodyState FroudeUnits::to_si(const BodyState& state) const {
     return {state.position * length_, state.rotation, state.velocity * time_, state.angular_velocity / time_};
-}
-
-BodyState FroudeUnits::to_si(const BodyMotion& motion) const {
-    const auto vector = [](const double* v) { return Eigen::Map<const Vec3>(v); };
-    BodyState state;
-    state.position = vector(motion.position) * length_;
-    state.rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(motion.rotation);
-    state.velocity = vector(motion.velocity) * time_;
-    state.angular_velocity = vector(motion.angular_velocity) / time_;
-    return state;
 }
 
 JointReaction FroudeUnits::to_si(JointReaction reaction) const {

@@ -10,7 +10,6 @@
 #include <cmath>
 
 #include "shapes/convex_solid.hpp"
-#include "solver/body_motion.hpp"
 #include "solver/carried_water.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
@@ -25,8 +24,7 @@ class FroudeUnits {
     Vec3 to_own(const Vec3& position) const { return position / length_; }
     Pose to_own(const Pose& pose) const { return {to_own(pose.position), pose.orientation}; }
     WorldDefinition to_own(WorldDefinition definition) const;
-    BoxDefinition to_own(BoxDefinition box) const;
-    PrismDefinition to_own(PrismDefinition prism) const;
+    ElementDefinition to_own(ElementDefinition element) const;
     FixedBoxDefinition to_own(FixedBoxDefinition box) const;
     SlidingBoxDefinition to_own(SlidingBoxDefinition box) const;
     JointDefinition to_own(JointDefinition joint) const;
@@ -37,7 +35,6 @@ class FroudeUnits {
 
     Vec3 to_si(const Vec3& position) const { return position * length_; }
     BodyState to_si(const BodyState& state) const;
-    BodyState to_si(const BodyMotion& motion) const;
     JointReaction to_si(JointReaction reaction) const;
 
   private:

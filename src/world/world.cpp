@@ -1,222 +1,184 @@
 #include "world/world.hpp"
 
-#include <limits>
-#include <optional>
-#include <vector>
-
-#include "core/error.hpp"
 #include "world/checks.hpp"
-#include "world/contact_load.hpp"
-#include "world/conversion.hpp"
-#include "world/solver_state.hpp"
-#include "world/world_bullet.hpp"
+#include "world/engine.hpp"
+#include "world/froude_units.hpp"
 
 namespace floes {
 
+struct World::Parts {
+    explicit Parts(const WorldDefinition& definition)
+        : solver(definition.solver),
+          units(definition.length_unit),
+          time_step(units.to_own(definition).time_step),
+          engine((solver == SolverKind::stock ? make_bullet_engine : make_lane_engine)(units.to_own(definition))) {}
+
+    BodyId add(const ElementDefinition& body, std::optional<int> rail = {}) {
+        engine->add_body(units.to_own(body), rail);
+        return BodyId(bodies++);
+    }
+
+    SolverKind solver;
+    FroudeUnits units;
+    double time_step;  ///< in the engine's units, as impulses are
+    std::unique_ptr<Engine> engine;
+    std::size_t bodies = 0;
+    std::size_t joints = 0;
+    bool has_structure = false;
+};
+
+namespace {
+
+Vec3 vector_of(const std::array<double, 3>& v) {
+    return {v[0], v[1], v[2]};
+}
+
+Outline plan_of(const Vec3& half_extents) {
+    return corners_of(half_extents.x(), half_extents.z());
+}
+
+}  // namespace
+
 World::World(const WorldDefinition& definition) {
     check(definition);
-    bullet_ = std::make_unique<Bullet>(definition);
+    parts_ = std::make_unique<Parts>(definition);
 }
 
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
-BodyId World::add_element(const BoxDefinition& given) {
-    check(given);
-    const BoxDefinition box = bullet_->units.to_own(given);
-    return bullet_->add_body(bullet_->boxes.take(box.half_extents), box.mass, box.pose, bullet_->friction.ice,
-                             box.piece, 0, box.crushing_pressure);
+BodyId World::add_element(const ElementDefinition& element) {
+    check(element);
+    return parts_->add(element);
 }
 
-BodyId World::add_prism(const PrismDefinition& given) {
-    check(given, bullet_->definition.solver);
-    const PrismDefinition prism = bullet_->units.to_own(given);
-    return bullet_->add_body(bullet_->hulls.take(prism), prism.mass, prism.pose, bullet_->friction.ice, prism.piece, 0,
-                             prism.crushing_pressure);
+BodyId World::add_fixed_box(const FixedBoxDefinition& box) {
+    check(box);
+    return parts_->add(
+        {.corners = plan_of(box.half_extents), .half_thickness = box.half_extents.y(), .pose = box.pose});
 }
 
-BodyId World::add_fixed_box(const FixedBoxDefinition& given) {
-    check(given);
-    const FixedBoxDefinition box = bullet_->units.to_own(given);
-    return bullet_->add_body(bullet_->boxes.take(box.half_extents), 0, box.pose, bullet_->friction.ice, no_piece, 0, 0);
+BodyId World::add_sliding_box(const SlidingBoxDefinition& box) {
+    check(box);
+    return parts_->add({.corners = plan_of(box.half_extents),
+                        .half_thickness = box.half_extents.y(),
+                        .mass = box.mass,
+                        .pose = {box.position, Quat::Identity()}},
+                       box.axis);
 }
 
-BodyId World::add_sliding_box(const SlidingBoxDefinition& given) {
-    check(given);
-    const SlidingBoxDefinition box = bullet_->units.to_own(given);
-    return bullet_->add_body(bullet_->boxes.take(box.half_extents), box.mass, {box.position, Quat::Identity()},
-                             bullet_->friction.ice, sheet_piece, 0, 0, box.axis);
+BodyId World::add_structure(std::span<const ConvexSolid> solids, const Pose& pose) {
+    check_structure(solids, parts_->has_structure);
+    std::vector<ConvexSolid> own;
+    for (const ConvexSolid& solid : solids) own.push_back(parts_->units.to_own(solid));
+    parts_->engine->add_structure(own, parts_->units.to_own(pose));
+    parts_->has_structure = true;
+    return BodyId(parts_->bodies++);
 }
 
-BodyId World::add_structure(std::span<const ConvexSolid> solids, const Vec3& position) {
-    check_structure(solids, bullet_->structure.has_value());
-    bullet_->structure_shape.emplace();
-    for (const ConvexSolid& solid : solids) {
-        SolidShape& shape = bullet_->solids.emplace_back(bullet_->units.to_own(solid));
-        bullet_->structure_shape->addChildShape(shape.place(), &shape);
-    }
-    const Pose pose{bullet_->units.to_own(position), Quat::Identity()};
-    bullet_->structure = bullet_->add_body(&*bullet_->structure_shape, 0, pose, bullet_->friction.structure,
-                                           sheet_piece, btCollisionObject::CF_KINEMATIC_OBJECT,
-                                           std::numeric_limits<double>::infinity());  // it does not crush
-    if (bullet_->lanes) bullet_->lanes->set_structure(bullet_->structure->index(), *bullet_->structure_shape);
-    return *bullet_->structure;
-}
-
-JointId World::add_joint(const JointDefinition& given) {
-    check(given, bullet_->bodies.size(), bullet_->definition.solver);
-    const JointDefinition joint = bullet_->units.to_own(given);
-    const JointId id(bullet_->joint_count++);
-    if (bullet_->lanes) {
-        bullet_->lanes->add_joint(joint, bullet_->body(joint.a), bullet_->body(joint.b));
-        return id;
-    }
-    bullet_->joints.push_back(std::make_unique<FixedJoint>(joint, bullet_->body(joint.a), bullet_->body(joint.b)));
-    bullet_->world.addConstraint(bullet_->joints.back()->constraint());
-    return id;
+JointId World::add_joint(const JointDefinition& joint) {
+    check(joint, parts_->bodies, parts_->solver);
+    parts_->engine->add_joint(parts_->units.to_own(joint));
+    return JointId(parts_->joints++);
 }
 
 void World::remove_joint(JointId joint) {
-    if (bullet_->lanes) {
-        bullet_->lanes->remove_joint(joint.index());
-        return;
-    }
-    std::unique_ptr<FixedJoint>& removed = bullet_->joints[joint.index()];
-    if (!removed) return;
-    bullet_->world.remove_in_order(removed->constraint());
-    removed.reset();
+    parts_->engine->remove_joint(joint);
 }
 
 void World::soften_joint(JointId joint, double sound) {
-    check_softening(sound, bullet_->definition.solver);
-    bullet_->lanes->soften_joint(joint.index(), sound);
+    check_softening(sound, parts_->solver);
+    parts_->engine->soften_joint(joint, sound);
 }
 
 void World::set_piece(BodyId body, int piece) {
-    if (bullet_->lanes)
-        bullet_->lanes->set_piece(body.index(), piece);
-    else
-        bullet_->body(body).setUserIndex2(piece);
+    parts_->engine->set_piece(body, piece);
 }
 
-void World::set_water(BodyId body, const CarriedWater& given) {
-    check(given, bullet_->definition.solver);
-    bullet_->lanes->set_water(body.index(), bullet_->units.to_own(given));
+void World::set_water(BodyId body, const CarriedWater& water) {
+    check(water, parts_->solver);
+    parts_->engine->set_water(body, parts_->units.to_own(water));
 }
 
 void World::set_asleep(BodyId body, bool asleep) {
-    check_sleep(bullet_->definition.solver);
-    bullet_->lanes->set_asleep(body.index(), asleep);
+    check_sleep(parts_->solver);
+    parts_->engine->set_asleep(body, asleep);
 }
 
 void World::take_out(BodyId element) {
-    check_sleep(bullet_->definition.solver);
-    bullet_->lanes->take_out(element.index());
+    check_sleep(parts_->solver);
+    parts_->engine->take_out(element);
 }
 
-void World::put_in(BodyId element, const BoxDefinition& given) {
-    check_sleep(bullet_->definition.solver);
-    check(given);
-    const BoxDefinition box = bullet_->units.to_own(given);
-    bullet_->give_back_shape(element);
-    bullet_->make_anew(element, bullet_->boxes.take(box.half_extents), box);
+void World::put_in(BodyId element, const ElementDefinition& definition) {
+    check_sleep(parts_->solver);
+    check(definition);
+    parts_->engine->put_in(element, parts_->units.to_own(definition));
 }
 
-void World::put_in(BodyId element, const PrismDefinition& given) {
-    check(given, bullet_->definition.solver);
-    const PrismDefinition prism = bullet_->units.to_own(given);
-    bullet_->give_back_shape(element);
-    bullet_->make_anew(element, bullet_->hulls.take(prism), prism);
-}
-
-void World::put_in(JointId joint, const JointDefinition& given) {
-    check_sleep(bullet_->definition.solver);
-    check(given, bullet_->bodies.size(), bullet_->definition.solver);
-    const JointDefinition definition = bullet_->units.to_own(given);
-    bullet_->lanes->put_in_joint(joint.index(), definition, bullet_->body(definition.a), bullet_->body(definition.b));
+void World::put_in(JointId joint, const JointDefinition& definition) {
+    check_sleep(parts_->solver);
+    check(definition, parts_->bodies, parts_->solver);
+    parts_->engine->put_in(joint, parts_->units.to_own(definition));
 }
 
 std::vector<BodyId> World::touched_asleep() const {
-    return bullet_->lanes ? bullet_->lanes->touched_asleep() : std::vector<BodyId>{};
+    return parts_->engine->touched_asleep();
 }
 
-void World::place(BodyId body, const BodyState& given) {
-    btRigidBody& placed = bullet_->body(body);
-    floes::place(placed, bullet_->units.to_own(given));
-    if (bullet_->structure == body) bullet_->turn.place(bullet_->units.to_own(given).rotation);
-    if (bullet_->lanes) {
-        bullet_->lanes->place(body.index(), state_of(placed));
-        return;
-    }
-    if (bullet_->dispatcher.getNumManifolds() > 0) {  // contacts: there are none before the first step
-        bullet_->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(placed.getBroadphaseHandle(),
-                                                                           &bullet_->dispatcher);
-    }
-    bullet_->world.updateSingleAabb(&placed);
+void World::place(BodyId body, const BodyState& state) {
+    parts_->engine->place(body, parts_->units.to_own(state));
 }
 
-void World::move_structure(const Vec3& position, double yaw) {
-    const Pose pose{bullet_->units.to_own(position), bullet_->turn.to(yaw)};
-    // Not setCenterOfMassTransform: that would also move what Bullet takes the velocity from.
-    bullet_->body(bullet_->structure.value()).setWorldTransform(to_bullet(pose));
+void World::move_structure(const Pose& pose) {
+    parts_->engine->move_structure(parts_->units.to_own(pose));
 }
 
-void World::apply(BodyId body, const Wrench& given) {
-    const Wrench wrench = bullet_->units.to_own(given);
-    if (bullet_->lanes) return bullet_->lanes->apply(body.index(), wrench);
-    btRigidBody& target = bullet_->body(body);
-    target.applyCentralForce(to_bullet(wrench.force));
-    target.applyTorque(to_bullet(wrench.moment));
+void World::apply(BodyId body, const Wrench& wrench) {
+    parts_->engine->apply(body, parts_->units.to_own(wrench));
 }
 
 void World::step() {
-    const double time_step = bullet_->definition.time_step;
-    if (!bullet_->lanes) {
-        bullet_->world.stepSimulation(time_step, 0);  // 0: this step as it is, no sub-steps
-        return;
-    }
-    if (bullet_->structure) bullet_->turn.save(bullet_->body(*bullet_->structure), time_step);
-    bullet_->lanes->step(bullet_->bodies);
+    parts_->engine->step();
 }
 
 BodyState World::state(BodyId body) const {
-    if (bullet_->lanes && bullet_->lanes->is_free(body.index())) {
-        const BodyMotion* motion = bullet_->lanes->motion(body.index());
-        return motion != nullptr ? bullet_->units.to_si(*motion)
-                                 : bullet_->units.to_si(bullet_->lanes->state(body.index()));
-    }
-    const btRigidBody& source = bullet_->body(body);
-    const btTransform& transform = source.getWorldTransform();
-    return bullet_->units.to_si({.position = from_bullet(transform.getOrigin()),
-                                 .rotation = from_bullet(transform.getBasis()),
-                                 .velocity = from_bullet(source.getLinearVelocity()),
-                                 .angular_velocity = from_bullet(source.getAngularVelocity())});
+    return parts_->units.to_si(parts_->engine->state(body));
 }
 
 int World::sweeps() const {
-    return bullet_->lanes ? bullet_->lanes->sweeps() : bullet_->definition.iterations;
+    return parts_->engine->sweeps();
 }
 
 JointReaction World::reaction(JointId joint) const {
-    if (bullet_->lanes) return bullet_->units.to_si(bullet_->lanes->reaction(joint.index()));
-    const std::unique_ptr<FixedJoint>& live = bullet_->joints[joint.index()];
-    return live ? bullet_->units.to_si(live->reaction()) : JointReaction{};
+    return parts_->units.to_si(parts_->engine->reaction(joint));
 }
 
 Vec3 World::contact_force(BodyId body) const {
-    const double time_step = bullet_->definition.time_step;
-    if (bullet_->lanes) return contact_load(bullet_->lanes->contacts(), body, time_step);
-    return contact_load(bullet_->world.solved_manifolds(), &bullet_->body(body), time_step);
+    Vec3 impulse = Vec3::Zero();
+    for (const SolverContact& contact : parts_->engine->contacts()) {
+        const double side = contact.a == body.index() ? 1.0 : contact.b == body.index() ? -1.0 : 0.0;
+        if (side == 0.0) continue;
+        const Vec3 on_a =
+            vector_of(contact.normal) * contact.impulse + vector_of(contact.slide) * contact.friction_impulse;
+        impulse += side * on_a;
+    }
+    return impulse / parts_->time_step;
 }
 
 void World::read_contacts(std::vector<ContactForce>& found, std::optional<BodyId> of) const {
-    const double time_step = bullet_->definition.time_step;
-    if (bullet_->lanes)
-        read_contact_forces(bullet_->lanes->contacts(), of, time_step, found);
-    else
-        read_contact_forces(bullet_->world.solved_manifolds(), of ? &bullet_->body(*of) : nullptr, time_step, found);
-    for (ContactForce& one : found) one.point = bullet_->units.to_si(one.point);
+    found.clear();
+    for (const SolverContact& contact : parts_->engine->contacts()) {
+        if (of && contact.a != of->index() && contact.b != of->index()) continue;
+        if (contact.impulse == 0 && contact.friction_impulse == 0) continue;
+        found.push_back({.a = BodyId(contact.a),
+                         .b = BodyId(contact.b),
+                         .point = parts_->units.to_si((vector_of(contact.on_a) + vector_of(contact.on_b)) / 2),
+                         .normal = vector_of(contact.normal) * (contact.impulse / parts_->time_step),
+                         .friction = vector_of(contact.slide) * (contact.friction_impulse / parts_->time_step),
+                         .solid = contact.solid});
+    }
 }
 
 }  // namespace floes

@@ -1,7 +1,8 @@
 #pragma once
-// The rigid-body world, the only door to Bullet. One step reads:
+// The rigid-body world, the only door to Bullet. Two engines compute it, Bullet's own and ours (world/engine.hpp). One
+// step reads:
 //
-//   world.move_structure(position at the end of the step);
+//   world.move_structure(pose at the end of the step);
 //   world.apply(body, wrench);             // as often as needed, adds up
 //   world.step();
 //   world.state(body); world.reaction(joint); world.contact_force(body);
@@ -30,14 +31,13 @@ class World {
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
 
-    BodyId add_element(const BoxDefinition& box);
-    BodyId add_prism(const PrismDefinition& prism);
+    BodyId add_element(const ElementDefinition& element);
     BodyId add_fixed_box(const FixedBoxDefinition& box);
     BodyId add_sliding_box(const SlidingBoxDefinition& box);
 
-    /// The towed body: convex solids in its own axes, together not necessarily convex. Driven by
-    /// move_structure, never pushed back. At most one in a World.
-    BodyId add_structure(std::span<const ConvexSolid> solids, const Vec3& position);
+    /// The structure: convex solids in its own axes, together not necessarily convex. Driven by move_structure, never
+    /// pushed back. At most one in a World.
+    BodyId add_structure(std::span<const ConvexSolid> solids, const Pose& pose);
 
     /// Joints are solved in the order in which they are added.
     JointId add_joint(const JointDefinition& joint);
@@ -69,8 +69,7 @@ class World {
     void take_out(BodyId element);
 
     /// Another element under the id of one that was taken out; it carries no water yet.
-    void put_in(BodyId element, const BoxDefinition& box);
-    void put_in(BodyId element, const PrismDefinition& prism);
+    void put_in(BodyId element, const ElementDefinition& definition);
 
     /// Another joint under the id of one that was removed. Throws InputError as add_joint does.
     void put_in(JointId joint, const JointDefinition& definition);
@@ -79,9 +78,9 @@ class World {
     /// lives, some millimetres for elements of 0.2 m), in the order of the contacts; a body may come more than once.
     std::vector<BodyId> touched_asleep() const;
 
-    /// Where the structure is at the end of the coming step, turned by `yaw` (rad about +y) from how it was added. Its
+    /// Where the structure is at the end of the coming step, with the solids' axes turned by the orientation. Its
     /// velocities in that step are the differences over Δt.
-    void move_structure(const Vec3& position, double yaw = 0);
+    void move_structure(const Pose& pose);
 
     /// Adds a force at the centre of mass and a moment (world axes, N, N m) for the coming step only.
     void apply(BodyId body, const Wrench& wrench);
@@ -105,8 +104,8 @@ class World {
     void read_contacts(std::vector<ContactForce>& found, std::optional<BodyId> of = {}) const;
 
   private:
-    class Bullet;
-    std::unique_ptr<Bullet> bullet_;
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace floes

@@ -12,7 +12,7 @@
 #include <map>
 #include <vector>
 
-#include "collision/box_contacts.hpp"
+#include "collision/ice_contacts.hpp"
 #include "collision/random_boxes.hpp"
 
 namespace floes {
@@ -45,7 +45,7 @@ class Crowd {
             objects_[i].setWorldTransform(test::moved(pose, way, turn));
             motions_[i] = test::motion_of(objects_[i].getWorldTransform(), way, turn);
         }
-        ours_.find(motions_.data());
+        ours_.find(motions_.data(), store_);
         world_.performDiscreteCollisionDetection();
         return compare();
     }
@@ -56,7 +56,7 @@ class Crowd {
         motions_[box] = test::motion_of(objects_[box].getWorldTransform());
         world_.getBroadphase()->getOverlappingPairCache()->cleanProxyFromPairs(objects_[box].getBroadphaseHandle(),
                                                                                &dispatcher_);
-        ours_.move(static_cast<std::uint32_t>(box));
+        ours_.move(static_cast<std::uint32_t>(box), store_);
     }
 
     void set_piece(std::size_t box, int piece) {
@@ -82,7 +82,7 @@ class Crowd {
         object.setUserIndex2(piece);
         world_.addCollisionObject(&object);
         motions_.push_back(test::motion_of(object.getWorldTransform()));
-        ours_.add({test::extent_of(shape), shape.getContactBreakingThreshold(0.02), fixed, true, piece});
+        ours_.add({test::prism_of(shape), shape.getContactBreakingThreshold(0.02), fixed, piece});
     }
 
     int compare() {
@@ -97,10 +97,10 @@ class Crowd {
         int points = 0;
         EXPECT_EQ(ours_.touching().size(), theirs.size());
         auto next = theirs.begin();
-        for (const BoxContacts::Pair& pair : ours_.touching()) {
+        for (const Touching& pair : ours_.touching()) {
             if (next == theirs.end()) return points;
             EXPECT_EQ(std::pair(static_cast<int>(pair.a), static_cast<int>(pair.b)), next->first);
-            const TouchingPoints& found = ours_.points(pair);
+            const TouchingPoints& found = store_[pair.points];
             EXPECT_EQ(found.count(), next->second->getNumContacts());
             for (int i = 0; i < std::min(found.count(), next->second->getNumContacts()); ++i) {
                 const btManifoldPoint& point = next->second->getContactPoint(i);
@@ -124,7 +124,8 @@ class Crowd {
     std::deque<btBoxShape> shapes_;
     std::deque<btCollisionObject> objects_;
     std::vector<BodyMotion> motions_;
-    BoxContacts ours_;
+    ContactStore store_;
+    IceContacts ours_;
 };
 
 TEST(ManyBoxes, TouchWhereBulletSays) {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "collision/box.hpp"
+#include "collision/prism.hpp"
 #include "solver/body_motion.hpp"
 
 namespace floes::test {
@@ -45,9 +45,9 @@ inline BodyMotion motion_of(const btTransform& pose, const btVector3& step = {0,
     return motion;
 }
 
-inline Triple extent_of(const btBoxShape& shape) {
+inline PrismShape prism_of(const btBoxShape& shape) {
     const btVector3 half = shape.getHalfExtentsWithMargin();
-    return {half.x(), half.y(), half.z()};
+    return {corners_of(half.x(), half.z()), half.y()};
 }
 
 }  // namespace floes::test

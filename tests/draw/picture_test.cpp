@@ -45,7 +45,7 @@ Frame frame(double time) {
     Frame made;
     made.step = static_cast<int>(std::lround(time / 0.02));
     made.time = time;
-    made.structure.x = 2;
+    made.structure.position.x() = 2;
     made.load = {-10, 5, 0};
     for (int k = 0; k < 9; ++k) {
         made.elements.push_back({.position = {3.5 + 0.2 * (k % 3), 0.0, 0.2 * (k / 3) - 0.2}});

@@ -31,7 +31,7 @@ inline Frame frame(int number, int elements) {
     Frame made;
     made.step = 5 * number;
     made.time = 0.02 * made.step;
-    made.structure.x = 2 + 1.75 * made.time;
+    made.structure.position.x() = 2 + 1.75 * made.time;
     made.load = Vec3(-10.0 * number, 2.5, -0.125 * number);
     for (int e = 0; e < elements; ++e) {
         const double phase = 0.7 * e + 0.05 * number;

@@ -38,7 +38,7 @@ Frame some_frame(double time) {
     Frame frame;
     frame.step = static_cast<int>(std::lround(50 * time));
     frame.time = time;
-    frame.structure.x = 2 + 0.07 * time;
+    frame.structure.position.x() = 2 + 0.07 * time;
     frame.load = {-30 * time, 5, 2};
     for (int i = 0; i < 18; ++i) {
         BodyState state;
@@ -169,7 +169,7 @@ TEST_F(Vtk, TheLoadActsOnTheAxisInThreePartsAndWhole) {
 }
 
 TEST_F(Vtk, TheStructureIsClosedAndFacesOutward) {
-    const VtkReader file = written(structure_part(Shape({{-0.4, 0.3}, {0.2, 0.6}}), {5, 0, 0}));
+    const VtkReader file = written(structure_part(Shape({{-0.4, 0.3}, {0.2, 0.6}}), {.position = {5, 0, 0}}));
     const auto points = file.values<float>("Points");
     const auto connectivity = file.values<std::int32_t>("connectivity");
     double volume = 0;  // divergence theorem over the triangles of every polygon's fan

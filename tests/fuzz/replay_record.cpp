@@ -42,7 +42,8 @@ void put(const Vec3& vector, ByteWriter& out) {
 void put(const Frame& frame, ByteWriter& out) {
     out.i32(frame.step);
     out.f64(frame.time);
-    for (const double part : {frame.structure.x, frame.structure.z, frame.structure.yaw}) out.f64(part);
+    for (const double part : {frame.structure.position.x(), frame.structure.position.z(), frame.structure.yaw})
+        out.f64(part);
     put(frame.load, out);
     for (const BodyState& one : frame.elements) {
         put(one.position, out);

@@ -59,7 +59,8 @@ double cracking_load(const Scenario& scenario, const Set& set) {
     }
     std::vector<BodyId> pressing;
     for (const double x : set.stamps) {
-        pressing.push_back(world.add_element({.half_extents = {stamp / 2, thick / 2, stamp / 2},
+        pressing.push_back(world.add_element({.corners = corners_of(stamp / 2, stamp / 2),
+                                              .half_thickness = thick / 2,
                                               .mass = 0.1,
                                               .pose = {{x, middle + thick, 0}, Quat::Identity()},
                                               .piece = 1000 + static_cast<int>(pressing.size()),

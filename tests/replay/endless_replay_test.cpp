@@ -139,7 +139,7 @@ TEST_F(EndlessReplay, OfAPartHasItsFloesAloneAndTheSidesBesideThem) {
     EXPECT_LT(recording.outcome().breaks.size(), result.breaks.size());
     EXPECT_GT(recording.outcome().breaks.size(), 0u);
     const Channel channel = recording.subject().channel();
-    const double x = first.structure.x;
+    const double x = first.structure.position.x();
     EXPECT_NEAR(channel.begin, x - again.about.scenario.field.behind - 0.6, 0.1);
     EXPECT_LT(channel.end, x + again.about.scenario.field.ahead + 2);
     ASSERT_EQ(channel.sheets.size(), 2u);

@@ -102,7 +102,7 @@ TEST_F(Replay, HasContactsThatAddUpToTheLoad) {
             sum -= contact.normal + contact.friction;
             rounding += (contact.normal.norm() + contact.friction.norm()) / 4096;
             ++touched;
-            const double radius = std::hypot(contact.point.x() - frame.structure.x, contact.point.z());
+            const double radius = std::hypot(contact.point.x() - frame.structure.position.x(), contact.point.z());
             EXPECT_LT(radius, again.about.scenario.structure.shape.largest_radius() + 0.02);
         }
         EXPECT_LT((sum - frame.load).norm(), rounding) << k;

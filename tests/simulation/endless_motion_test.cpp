@@ -187,7 +187,7 @@ TEST(EndlessPath, BeginsWithTheBitsOfAnyLongerOne) {
     Simulation shorter = tow(on_a_path(12));
     Simulation longer = tow(on_a_path(16));
     ASSERT_NO_FATAL_FAILURE(expect_same_beginning(shorter, longer));
-    EXPECT_GT(std::abs(longer.structure().after().z), 0.3);
+    EXPECT_GT(std::abs(longer.structure().after().position.z()), 0.3);
 }
 
 }  // namespace endless_motion_test

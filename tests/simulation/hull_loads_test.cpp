@@ -26,7 +26,7 @@ TEST(HullLoads, PressesOnAPartAlongItsNormals) {
     const Shape& shape = scenario.structure.shape;
     HullLoads loads(shape, shape.overlapping_solids(), 4);
     const StructureMotion motion(scenario);
-    const Vec3 at(motion.after().x, 0, motion.after().z);
+    const Vec3 at = motion.after().position;
     const BodyId hull(0);
     const BodyId floe(1);
     const double half = std::sqrt(0.5);
@@ -36,7 +36,7 @@ TEST(HullLoads, PressesOnAPartAlongItsNormals) {
             {hull, floe, at + Vec3(30, 0, 2), force * Vec3(-half, half, 0), 0.1 * force * Vec3(half, half, 0), 0},
             {floe, hull, at + Vec3(5, 0, -10), force * Vec3(0, 0, -1), Vec3::Zero(), 0},
             {hull, floe, at + Vec3(-5, 0, -10), force * Vec3(half, 0, half), Vec3::Zero(), 0}};
-        loads.add(contacts, hull, motion);
+        loads.add(contacts, hull, motion.after(), Vec3::Zero());
     }
     const std::vector<double> times{1, 2};
     const std::vector<PartLoad> parts =

@@ -241,9 +241,10 @@ TEST(MooredMotion, StruckByAFloeItTakesItsMomentum) {
         definition.solver = SolverKind::lanes;
         World world(definition);
         const std::vector<ConvexSolid> drum{Frustum{-0.5, 0.6, 0.5, 0.6}};
-        const BodyId structure = world.add_structure(drum, Vec3::Zero());
+        const BodyId structure = world.add_structure(drum, {Vec3::Zero()});
         const double floe_mass = 1.2;
-        const BodyId floe = world.add_element({.half_extents = {0.1, 0.0165, 0.1},
+        const BodyId floe = world.add_element({.corners = corners_of(0.1, 0.1),
+                                               .half_thickness = 0.0165,
                                                .mass = floe_mass,
                                                .pose = {.position = {0.705, 0, 0}, .orientation = Quat::Identity()}});
         world.place(floe, {.position = {0.705, 0, 0}, .velocity = {-0.1, 0, 0}});
@@ -251,7 +252,7 @@ TEST(MooredMotion, StruckByAFloeItTakesItsMomentum) {
         Vec3 load = Vec3::Zero();
         for (int k = 0; k < 200; ++k) {
             motion.advance({load.x(), 0, 0}, step * (k + 1));
-            world.move_structure({motion.state().offset[0], 0, 0});
+            world.move_structure({{motion.state().offset[0], 0, 0}});
             world.step();
             load = world.contact_force(structure);
         }

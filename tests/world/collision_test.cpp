@@ -18,7 +18,7 @@ struct Crash {
 
 Crash crash(const WorldDefinition& definition, double speed) {
     World world(definition);
-    BoxDefinition heavy = element_at({0.5, 0, 0});
+    ElementDefinition heavy = element_at({0.5, 0, 0});
     heavy.mass = 2 * element_mass;
     const BodyId a = world.add_element(element_at({0, 0, 0}));
     const BodyId b = world.add_element(heavy);

@@ -29,12 +29,13 @@ constexpr double across = 2;  // Q, N
 /// Metres a second along Q, over 2 s. The base can hold 0.3 * 20 N = 6 N.
 double creep(Friction friction, const Quat& turn) {
     World world(with(friction, 0.3, 0));
-    BoxDefinition box = element_at(Vec3::Zero(), turn);
+    ElementDefinition box = element_at(Vec3::Zero(), turn);
     box.mass = mass;
     // The base and those that push are narrower than the box, so that they touch nothing else.
     world.add_fixed_box({Vec3(0.09, 0.1, 0.09), {turn * Vec3(0, -0.2 + 1e-4, 0), turn}});
     const auto add = [&](const Vec3& half_extents, const Vec3& at) {
-        box.half_extents = half_extents;
+        box.corners = corners_of(half_extents.x(), half_extents.z());
+        box.half_thickness = half_extents.y();
         box.pose.position = turn * at;
         return world.add_element(box);
     };

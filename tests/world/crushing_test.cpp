@@ -49,8 +49,9 @@ Impact impact(const Scene& scene, WorldDefinition definition, double duration) {
     const Vec3 along = scene.of_box.inverse() * normal;
     for (int k = 0; k < 3; ++k)
         first[k] = std::abs(along[k]) < 1e-9 ? 0 : -std::copysign(scene.half_extents[k], along[k]);
-    BoxDefinition box = element_at(scene.of_box * -first, scene.of_box);
-    box.half_extents = scene.half_extents;
+    ElementDefinition box = element_at(scene.of_box * -first, scene.of_box);
+    box.corners = corners_of(scene.half_extents.x(), scene.half_extents.z());
+    box.half_thickness = scene.half_extents.y();
     const double gap = 0.3 * speed * definition.time_step;
     box.pose.position += gap * normal;
     const BodyId body = world.add_element(box);

@@ -14,7 +14,7 @@ namespace determinism_test {
 class Crowd {
   public:
     explicit Crowd(int rows) : world_(WorldDefinition{.gravity = 0}) {
-        world_.add_structure(std::vector<ConvexSolid>{Frustum{-0.443, 0.171, 0.122, 0.736}}, Vec3(-0.7, 0, 0));
+        world_.add_structure(std::vector<ConvexSolid>{Frustum{-0.443, 0.171, 0.122, 0.736}}, {Vec3(-0.7, 0, 0)});
         world_.add_fixed_box({Vec3(0.1, 0.1, 2), {Vec3(rows * 0.402 + 0.12, 0, 0), Quat::Identity()}});
         for (int row = 0; row < rows; ++row) {
             for (int i = -2; i <= 2; ++i) add_pair({row * 0.402 + 0.1, 0, i * 0.203}, row * 5 + i + 2);
@@ -31,7 +31,7 @@ class Crowd {
 
     void step() {
         ++steps_;
-        world_.move_structure({-0.7 + steps_ * 0.01, 0, 0});
+        world_.move_structure({{-0.7 + steps_ * 0.01, 0, 0}});
         for (const BodyId body : bodies_) {  // a spring to the water's surface
             const BodyState state = world_.state(body);
             world_.apply(

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "scene.hpp"
-#include "world/material_friction.hpp"
+#include "world/engine.hpp"
 
 namespace floes::test {
 namespace friction_test {
@@ -62,7 +62,8 @@ INSTANTIATE_TEST_SUITE_P(World, FrictionTest, testing::Values(ContactLaw{}.ice_i
 TEST(WorldFriction, ActsOnTheStructureToo) {
     for (const double pull : {0.5, 3.0}) {
         World world(weightless());
-        const BodyId structure = world.add_structure(std::vector<ConvexSolid>{Frustum{-9, 0.6, 9, 0.6}}, Vec3::Zero());
+        const BodyId structure =
+            world.add_structure(std::vector<ConvexSolid>{Frustum{-9, 0.6, 9, 0.6}}, {Vec3::Zero()});
         const BodyId body = world.add_element(element_at({0.7, 0, 0}));
         Vec3 sum = Vec3::Zero();
         for (int step = 0; step < 100; ++step) {

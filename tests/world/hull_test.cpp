@@ -28,13 +28,13 @@ Polyhedron block(const Vec3& low, const Vec3& high) {
 /// Distance from the axis at which an element that is held against the moving structure by 5 N comes to rest.
 double standoff(const std::vector<ConvexSolid>& solids, Vec3& load, int& solid) {
     World world(weightless());
-    const BodyId structure = world.add_structure(solids, Vec3::Zero());
+    const BodyId structure = world.add_structure(solids, {Vec3::Zero()});
     const BodyId body = world.add_element(element_at({0.65, 0, 0.03}));
     Vec3 sum = Vec3::Zero();
     const int count = 1000;
     std::vector<ContactForce> contacts;
     for (int step = 0; step < 2 * count; ++step) {
-        world.move_structure({speed * time_step * (step + 1), 0, 0});
+        world.move_structure({{speed * time_step * (step + 1), 0, 0}});
         world.apply(body, {Vec3(-5, 0, 0), Vec3::Zero()});
         world.step();
         if (step >= count) sum += world.contact_force(structure);

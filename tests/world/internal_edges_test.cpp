@@ -56,7 +56,7 @@ TEST(InternalEdges, ACornerSlidesPastTheBoundaryOfTwoElements) {
 // A level floe is pressed flat on a waist, deep enough to meet the rim of the lower solid.
 Vec3 force_of_a_waist(const std::vector<ConvexSolid>& solids) {
     World world(with(false, NormalLaw::crushing));
-    const BodyId structure = world.add_structure(solids, Vec3::Zero());
+    const BodyId structure = world.add_structure(solids, {Vec3::Zero()});
     const BodyId body = world.add_element(element_at({0.614 + element_side / 2, 0.002 - element_thickness / 2, 0}));
     BodyState state = world.state(body);
     state.velocity = Vec3(-0.05, 0, 0);

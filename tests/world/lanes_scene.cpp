@@ -20,7 +20,7 @@ LanesScene::LanesScene(const WorldDefinition& definition, int floes)
     sheet.pose.position = Vec3(spacing * floes + 0.1, 0, 0);
     world.add_fixed_box(sheet);
     const std::vector<ConvexSolid> frusta{Frustum{-0.4, 0.2, 0.2, 0.8}};
-    cone = world.add_structure(frusta, cone_start);
+    cone = world.add_structure(frusta, {cone_start});
 }
 
 void LanesScene::add_floe(const Pose& pose, int piece) {
@@ -46,7 +46,7 @@ void LanesScene::add_floe(const Pose& pose, int piece) {
 
 void LanesScene::step() {
     ++steps_;
-    world.move_structure(cone_start + Vec3(speed * time_step_ * steps_, 0, 0));
+    world.move_structure({cone_start + Vec3(speed * time_step_ * steps_, 0, 0)});
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const auto k = static_cast<double>(i);
         const BodyState state = world.state(elements[i]);

@@ -78,11 +78,11 @@ TEST_P(LengthUnit, TheStructurePushesAtItsSpeed) {
     for (const double unit : {0.25, 1.0, 30.0}) {
         World world(definition(unit));
         const std::vector<ConvexSolid> solids{Frustum{-0.5, 0.5, 0.5, 0.5}};
-        world.add_structure(solids, {0, 0, 0});
+        world.add_structure(solids, {{0, 0, 0}});
         const BodyId pushed = world.add_element(element_at({0.62, 0, 0}));
         for (int step = 1; step <= 50; ++step) {
             world.apply(pushed, {.force = {0, element_mass * 9.81, 0}});
-            world.move_structure({0.07 * 0.02 * step, 0, 0});
+            world.move_structure({{0.07 * 0.02 * step, 0, 0}});
             world.step();
         }
         EXPECT_NEAR(world.state(pushed).velocity.x(), 0.07, 0.015) << unit;

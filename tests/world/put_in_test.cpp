@@ -45,9 +45,9 @@ TEST_P(PutIn, GivesTheBitsOfAWorldThatHadNothingElse) {
         world->add_joint(joint_of(a, b, -0.5));
     }
     const BodyId c(2), d(3);
-    BoxDefinition first = test::element_at({-0.09, 0, 0.05}, Quat::Identity(), 2);
+    ElementDefinition first = test::element_at({-0.09, 0, 0.05}, Quat::Identity(), 2);
     first.mass *= 3;
-    first.half_extents.y() *= 2;
+    first.half_thickness *= 2;
     used.add_element(first);
     first.pose.position.x() += 0.2;
     used.add_element(first);
@@ -60,8 +60,8 @@ TEST_P(PutIn, GivesTheBitsOfAWorldThatHadNothingElse) {
     used.take_out(d);
     used.step();
 
-    const BoxDefinition second = test::element_at({0.3, 0, 0.03}, Quat::Identity(), 2);
-    BoxDefinition third = second;
+    const ElementDefinition second = test::element_at({0.3, 0, 0.03}, Quat::Identity(), 2);
+    ElementDefinition third = second;
     third.pose.position.x() = 0.5;
     EXPECT_EQ(fresh.add_element(second), c);
     EXPECT_EQ(fresh.add_element(third), d);
@@ -85,8 +85,8 @@ TEST_P(PutIn, GivesTheBitsOfAWorldThatHadNothingElse) {
 }
 
 /// A hexagon of ice, stretched along its x.
-PrismDefinition hexagon_at(const Vec3& position, double stretched) {
-    PrismDefinition prism{.corners = {}, .half_thickness = 0.05, .mass = 1, .pose = {position, Quat::Identity()}};
+ElementDefinition hexagon_at(const Vec3& position, double stretched) {
+    ElementDefinition prism{.corners = {}, .half_thickness = 0.05, .mass = 1, .pose = {position, Quat::Identity()}};
     for (const Corner& corner : {Corner{0.1, 0}, {0.05, 0.08}, {-0.05, 0.08}, {-0.1, 0}, {-0.05, -0.08}, {0.05, -0.08}})
         prism.corners.push_back({stretched * corner.x, corner.z});
     return prism;
@@ -96,8 +96,8 @@ TEST(PutInPrism, GivesTheBitsOfAWorldThatHadNothingElse) {
     World fresh(definition_of(SolverKind::direct));
     World used(definition_of(SolverKind::direct));
     const BodyId struck(0), striker(1);
-    used.add_prism(hexagon_at({0.02, 0, 0}, 1.6));
-    used.add_prism(hexagon_at({-0.5, 0, 0.03}, 1));
+    used.add_element(hexagon_at({0.02, 0, 0}, 1.6));
+    used.add_element(hexagon_at({-0.5, 0, 0.03}, 1));
     used.place(striker, {.position = {-0.5, 0, 0.03}, .velocity = {0.5, 0, 0}});
     for (int i = 0; i < steps; ++i) used.step();
     EXPECT_FALSE(used.state(struck).velocity.isZero(0)) << "it is to be struck";
@@ -105,8 +105,8 @@ TEST(PutInPrism, GivesTheBitsOfAWorldThatHadNothingElse) {
     used.step();
     used.put_in(striker, hexagon_at({-0.4, 0, 0.05}, 1.2));  // in the hull of another
     used.put_in(struck, hexagon_at({0, 0, 0}, 1));
-    fresh.add_prism(hexagon_at({0, 0, 0}, 1));
-    fresh.add_prism(hexagon_at({-0.4, 0, 0.05}, 1.2));
+    fresh.add_element(hexagon_at({0, 0, 0}, 1));
+    fresh.add_element(hexagon_at({-0.4, 0, 0.05}, 1.2));
     for (World* world : {&fresh, &used}) world->place(striker, {.position = {-0.4, 0, 0.05}, .velocity = {0.5, 0, 0}});
     bool touched = false;
     for (int i = 0; i < steps; ++i) {

@@ -2,6 +2,7 @@
 // Elements as in the paper, for the tests of the world.
 
 #include <cmath>
+#include <numbers>
 
 #include "world/world.hpp"
 
@@ -17,10 +18,11 @@ inline WorldDefinition weightless() {
     return definition;
 }
 
-inline BoxDefinition element_at(const Vec3& position, const Quat& orientation = Quat::Identity(),
-                                int piece = no_piece) {
-    BoxDefinition box;
-    box.half_extents = Vec3(element_side, element_thickness, element_side) / 2;
+inline ElementDefinition element_at(const Vec3& position, const Quat& orientation = Quat::Identity(),
+                                    int piece = no_piece) {
+    ElementDefinition box;
+    box.corners = corners_of(element_side / 2, element_side / 2);
+    box.half_thickness = element_thickness / 2;
     box.mass = element_mass;
     box.pose = {position, orientation};
     box.piece = piece;
@@ -29,6 +31,18 @@ inline BoxDefinition element_at(const Vec3& position, const Quat& orientation = 
 
 inline Quat turned(double angle, const Vec3& axis) {
     return Quat(Eigen::AngleAxisd(angle, axis.normalized()));
+}
+
+inline ElementDefinition hexagon_at(const Vec3& position, double yaw = 0) {
+    ElementDefinition prism;
+    for (int k = 0; k < 6; ++k) {
+        const double angle = (k + 0.5) * std::numbers::pi / 3;
+        prism.corners.push_back({0.12 * std::cos(angle), 0.12 * std::sin(angle)});
+    }
+    prism.half_thickness = element_thickness / 2;
+    prism.mass = 1.2;
+    prism.pose = {position, turned(yaw, Vec3::UnitY())};
+    return prism;
 }
 
 inline bool same_bits(const BodyState& a, const BodyState& b) {

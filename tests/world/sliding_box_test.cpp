@@ -57,8 +57,10 @@ TEST(SlidingBox, PressesARowOfBoxesWithItsForce) {
         constexpr double mass = 1.2;
         std::vector<BodyId> row;
         for (int i = 0; i < 3; ++i) {
-            row.push_back(world.add_element(
-                {.half_extents = {0.1, 0.0165, 0.1}, .mass = mass, .pose = {.position = {0, 0, -0.2 + 0.2 * i}}}));
+            row.push_back(world.add_element({.corners = corners_of(0.1, 0.1),
+                                             .half_thickness = 0.0165,
+                                             .mass = mass,
+                                             .pose = {.position = {0, 0, -0.2 + 0.2 * i}}}));
         }
         const BodyId low = world.add_sliding_box(sheet(-0.8));
         const BodyId high = world.add_sliding_box(sheet(0.8));
@@ -80,8 +82,10 @@ TEST(SlidingBox, CarriesWhatItPushesHoweverHeavy) {
     for (const SolverKind solver : all_solvers) {
         for (const double mass : {1.0, 120.0, 5000.0}) {
             World world(definition(solver));
-            const BodyId box = world.add_element(
-                {.half_extents = {0.2, 0.0165, 0.2}, .mass = mass, .pose = {.position = {0, 0, -0.2}}});
+            const BodyId box = world.add_element({.corners = corners_of(0.2, 0.2),
+                                                  .half_thickness = 0.0165,
+                                                  .mass = mass,
+                                                  .pose = {.position = {0, 0, -0.2}}});
             const BodyId pushing = world.add_sliding_box(sheet(0.5));
             for (int i = 0; i < 100; ++i) {
                 float_up(world, box, mass);
@@ -103,8 +107,10 @@ TEST(SlidingBox, HoldsByFrictionWithoutMovingAlong) {
             d.contact.friction = Friction::cone;
             World world(d);
             constexpr double mass = 2;
-            const BodyId box =
-                world.add_element({.half_extents = {0.1, 0.0165, 0.1}, .mass = mass, .pose = {.position = {0, 0, 0}}});
+            const BodyId box = world.add_element({.corners = corners_of(0.1, 0.1),
+                                                  .half_thickness = 0.0165,
+                                                  .mass = mass,
+                                                  .pose = {.position = {0, 0, 0}}});
             const BodyId low = world.add_sliding_box(sheet(-0.6));
             const BodyId high = world.add_sliding_box(sheet(0.6));
             for (int i = 0; i < 100; ++i) {
@@ -130,7 +136,8 @@ TEST(SlidingBox, HasTheSameBitsAtEveryWidth) {
             std::vector<BodyId> boxes;
             for (int i = 0; i < 9; ++i) {
                 boxes.push_back(
-                    world.add_element({.half_extents = {0.1, 0.0165, 0.1},
+                    world.add_element({.corners = corners_of(0.1, 0.1),
+                                       .half_thickness = 0.0165,
                                        .mass = 1.2,
                                        .pose = {.position = {0.21 * (i % 3), 0, 0.203 * (i / 3)},
                                                 .orientation = Quat(Eigen::AngleAxisd(0.07 * i, Vec3::UnitY()))}}));

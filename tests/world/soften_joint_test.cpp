@@ -21,8 +21,11 @@ class Couple {
                               .internal_edges = false},
                   .solver = solver}) {
         for (const double x : {-0.1, 0.1}) {
-            bodies_.push_back(world_.add_element(
-                {.half_extents = {0.1, 0.0165, 0.1}, .mass = 1.2, .pose = {{x, 0, 0}, Quat::Identity()}, .piece = 0}));
+            bodies_.push_back(world_.add_element({.corners = corners_of(0.1, 0.1),
+                                                  .half_thickness = 0.0165,
+                                                  .mass = 1.2,
+                                                  .pose = {{x, 0, 0}, Quat::Identity()},
+                                                  .piece = 0}));
         }
         const JointSpring spring{{1e6, 1e5, 1e6}, {200, 300, 200}, 1};
         joint_ = world_.add_joint({.a = bodies_[0],

@@ -19,12 +19,13 @@ constexpr double time_step = 0.02;
 // the 5 N, for the element moves at the drum's steady speed.
 TEST(WorldStructure, CarriesTheAppliedForce) {
     World world(weightless());
-    const BodyId structure = world.add_structure(std::vector<ConvexSolid>{Frustum{-0.5, 0.6, 0.5, 0.6}}, Vec3(2, 0, 0));
+    const BodyId structure =
+        world.add_structure(std::vector<ConvexSolid>{Frustum{-0.5, 0.6, 0.5, 0.6}}, {Vec3(2, 0, 0)});
     const BodyId body = world.add_element(element_at({2.75, 0, 0}));
     Vec3 sum = Vec3::Zero();
     const int count = 1000;
     for (int step = 0; step < 2 * count; ++step) {
-        world.move_structure({2 + speed * time_step * (step + 1), 0, 0});
+        world.move_structure({{2 + speed * time_step * (step + 1), 0, 0}});
         world.apply(body, {Vec3(-5, 0, 0), Vec3::Zero()});
         world.step();
         if (step >= count) sum += world.contact_force(structure);
@@ -37,9 +38,10 @@ TEST(WorldStructure, CarriesTheAppliedForce) {
 
 TEST(WorldStructure, MovesAsItIsTold) {
     World world(weightless());
-    const BodyId structure = world.add_structure(std::vector<ConvexSolid>{Frustum{-0.5, 0.6, 0.5, 0.6}}, Vec3(2, 0, 0));
+    const BodyId structure =
+        world.add_structure(std::vector<ConvexSolid>{Frustum{-0.5, 0.6, 0.5, 0.6}}, {Vec3(2, 0, 0)});
     for (int step = 0; step < 10; ++step) {
-        world.move_structure({2 + speed * time_step * (step + 1), 0, 0});
+        world.move_structure({{2 + speed * time_step * (step + 1), 0, 0}});
         world.step();
         EXPECT_NEAR(world.state(structure).velocity.x(), speed, 1e-12);
     }
@@ -57,10 +59,10 @@ TEST(WorldStructure, WallThatTurnsRubs) {
             definition.solver = solver;
             World world(definition);
             const std::vector<ConvexSolid> drum{Frustum{-0.5, 0.6, 0.5, 0.6}};
-            const BodyId structure = world.add_structure(drum, Vec3::Zero());
+            const BodyId structure = world.add_structure(drum, {Vec3::Zero()});
             const BodyId body = world.add_element(element_at({0.7, 0, 0}));
             for (int step = 1; step <= 5; ++step) {
-                world.move_structure(Vec3::Zero(), turning * time_step * step);
+                world.move_structure({Vec3::Zero(), turned_about_y(turning * time_step * step)});
                 world.apply(body, {Vec3(-5, 0, 0), Vec3::Zero()});
                 world.step();
                 EXPECT_NEAR(world.state(structure).angular_velocity.y(), turning, 1e-6);
@@ -79,7 +81,7 @@ Vec3 force_on_cone(double azimuth, double turn, double structure_friction) {
     definition.contact.ice_structure_friction = structure_friction;
     World world(definition);
     const std::vector<ConvexSolid> cone{Frustum{-0.443, 0.171, 0.122, 0.736}};
-    const BodyId structure = world.add_structure(cone, Vec3::Zero());
+    const BodyId structure = world.add_structure(cone, {Vec3::Zero()});
     const Vec3 outward(std::cos(azimuth), 0, std::sin(azimuth));
     const double reach = turn == 0 ? element_side / 2 : element_side / std::sqrt(2.0);
     const BodyId body =
@@ -124,7 +126,7 @@ TEST(WorldStructure, HasItsWallWhereTheProfileSays) {
     for (const bool is_cone : {false, true}) {
         for (const double gap : {2e-4, -2e-4}) {
             World world(weightless());
-            const BodyId structure = world.add_structure(is_cone ? cone : drum, Vec3::Zero());
+            const BodyId structure = world.add_structure(is_cone ? cone : drum, {Vec3::Zero()});
             // The element's edge is rounded by its margin, a tenth of its half thickness: a corner of 90° met from its
             // middle stands back by (sqrt(2) - 1) of that, sqrt(2) times as much along x.
             const double radius = is_cone ? 0.614 + half - 0.1 * half * (2 - std::sqrt(2.0)) : 0.6;
@@ -142,7 +144,7 @@ class WaistTest : public testing::Test {
     double load(double gap) {
         World world(weightless());
         const std::vector<ConvexSolid> hourglass{Frustum{-0.4, 0.6, 0, 0.3}, Frustum{0, 0.3, 0.4, 0.6}};
-        const BodyId structure = world.add_structure(hourglass, Vec3::Zero());
+        const BodyId structure = world.add_structure(hourglass, {Vec3::Zero()});
         world.add_element(element_at({0.3 + gap + element_side / 2, 0, 0}));
         double largest = 0;
         for (int step = 0; step < 10; ++step) {
@@ -164,11 +166,11 @@ TEST_F(WaistTest, IsSolid) {
 
 TEST(WorldStructure, RefusesWhatHasNoVolume) {
     World world(weightless());
-    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{}, Vec3::Zero()), InputError);
-    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, 1, 0, 1}}, Vec3::Zero()), InputError);
-    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, -1, 1, 1}}, Vec3::Zero()), InputError);
-    world.add_structure(std::vector<ConvexSolid>{Frustum{0, 0, 1, 1}}, Vec3::Zero());
-    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, 0, 1, 1}}, Vec3::Zero()), InputError);
+    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{}, {Vec3::Zero()}), InputError);
+    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, 1, 0, 1}}, {Vec3::Zero()}), InputError);
+    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, -1, 1, 1}}, {Vec3::Zero()}), InputError);
+    world.add_structure(std::vector<ConvexSolid>{Frustum{0, 0, 1, 1}}, {Vec3::Zero()});
+    EXPECT_THROW(world.add_structure(std::vector<ConvexSolid>{Frustum{0, 0, 1, 1}}, {Vec3::Zero()}), InputError);
 }
 
 }  // namespace structure_test

@@ -2,15 +2,156 @@
 // version Copyright (C) 2001, 2002 Russell L. Smith, Bullet Copyright (c) 2003-2006 Erwin Coumans). Altered: written
 // anew, with the same operations in the same order, so that it finds the same to the last bit.
 
-#include "collision/box_box.hpp"
+#include "collision/box_overlap.hpp"
 
+#include <cfloat>
 #include <cmath>
 
-#include "collision/box_axes.hpp"
 #include "collision/face_clip.hpp"
 
 namespace floes {
 namespace {
+
+const double* half_of(const PrismPlace& box) {
+    return box.shape->half_extent.data();
+}
+
+// Which of the fifteen axes of two boxes separates them, or along which they overlap least.
+
+/// Two boxes as seen from a.
+struct BoxPair {
+    Triple between;  ///< from the centre of a to that of b, axes of a
+    double turn[9];  ///< axes of b -> axes of a, row by row
+};
+
+/// The axis of least overlap.
+struct LeastOverlap {
+    /// 1, 2, 3: a face normal of a; 4, 5, 6: of b; 7 to 15: edge of a times edge of b, those of b change first; 0: the
+    /// boxes are apart.
+    int code = 0;
+    double depth = 0;      ///< m
+    bool turned = false;   ///< the axis points from b to a
+    Triple edge_normal{};  ///< of codes above 6: the axis, unit, axes of a
+};
+
+BoxPair seen_from_a(const PrismPlace& a, const PrismPlace& b) {
+    BoxPair pair;
+    const Triple p{b.position[0] - a.position[0], b.position[1] - a.position[1], b.position[2] - a.position[2]};
+    const double* ra = a.rotation;
+    const double* rb = b.rotation;
+    for (std::size_t i = 0; i < 3; ++i) {
+        pair.between[i] = ra[i] * p[0] + ra[3 + i] * p[1] + ra[6 + i] * p[2];
+        for (std::size_t k = 0; k < 3; ++k) {
+            pair.turn[3 * i + k] = ra[i] * rb[k] + ra[3 + i] * rb[3 + k] + ra[6 + i] * rb[6 + k];
+        }
+    }
+    return pair;
+}
+
+/// Takes the axes one by one.
+class Search {
+  public:
+    /// A face normal. False if it separates the boxes.
+    bool face(double between, double reach, int code) {
+        const double overlap = std::abs(between) - reach;
+        if (overlap > 0) return false;
+        if (overlap > least_) take(overlap, code, between < 0);
+        return true;
+    }
+
+    /// The product of two edges, of any length. False if it separates the boxes. Faces are preferred.
+    bool edges(double between, double reach, const Triple& axis, int code) {
+        double overlap = std::abs(between) - reach;
+        if (overlap > DBL_EPSILON) return false;
+        const double length = std::sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
+        if (length > DBL_EPSILON) {
+            overlap /= length;
+            if (overlap * 1.05 > least_) {
+                take(overlap, code, between < 0);
+                found_.edge_normal = {axis[0] / length, axis[1] / length, axis[2] / length};
+            }
+        }
+        return true;
+    }
+
+    LeastOverlap found() {
+        found_.depth = -least_;
+        return found_;
+    }
+
+  private:
+    void take(double overlap, int code, bool turned) {
+        least_ = overlap;
+        found_.code = code;
+        found_.turned = turned;
+    }
+
+    double least_ = -static_cast<double>(FLT_MAX);
+    LeastOverlap found_;
+};
+
+bool every_face(const PrismPlace& one, const PrismPlace& other, const BoxPair& pair, const double* q, Search& search) {
+    const double* a = half_of(one);
+    const double* b = half_of(other);
+    const Triple& pp = pair.between;
+    const Triple p{other.position[0] - one.position[0], other.position[1] - one.position[1],
+                   other.position[2] - one.position[2]};
+    for (int i = 0; i < 3; ++i) {
+        const double* row = q + 3 * i;
+        if (!search.face(pp[static_cast<std::size_t>(i)], a[i] + b[0] * row[0] + b[1] * row[1] + b[2] * row[2], 1 + i))
+            return false;
+    }
+    for (int i = 0; i < 3; ++i) {
+        const double* r = other.rotation + i;
+        if (!search.face(r[0] * p[0] + r[3] * p[1] + r[6] * p[2],
+                         a[0] * q[i] + a[1] * q[3 + i] + a[2] * q[6 + i] + b[i], 4 + i))
+            return false;
+    }
+    return true;
+}
+
+bool every_pair_of_edges(const double* a, const double* b, const BoxPair& pair, const double* q, Search& search) {
+    const Triple& pp = pair.between;
+    const double* r = pair.turn;
+    for (int k = 0; k < 3; ++k) {  // first axis of a times the three of b
+        const int m = k == 0 ? 1 : 0;
+        const int n = k == 2 ? 1 : 2;
+        if (!search.edges(pp[2] * r[3 + k] - pp[1] * r[6 + k],
+                          a[1] * q[6 + k] + a[2] * q[3 + k] + b[m] * q[n] + b[n] * q[m], {0, -r[6 + k], r[3 + k]},
+                          7 + k))
+            return false;
+    }
+    for (int k = 0; k < 3; ++k) {
+        const int m = k == 0 ? 1 : 0;
+        const int n = k == 2 ? 1 : 2;
+        if (!search.edges(pp[0] * r[6 + k] - pp[2] * r[k],
+                          a[0] * q[6 + k] + a[2] * q[k] + b[m] * q[3 + n] + b[n] * q[3 + m], {r[6 + k], 0, -r[k]},
+                          10 + k))
+            return false;
+    }
+    for (int k = 0; k < 3; ++k) {
+        const int m = k == 0 ? 1 : 0;
+        const int n = k == 2 ? 1 : 2;
+        if (!search.edges(pp[1] * r[k] - pp[0] * r[3 + k],
+                          a[0] * q[3 + k] + a[1] * q[k] + b[m] * q[6 + n] + b[n] * q[6 + m], {-r[3 + k], r[k], 0},
+                          13 + k))
+            return false;
+    }
+    return true;
+}
+
+LeastOverlap least_overlap(const PrismPlace& a, const PrismPlace& b) {
+    const BoxPair pair = seen_from_a(a, b);
+    double q[9];
+    for (int i = 0; i < 9; ++i) q[i] = std::abs(pair.turn[i]);
+    Search search;
+    if (!every_face(a, b, pair, q, search)) return {};
+    for (double& entry : q) entry += static_cast<double>(1e-5F);  // so that parallel edges do not divide by nothing
+    if (!every_pair_of_edges(half_of(a), half_of(b), pair, q, search)) return {};
+    return search.found();
+}
+
+// The points of that overlap.
 
 double along_axis(const Triple& v, const double* rotation, int axis) {
     return v[0] * rotation[axis] + v[1] * rotation[3 + axis] + v[2] * rotation[6 + axis];
@@ -21,18 +162,18 @@ double of_axes(const double* one, int i, const double* other, int k) {
 }
 
 /// The corner of the box that lies farthest along `side` times the normal.
-Triple farthest(const BoxPlace& box, const Triple& normal, double side) {
+Triple farthest(const PrismPlace& box, const Triple& normal, double side) {
     Triple corner{box.position[0], box.position[1], box.position[2]};
     for (int axis = 0; axis < 3; ++axis) {
         const double sign = along_axis(normal, box.rotation, axis) > 0 ? side : -side;
         for (std::size_t i = 0; i < 3; ++i)
-            corner[i] += sign * box.half_extent[axis] * box.rotation[3 * i + static_cast<std::size_t>(axis)];
+            corner[i] += sign * half_of(box)[axis] * box.rotation[3 * i + static_cast<std::size_t>(axis)];
     }
     return corner;
 }
 
 /// The point of an edge of b that is nearest to an edge of a.
-void touch_by_edges(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& least, BoxOverlap& found) {
+void touch_by_edges(const PrismPlace& a, const PrismPlace& b, const LeastOverlap& least, Overlap& found) {
     const Triple on_a = farthest(a, found.normal, 1);
     Triple on_b = farthest(b, found.normal, -1);
     const int axis_a = (least.code - 7) / 3;
@@ -74,7 +215,7 @@ struct FacePoints {
 };
 
 /// At most four of the points, the deepest among them, into `found`.
-void keep_points(const FacePoints& face, const double* position, bool of_a, BoxOverlap& found) {
+void keep_points(const FacePoints& face, const double* position, bool of_a, Overlap& found) {
     constexpr int most = 4;
     int chosen[8] = {0, 1, 2, 3};
     if (face.count > most) {
@@ -87,7 +228,7 @@ void keep_points(const FacePoints& face, const double* position, bool of_a, BoxO
     found.count = face.count < most ? face.count : most;
     for (int i = 0; i < found.count; ++i) {
         const auto from = static_cast<std::size_t>(chosen[i]);
-        BoxOverlap::Point& to = found.points[static_cast<std::size_t>(i)];
+        Overlap::Point& to = found.points[static_cast<std::size_t>(i)];
         to.depth = face.depth[from];
         for (std::size_t k = 0; k < 3; ++k) {
             const double at = face.points[from][k] + position[k];
@@ -97,10 +238,10 @@ void keep_points(const FacePoints& face, const double* position, bool of_a, BoxO
 }
 
 /// The face of one box, the reference, that the other's incident face overlaps, and the points of that one within it.
-void touch_by_face(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& least, BoxOverlap& found) {
+void touch_by_face(const PrismPlace& a, const PrismPlace& b, const LeastOverlap& least, Overlap& found) {
     const bool of_a = least.code <= 3;
-    const BoxPlace& one = of_a ? a : b;
-    const BoxPlace& other = of_a ? b : a;
+    const PrismPlace& one = of_a ? a : b;
+    const PrismPlace& other = of_a ? b : a;
     Triple out = found.normal;  // of the reference face
     if (!of_a) out = {-out[0], -out[1], -out[2]};
     const Incident incident = incident_face(
@@ -109,7 +250,7 @@ void touch_by_face(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& lea
     Triple centre;  // of the incident face, from the reference box
     for (std::size_t i = 0; i < 3; ++i) {
         const double half =
-            other.half_extent[incident.normal] * other.rotation[3 * i + static_cast<std::size_t>(incident.normal)];
+            half_of(other)[incident.normal] * other.rotation[3 * i + static_cast<std::size_t>(incident.normal)];
         centre[i] = side > 0 ? other.position[i] - one.position[i] + half : other.position[i] - one.position[i] - half;
     }
     const int normal_axis = of_a ? least.code - 1 : least.code - 4;
@@ -122,13 +263,13 @@ void touch_by_face(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& lea
     double m12 = of_axes(one.rotation, first, other.rotation, incident.second);
     double m21 = of_axes(one.rotation, second, other.rotation, incident.first);
     double m22 = of_axes(one.rotation, second, other.rotation, incident.second);
-    const double k1 = m11 * other.half_extent[incident.first];
-    const double k2 = m21 * other.half_extent[incident.first];
-    const double k3 = m12 * other.half_extent[incident.second];
-    const double k4 = m22 * other.half_extent[incident.second];
+    const double k1 = m11 * half_of(other)[incident.first];
+    const double k2 = m21 * half_of(other)[incident.first];
+    const double k3 = m12 * half_of(other)[incident.second];
+    const double k4 = m22 * half_of(other)[incident.second];
     const double corners[8] = {c1 - k1 - k3, c2 - k2 - k4, c1 - k1 + k3, c2 - k2 + k4,
                                c1 + k1 + k3, c2 + k2 + k4, c1 + k1 - k3, c2 + k2 - k4};
-    const double half[2] = {one.half_extent[first], one.half_extent[second]};
+    const double half[2] = {half_of(one)[first], half_of(one)[second]};
     FacePoints face;
     const int clipped = clip_to_rectangle(half, corners, face.flat);
 
@@ -147,7 +288,7 @@ void touch_by_face(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& lea
             face.points[at][k] = centre[k] + u * other.rotation[3 * k + static_cast<std::size_t>(incident.first)] +
                                  v * other.rotation[3 * k + static_cast<std::size_t>(incident.second)];
         }
-        face.depth[at] = one.half_extent[normal_axis] - dot(out, face.points[at]);
+        face.depth[at] = half_of(one)[normal_axis] - dot(out, face.points[at]);
         if (!(face.depth[at] >= 0)) continue;
         face.flat[2 * face.count] = face.flat[2 * i];
         face.flat[2 * face.count + 1] = face.flat[2 * i + 1];
@@ -158,18 +299,18 @@ void touch_by_face(const BoxPlace& a, const BoxPlace& b, const LeastOverlap& lea
 
 }  // namespace
 
-double face_gap(const BoxPlace& a, const BoxPlace& b, int axis) {
-    const BoxPlace& one = axis < 3 ? a : b;
-    const BoxPlace& other = axis < 3 ? b : a;
+double box_face_gap(const PrismPlace& a, const PrismPlace& b, int axis) {
+    const PrismPlace& one = axis < 3 ? a : b;
+    const PrismPlace& other = axis < 3 ? b : a;
     const int i = axis % 3;
     const Triple out{one.rotation[i], one.rotation[3 + i], one.rotation[6 + i]};
     const Triple between{b.position[0] - a.position[0], b.position[1] - a.position[1], b.position[2] - a.position[2]};
-    double gap = std::abs(dot(out, between)) - one.half_extent[i];
-    for (int k = 0; k < 3; ++k) gap -= other.half_extent[k] * std::abs(along_axis(out, other.rotation, k));
+    double gap = std::abs(dot(out, between)) - half_of(one)[i];
+    for (int k = 0; k < 3; ++k) gap -= half_of(other)[k] * std::abs(along_axis(out, other.rotation, k));
     return gap;
 }
 
-void find_overlap(const BoxPlace& a, const BoxPlace& b, BoxOverlap& found) {
+void find_box_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found) {
     found.count = 0;
     const LeastOverlap least = least_overlap(a, b);
     if (least.code == 0) return;

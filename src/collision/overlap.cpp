@@ -1,10 +1,11 @@
-#include "collision/prism_prism.hpp"
+#include "collision/overlap.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "collision/box_overlap.hpp"
 #include "collision/directions.hpp"
 
 namespace floes {
@@ -40,12 +41,12 @@ Reach reach_along(const PrismShape& shape, const Triple& d) {
 
 /// The corner that lies farthest along d, world.
 Triple farthest(const PrismPlace& prism, const Triple& d) {
-    const Triple own = into(prism.place, d);
+    const Triple own = into(prism, d);
     const Corner* best = &prism.shape->corners.front();
     for (const Corner& one : prism.shape->corners)
         if (own[0] * one.x + own[2] * one.z > own[0] * best->x + own[2] * best->z) best = &one;
     const double y = own[1] > 0 ? prism.shape->half_thickness : -prism.shape->half_thickness;
-    return to_world(prism.place, {best->x, y, best->z});
+    return to_world(prism, {best->x, y, best->z});
 }
 
 double face_offset(const PrismShape& shape, int face) {
@@ -71,18 +72,17 @@ struct Best {
 
 double gap_along(const PrismPlace& one, const PrismPlace& other, int face) {
     const Triple own = own_normal(*one.shape, face);
-    const Triple axis = out_of(one.place, own);
-    const Triple between{other.place.position[0] - one.place.position[0],
-                         other.place.position[1] - one.place.position[1],
-                         other.place.position[2] - one.place.position[2]};
-    return dot(axis, between) + reach_along(*other.shape, into(other.place, axis)).low - face_offset(*one.shape, face);
+    const Triple axis = out_of(one, own);
+    const Triple between{other.position[0] - one.position[0], other.position[1] - one.position[1],
+                         other.position[2] - one.position[2]};
+    return dot(axis, between) + reach_along(*other.shape, into(other, axis)).low - face_offset(*one.shape, face);
 }
 
 /// Directions of the edges: along the thickness, then along each edge of the polygon, world.
 std::size_t edge_directions(const PrismPlace& prism, std::array<Triple, 40>& found) {
-    found[0] = out_of(prism.place, {0, 1, 0});
+    found[0] = out_of(prism, {0, 1, 0});
     std::size_t count = 1;
-    for (const Corner& normal : prism.shape->normals) found[count++] = out_of(prism.place, {-normal.z, 0, normal.x});
+    for (const Corner& normal : prism.shape->normals) found[count++] = out_of(prism, {-normal.z, 0, normal.x});
     return count;
 }
 
@@ -94,8 +94,7 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, Best& best) {
     const std::size_t count_b = edge_directions(b, of_b);
     const Triple tilt = cross_of(of_a[0], of_b[0]);
     if (dot(tilt, tilt) < parallel * parallel) return true;  // flat on each other: edges say what faces say
-    const Triple between{b.place.position[0] - a.place.position[0], b.place.position[1] - a.place.position[1],
-                         b.place.position[2] - a.place.position[2]};
+    const Triple between{b.position[0] - a.position[0], b.position[1] - a.position[1], b.position[2] - a.position[2]};
     double face_gap = best.gap;
     for (std::size_t i = 0; i < count_a; ++i) {
         for (std::size_t k = 0; k < count_b; ++k) {
@@ -103,8 +102,8 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, Best& best) {
             const double length = std::sqrt(dot(axis, axis));
             if (length < parallel) continue;
             axis = scaled(axis, 1 / length);
-            const Reach at_a = reach_along(*a.shape, into(a.place, axis));
-            const Reach at_b = reach_along(*b.shape, into(b.place, axis));
+            const Reach at_a = reach_along(*a.shape, into(a, axis));
+            const Reach at_b = reach_along(*b.shape, into(b, axis));
             const double apart = dot(axis, between);
             const double onward = apart + at_b.low - at_a.high;
             const double back = at_a.low - at_b.high - apart;
@@ -118,7 +117,7 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, Best& best) {
     return true;
 }
 
-void touch_by_edges(const PrismPlace& a, const PrismPlace& b, const Best& best, BoxOverlap& found) {
+void touch_by_edges(const PrismPlace& a, const PrismPlace& b, const Best& best, Overlap& found) {
     const Triple on_a = farthest(a, best.axis);
     Triple on_b = farthest(b, scaled(best.axis, -1));
     const Triple between = on_b - on_a;
@@ -140,14 +139,14 @@ void corners_of(const PrismPlace& prism, int face, Points& corners) {
     const double half = shape.half_thickness;
     if (face < 2) {
         for (const Corner& one : shape.corners)
-            corners.push_back(to_world(prism.place, {one.x, face == 0 ? half : -half, one.z}));
+            corners.push_back(to_world(prism, {one.x, face == 0 ? half : -half, one.z}));
         return;
     }
     const auto k = static_cast<std::size_t>(face - 2);
     const Corner& from = shape.corners[k];
     const Corner& to = after(shape.corners, k);
-    corners = {to_world(prism.place, {from.x, half, from.z}), to_world(prism.place, {to.x, half, to.z}),
-               to_world(prism.place, {to.x, -half, to.z}), to_world(prism.place, {from.x, -half, from.z})};
+    corners = {to_world(prism, {from.x, half, from.z}), to_world(prism, {to.x, half, to.z}),
+               to_world(prism, {to.x, -half, to.z}), to_world(prism, {from.x, -half, from.z})};
 }
 
 void cut(Points& polygon, Points& spare, const Triple& normal, double bound) {
@@ -190,11 +189,11 @@ std::array<int, 4> spread(const Points& points, const std::vector<double>& depth
     return chosen;
 }
 
-void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, BoxOverlap& found) {
+void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, Overlap& found) {
     const PrismPlace& one = best.face.of_a ? a : b;
     const PrismPlace& other = best.face.of_a ? b : a;
     const Triple out = best.face.of_a ? best.axis : scaled(best.axis, -1);
-    const Triple seen = into(other.place, out);
+    const Triple seen = into(other, out);
     int incident = seen[1] > 0 ? 1 : 0;
     double against = -std::abs(seen[1]);
     for (std::size_t k = 0; k < other.shape->normals.size(); ++k) {
@@ -207,9 +206,9 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, B
     Points spare;
     std::vector<double> depth;
     corners_of(other, incident, points);
-    const Triple centre{one.place.position[0], one.place.position[1], one.place.position[2]};
+    const Triple centre{one.position[0], one.position[1], one.position[2]};
     const auto cut_by = [&](const Triple& own, double offset) {
-        const Triple normal = out_of(one.place, own);
+        const Triple normal = out_of(one, own);
         if (!points.empty()) cut(points, spare, normal, offset + dot(normal, centre));
     };
     const int face = best.face.face;
@@ -239,7 +238,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, B
     const std::array<int, 4> chosen = spread(points, depth, out, found.count);
     for (int i = 0; i < found.count; ++i) {
         const auto from = static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)]);
-        BoxOverlap::Point& to = found.points[static_cast<std::size_t>(i)];
+        Overlap::Point& to = found.points[static_cast<std::size_t>(i)];
         to.depth = depth[from];
         to.on_b = best.face.of_a ? points[from] : sum(points[from], scaled(out, depth[from]));
     }
@@ -247,14 +246,18 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, B
 
 }  // namespace
 
-double widest_face_gap(const PrismPlace& a, const PrismPlace& b, bool of_a, bool of_b) {
-    double widest = -std::numeric_limits<double>::infinity();
-    for (int face = 0; of_a && face < faces_of(*a.shape); ++face) widest = std::max(widest, gap_along(a, b, face));
-    for (int face = 0; of_b && face < faces_of(*b.shape); ++face) widest = std::max(widest, gap_along(b, a, face));
-    return widest;
+int face_axes(const PrismShape& of, const PrismShape& other) {
+    return of.is_box && other.is_box ? 3 : faces_of(of);
 }
 
-void find_overlap(const PrismPlace& a, const PrismPlace& b, BoxOverlap& found) {
+double face_gap(const PrismPlace& a, const PrismPlace& b, int axis) {
+    if (a.shape->is_box && b.shape->is_box) return box_face_gap(a, b, axis);
+    const int of_a = faces_of(*a.shape);
+    return axis < of_a ? gap_along(a, b, axis) : gap_along(b, a, axis - of_a);
+}
+
+void find_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found) {
+    if (a.shape->is_box && b.shape->is_box) return find_box_overlap(a, b, found);
     found.count = 0;
     Best best;
     for (const bool of_a : {true, false}) {
@@ -264,7 +267,7 @@ void find_overlap(const PrismPlace& a, const PrismPlace& b, BoxOverlap& found) {
             const double gap = gap_along(one, other, face);
             if (gap > 0) return;
             if (gap <= best.gap) continue;
-            const Triple axis = out_of(one.place, own_normal(*one.shape, face));
+            const Triple axis = out_of(one, own_normal(*one.shape, face));
             best = {gap, of_a ? axis : scaled(axis, -1), {of_a, face}};
         }
     }

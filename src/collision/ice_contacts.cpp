@@ -1,0 +1,201 @@
+#include "collision/ice_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/contract.hpp"
+
+namespace floes {
+namespace {
+
+/// Rounding, in lengths of the order of 0.1 m.
+constexpr double tolerance = 1e-9;
+
+/// Pairs are listed up to this part of the largest moving element's radius beyond the reach of their points.
+constexpr double room_in_radii = 0.25;
+
+}  // namespace
+
+void IceContacts::add(ContactElement element) {
+    there_.push_back(element.shape.empty() ? 0 : 1);
+    fixed_.push_back(element.fixed ? 1 : 0);
+    asleep_.push_back(0);
+    elements_.push_back(std::move(element));
+    path_.push_back(0);
+    bounds_.emplace_back();
+    pieces_changed_ = moved_ = true;
+}
+
+void IceContacts::take_out(std::uint32_t element, ContactStore& store) {
+    FLOES_EXPECTS(element < there_.size());
+    move(element, store);
+    there_[element] = 0;
+    elements_[element].piece = -1;
+    pieces_changed_ = true;
+}
+
+void IceContacts::put_in(std::uint32_t number, ContactElement element, ContactStore& store) {
+    FLOES_EXPECTS(number < there_.size() && element.reach >= 0);
+    move(number, store);
+    there_[number] = element.shape.empty() ? 0 : 1;
+    fixed_[number] = element.fixed ? 1 : 0;
+    asleep_[number] = 0;
+    elements_[number] = std::move(element);
+    pieces_changed_ = true;
+}
+
+void IceContacts::set_piece(std::uint32_t element, int piece) {
+    FLOES_EXPECTS(element < elements_.size());
+    pieces_changed_ = pieces_changed_ || elements_[element].piece != piece;
+    elements_[element].piece = piece;
+}
+
+void IceContacts::move(std::uint32_t element, ContactStore& store) {
+    moved_ = true;
+    for (Pair& pair : pairs_) {
+        if (pair.a != element && pair.b != element) continue;
+        drop(pair, store);
+        pair.axis = -1;  // another shape may come
+    }
+    std::erase_if(touching_, [&](const Touching& pair) { return pair.a == element || pair.b == element; });
+}
+
+void IceContacts::drop(Pair& pair, ContactStore& store) {
+    if (pair.points < 0) return;
+    store.give_back(pair.points);
+    pair.points = -1;
+}
+
+void IceContacts::sort_into_pieces(ContactStore& store) {
+    std::map<int, std::vector<std::uint32_t>> pieces;
+    std::vector<std::uint32_t> order;
+    std::vector<std::uint32_t> counts;
+    double radius = 0;
+    double reach = 0;
+    for (std::uint32_t i = 0; i < elements_.size(); ++i) {
+        if (!is_there(i)) continue;
+        const ContactElement& element = elements_[i];
+        if (!element.fixed) {
+            radius = std::max(radius, std::sqrt(dot(element.shape.half_extent, element.shape.half_extent)));
+            reach = std::max(reach, element.reach);
+        }
+        if (element.piece >= 0) {
+            pieces[element.piece].push_back(i);
+            continue;
+        }
+        order.push_back(i);
+        counts.push_back(1);
+    }
+    for (const auto& [piece, members] : pieces) {
+        order.insert(order.end(), members.begin(), members.end());
+        counts.push_back(static_cast<std::uint32_t>(members.size()));
+    }
+    near_.set_pieces(std::move(order), counts);
+    room_ = room_in_radii * radius;
+    margin_ = 2 * reach + room_;  // Bullet looks at pairs up to twice the reach
+    lever_ = 3 * radius + 2 * margin_;
+    pieces_changed_ = false;
+    // Room for what packed ice has, so that steps seldom take memory.
+    const std::size_t count = elements_.size();
+    for (std::vector<Pair>* pairs : {&pairs_, &listed_}) pairs->reserve(8 * count);
+    touching_.reserve(8 * count);
+    store.reserve(2 * count);
+}
+
+/// Adds up the paths; returns the longest.
+double IceContacts::walk(const BodyMotion* motions) {
+    double longest = 0;
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+        path_[i] += motions[i].way + lever_ * motions[i].turn;
+        if (is_there(i)) longest = std::max(longest, path_[i]);
+    }
+    return longest;
+}
+
+void IceContacts::list_pairs(const BodyMotion* motions, ContactStore& store) {
+    for (std::uint32_t i = 0; i < elements_.size(); ++i) {
+        if (is_there(i)) bounds_[i] = bounds_of(place(i, motions));
+    }
+    listed_.clear();
+    std::size_t known = 0;
+    for (const auto& [a, b] : near_.find(bounds_, fixed_, margin_)) {
+        for (; known < pairs_.size() && std::pair(pairs_[known].a, pairs_[known].b) < std::pair(a, b); ++known)
+            drop(pairs_[known], store);
+        listed_.push_back({a, b, 0, -1, -1});
+        if (known == pairs_.size() || pairs_[known].a != a || pairs_[known].b != b) continue;
+        listed_.back() = pairs_[known++];
+        listed_.back().until -= path_[a] + path_[b];
+        if (moved_) listed_.back().until = 0;
+    }
+    for (; known < pairs_.size(); ++known) drop(pairs_[known], store);
+    pairs_.swap(listed_);
+    std::ranges::fill(path_, 0.0);
+    moved_ = false;
+}
+
+/// Does a face separate the two? First the one that did so last. If one is fixed, only its own faces count: it may be
+/// longer than the levers of paths allow for.
+bool IceContacts::apart(Pair& pair, const BodyMotion* motions) const {
+    const PrismPlace a = place(pair.a, motions);
+    const PrismPlace b = place(pair.b, motions);
+    const int of_a = face_axes(*a.shape, *b.shape);
+    const int first = fixed_[pair.b] != 0 ? of_a : 0;
+    const int end = fixed_[pair.a] != 0 ? of_a : of_a + face_axes(*b.shape, *a.shape);
+    if (pair.axis < 0) pair.axis = first;
+    double gap = face_gap(a, b, pair.axis);
+    if (!(gap > tolerance)) {
+        for (int axis = first; axis < end; ++axis) {
+            const double other = face_gap(a, b, axis);
+            if (!(other > gap)) continue;
+            gap = other;
+            pair.axis = axis;
+        }
+    }
+    pair.until = gap > tolerance ? path_[pair.a] + path_[pair.b] + gap - tolerance : 0;
+    return gap > tolerance;
+}
+
+void IceContacts::look(Pair& pair, const BodyMotion* motions, ContactStore& store) {
+    if (pair.points < 0 && apart(pair, motions)) return;
+    const PrismPlace a = place(pair.a, motions);
+    const PrismPlace b = place(pair.b, motions);
+    Overlap overlap;
+    find_overlap(a, b, overlap);
+    if (pair.points < 0) {
+        if (overlap.count == 0) return;
+        pair.points = store.take();
+    }
+    TouchingPoints& points = store[pair.points];
+    const double reach = std::min(elements_[pair.a].reach, elements_[pair.b].reach);
+    const Triple normal{-overlap.normal[0], -overlap.normal[1], -overlap.normal[2]};
+    for (int i = 0; i < overlap.count; ++i) {
+        const auto& [on_b, depth] = overlap.points[static_cast<std::size_t>(i)];
+        points.add(a, b, on_b, normal, -depth, reach);
+    }
+    points.refresh(a, b, reach);
+    pair.until = 0;
+    if (points.count() == 0)
+        drop(pair, store);
+    else
+        touching_.push_back({.a = pair.a, .b = pair.b, .points = pair.points});
+}
+
+void IceContacts::find(const BodyMotion* motions, ContactStore& store) {
+    if (pieces_changed_) {
+        sort_into_pieces(store);
+        moved_ = true;
+    }
+    if (moved_ || walk(motions) > 0.5 * room_ - tolerance) list_pairs(motions, store);
+    touching_.clear();
+    for (Pair& pair : pairs_) {
+        if (pair.points < 0 && path_[pair.a] + path_[pair.b] < pair.until) continue;
+        if (asleep_[pair.a] == 0 || asleep_[pair.b] == 0)
+            look(pair, motions, store);
+        else if (pair.points >= 0)
+            touching_.push_back({.a = pair.a, .b = pair.b, .points = pair.points});
+    }
+}
+
+}  // namespace floes

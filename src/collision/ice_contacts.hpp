@@ -1,0 +1,90 @@
+#pragma once
+// Contacts of ice on ice from step to step: which elements touch, and where. Between boxes the same points, to the last
+// bit, as Bullet finds, which looks at every pair whose bounds are near each other in every step. Here a pair that a
+// face separates is looked at again only when the two may have come as far as that.
+//
+//   contacts.add(element);             // numbered from 0
+//   contacts.find(motions, store);     // of all bodies, by number, once a step
+//   for (touching pair) store[pair.points]
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "collision/near_pairs.hpp"
+#include "collision/touching_points.hpp"
+#include "solver/body_motion.hpp"
+
+namespace floes {
+
+/// Lengths in m.
+struct ContactElement {
+    PrismShape shape;    ///< empty: only a number that is taken
+    double reach = 0;    ///< a point lasts while its halves are nearer than this
+    bool fixed = false;  ///< never turns, and touches no other that is fixed
+    int piece = -1;      ///< elements of one piece >= 0 do not touch
+};
+
+class IceContacts {
+  public:
+    void add(ContactElement element);
+
+    const PrismShape& shape(std::uint32_t element) const { return elements_[element].shape; }
+
+    /// From the next find() on the element touches nothing; its number is free for another one.
+    void take_out(std::uint32_t element, ContactStore& store);
+    void put_in(std::uint32_t number, ContactElement element, ContactStore& store);
+
+    /// In force from the next find() on.
+    void set_piece(std::uint32_t element, int piece);
+
+    /// Two elements that sleep are not looked at; they must not move.
+    void set_asleep(std::uint32_t element, bool asleep) { asleep_[element] = asleep ? 1 : 0; }
+
+    /// The element is somewhere else now; contacts that it had begin anew.
+    void move(std::uint32_t element, ContactStore& store);
+
+    /// Elements are not quite where their last motions led.
+    void distrust() { moved_ = true; }
+
+    /// Finds the points at which elements touch. motions: of all that were added.
+    void find(const BodyMotion* motions, ContactStore& store);
+
+    /// Pairs with points, rising by (a, b), a below b. Valid until the next find().
+    std::span<const Touching> touching() const { return touching_; }
+
+  private:
+    struct Pair {
+        std::uint32_t a;  ///< the lower number
+        std::uint32_t b;
+        double until;         ///< apart while the ways of both are less than this in sum, m
+        std::int32_t points;  ///< in the store; -1 for none
+        std::int32_t axis;    ///< of face_gap(), along which they were apart last; -1: not known
+    };
+
+    bool is_there(std::size_t element) const { return there_[element] != 0; }
+    PrismPlace place(std::uint32_t element, const BodyMotion* motions) const {
+        return {&elements_[element].shape, motions[element].position, motions[element].rotation};
+    }
+    void sort_into_pieces(ContactStore& store);
+    double walk(const BodyMotion* motions);
+    void list_pairs(const BodyMotion* motions, ContactStore& store);
+    bool apart(Pair& pair, const BodyMotion* motions) const;
+    void look(Pair& pair, const BodyMotion* motions, ContactStore& store);
+    static void drop(Pair& pair, ContactStore& store);
+
+    std::vector<ContactElement> elements_;
+    std::vector<std::uint8_t> there_, fixed_, asleep_;
+    std::vector<double> path_;  ///< of any point of it as its neighbours see it, at most, since pairs were listed
+    double lever_ = 0;          ///< by how much a turn may move such a point
+    double room_ = 0;           ///< in which two elements may move before pairs are listed anew
+    double margin_ = 0;         ///< pairs this near are listed
+    bool pieces_changed_ = true;
+    bool moved_ = true;  ///< paths do not tell all
+    NearPairs near_;
+    std::vector<Bounds> bounds_;
+    std::vector<Pair> pairs_, listed_;
+    std::vector<Touching> touching_;
+};
+
+}  // namespace floes

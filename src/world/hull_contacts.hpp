@@ -1,0 +1,73 @@
+#pragma once
+// Contacts of ice with the structure from step to step: for each of its solids and the elements near that, the point
+// that Bullet's GJK finds, gathered as its manifolds do. Only for files inside this module.
+
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "collision/touching_points.hpp"
+#include "solver/body_motion.hpp"
+#include "world/ice_shape.hpp"
+#include "world/solid_shape.hpp"
+
+namespace floes {
+
+class HullContacts {
+  public:
+    /// The structure's solids, which stay, and its number among the bodies.
+    void set_structure(std::uint32_t number, std::span<const ConvexSolid> solids);
+
+    /// Bodies are numbered from 0; for one without a shape nothing is looked for. The shape must stay where it is.
+    void add(const IceShape* shape);
+
+    /// Another one under that number.
+    void put_in(std::uint32_t element, const IceShape* shape, ContactStore& store);
+
+    /// The element is somewhere else now; contacts that it had begin anew.
+    void move(std::uint32_t element, ContactStore& store);
+
+    /// The element is not quite where its last motion led.
+    void distrust(std::uint32_t element);
+
+    /// Finds the points at which the structure touches elements. motions: of all bodies, by number.
+    void find(const BodyMotion* motions, ContactStore& store);
+
+    /// Those with points, in order; a is the structure. Valid until the next find().
+    std::span<const Touching> touching() const { return touching_; }
+
+  private:
+    /// An element and a solid.
+    struct Pair {
+        std::int32_t points = -1;  ///< in the store; -1: they are away from each other
+        double due = 0;            ///< of the element's way, before which they are apart, m
+    };
+
+    std::span<Pair> pairs_of(std::uint32_t element) {
+        return {pairs_.data() + element * solids_.size(), solids_.size()};
+    }
+    double way_of_structure(const BodyMotion& motion);
+    void look_round(std::uint32_t element, const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
+    void touch(TouchingPoints& points, std::size_t solid, std::uint32_t element, const BodyMotion& motion,
+               const BodyMotion& structure);
+
+    std::deque<SolidShape> solids_;  ///< Bullet holds their addresses
+    btCompoundShape whole_;          ///< of these
+    std::uint32_t structure_ = 0;
+    std::vector<const IceShape*> shapes_;
+    std::vector<double> radius_;
+    std::vector<double> way_;  ///< of elements relative to the structure, turning included, at most, m
+    std::vector<double> due_;  ///< the least of an element's pairs
+    std::vector<Pair> pairs_;  ///< by element, then solid
+    btTransform last_ = btTransform::getIdentity();  ///< of the structure in the last find()
+    std::vector<Touching> touching_;
+    btVoronoiSimplexSolver simplex_;
+    btGjkEpaPenetrationDepthSolver depths_;
+};
+
+}  // namespace floes

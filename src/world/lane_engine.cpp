@@ -1,0 +1,550 @@
+// Our own world: ice meets ice (collision/ice_contacts.hpp), Bullet finds where ice meets the structure
+// (world/hull_contacts.hpp), and our solver does the rest (solver/lane_system.hpp), which alone knows where bodies are
+// and how they move.
+
+#include <BulletDynamics/ConstraintSolver/btContactSolverInfo.h>
+#include <LinearMath/btTransformUtil.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <iterator>
+#include <utility>
+
+#include "collision/ice_contacts.hpp"
+#include "shapes/elements.hpp"
+#include "solver/lane_system.hpp"
+#include "solver/lane_width.hpp"
+#include "world/conversion.hpp"
+#include "world/engine.hpp"
+#include "world/hull_contacts.hpp"
+
+namespace floes {
+namespace {
+
+constexpr std::size_t not_in_system = static_cast<std::size_t>(-1);
+
+std::uint32_t number_of(BodyId body) {
+    return static_cast<std::uint32_t>(body.index());
+}
+
+std::array<double, 9> rows_of(const btMatrix3x3& m) {
+    return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]};
+}
+
+btTransform transform_of(const SolverState& state) {
+    const auto& r = state.rotation;
+    return btTransform(btMatrix3x3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]),
+                       {state.position[0], state.position[1], state.position[2]});
+}
+
+/// At rest there.
+SolverState state_at(const Pose& pose) {
+    const btTransform place = to_bullet(pose);
+    return {array_of(place.getOrigin()), rows_of(place.getBasis()), {}, {}};
+}
+
+SolverState solver_state(const BodyState& state) {
+    SolverState to;
+    Eigen::Map<Vec3>(to.position.data()) = state.position;
+    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(to.rotation.data()) = state.rotation;
+    Eigen::Map<Vec3>(to.velocity.data()) = state.velocity;
+    Eigen::Map<Vec3>(to.angular_velocity.data()) = state.angular_velocity;
+    return to;
+}
+
+BodyState body_state(const double* position, const double* rotation, const double* velocity,
+                     const double* angular_velocity) {
+    return {Eigen::Map<const Vec3>(position), Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotation),
+            Eigen::Map<const Vec3>(velocity), Eigen::Map<const Vec3>(angular_velocity)};
+}
+
+/// The state with its pose moved by a velocity and angular velocity that only open a penetration (split impulse).
+SolverState pushed(SolverState state, const std::array<double, 6>& push, double time_step) {
+    btTransform after;
+    btTransformUtil::integrateTransform(
+        transform_of(state), {push[0], push[1], push[2]},
+        btVector3(push[3], push[4], push[5]) * btContactSolverInfo().m_splitImpulseTurnErp, time_step, after);
+    state.position = array_of(after.getOrigin());
+    state.rotation = rows_of(after.getBasis());
+    return state;
+}
+
+/// The turn from one rotation to another as a vector, rad; exactly zero where they are equal.
+Vec3 turn_between(const Quat& before, const Quat& after) {
+    if (before.coeffs() == after.coeffs()) return Vec3::Zero();
+    Quat turn = after * before.conjugate();
+    if (turn.w() < 0) turn.coeffs() *= -1;
+    const double sine = turn.vec().norm();
+    return sine > 0 ? Vec3(turn.vec() * (2 * std::atan2(sine, turn.w()) / sine)) : Vec3::Zero();
+}
+
+/// The part of the last impulse from which normal rows start. Cones start from the whole of it, or contacts near
+/// sliding creep.
+double kept_of_impulse(bool cone) {
+    return cone ? 1.0 : btContactSolverInfo().m_warmstartingFactor;
+}
+
+/// A direction of the world in the axes of a body.
+Triple own_axes(const double* r, const Triple& d, double sign) {
+    return {sign * (r[0] * d[0] + r[3] * d[1] + r[6] * d[2]), sign * (r[1] * d[0] + r[4] * d[1] + r[7] * d[2]),
+            sign * (r[2] * d[0] + r[5] * d[1] + r[8] * d[2])};
+}
+
+class LaneEngine final : public Engine {
+  public:
+    explicit LaneEngine(const WorldDefinition& definition)
+        : definition_(definition),
+          friction_(material_friction(definition.contact)),
+          width_(lane_kernels(definition.lanes > 0 ? definition.lanes : lane_widths().back()).width) {}
+
+    void add_body(const ElementDefinition& body, std::optional<int> rail) override;
+    void add_structure(std::span<const ConvexSolid> solids, const Pose& pose) override;
+    void move_structure(const Pose& pose) override { structure_pose_ = pose; }
+
+    void add_joint(const JointDefinition& joint) override;
+    void remove_joint(JointId joint) override;
+    void soften_joint(JointId joint, double sound) override;
+    void set_piece(BodyId body, int piece) override { ice_.set_piece(number_of(body), piece); }
+    void place(BodyId body, const BodyState& state) override;
+    void set_water(BodyId body, const CarriedWater& water) override;
+
+    void set_asleep(BodyId body, bool asleep) override;
+    std::vector<BodyId> touched_asleep() const override;
+    void take_out(BodyId body) override;
+    void put_in(BodyId body, const ElementDefinition& element) override;
+    void put_in(JointId joint, const JointDefinition& definition) override;
+
+    void apply(BodyId body, const Wrench& wrench) override;
+    void step() override;
+
+    BodyState state(BodyId body) const override;
+    JointReaction reaction(JointId joint) const override;
+    std::span<const SolverContact> contacts() const override { return contacts_; }
+    int sweeps() const override { return sweeps_; }
+
+  private:
+    struct Body {
+        SolverBody parts;   ///< awake
+        SolverState start;  ///< where it was put last; where it is, if nothing moves it
+        double friction = 0;
+        bool asleep = false;
+        std::array<std::uint8_t, most_corners> joints_at{};  ///< how many joints hold others at each edge of a prism
+    };
+
+    Body made_of(const ElementDefinition& element, const IceShape& shape, std::optional<int> rail) const;
+    ContactElement contact_element(const IceShape& shape, const Body& body, int piece) const;
+    void add(Body body, ContactElement element, const IceShape* near_structure);
+    SolverJoint joint_of(const JointDefinition& definition) const;
+    void hold_edges(const SolverJoint& joint, bool held);
+    void hold_edge(std::uint32_t body, const SolverFrame& frame, double outward, bool held);
+
+    bool cone() const { return definition_.contact.friction == Friction::cone; }
+    bool acts(double distance) const;
+    bool is_inside(const Touching& pair, const Triple& normal) const;
+    void set_section(SolverContact& contact) const;
+    bool in_system(JointId joint) const;
+    bool in_system(BodyId body) const { return system_ && body.index() < system_->body_count(); }
+    bool moves(std::uint32_t body) const { return bodies_[body].parts.inverse_mass > 0 && !bodies_[body].asleep; }
+    SolverState state_now(BodyId body) const {
+        return in_system(body) ? system_->state(body.index()) : bodies_[body.index()].start;
+    }
+    void forget_contacts(BodyId body) {
+        std::erase_if(touching_,
+                      [&](const Touching& pair) { return pair.a == body.index() || pair.b == body.index(); });
+    }
+    void lay_out();
+    void carry_structure();
+    void find_contacts();
+    void read_contacts();
+    void read(const Touching& pair);
+    void write_contacts();
+    void push_apart();
+
+    WorldDefinition definition_;
+    MaterialFriction friction_;
+    int width_;
+    std::deque<IceShape> shapes_;  ///< of all but the structure; their addresses stay
+    std::vector<IceShape*> shape_of_;
+    std::vector<Body> bodies_;
+    std::vector<SolverJoint> joints_;
+    std::vector<bool> removed_;
+    std::optional<std::uint32_t> structure_;
+    Pose structure_pose_;  ///< at the end of the coming step
+    Pose structure_last_;  ///< at the end of the last one
+    ContactStore store_;
+    IceContacts ice_;
+    HullContacts hull_;
+    std::optional<LaneSystem> system_;          ///< of the bodies and joints there were when it was laid out
+    std::vector<std::size_t> joint_in_system_;  ///< of every joint; not_in_system while its floe sleeps
+    bool stale_ = true;                         ///< bodies, joints or who sleeps have changed since then
+    std::vector<Touching> touching_;            ///< all that touches, in the order of the solve
+    std::vector<SolverContact> contacts_;
+    std::vector<TouchingPoint*> sources_;  ///< of the contacts, while they are solved
+    int sweeps_ = 0;
+};
+
+LaneEngine::Body LaneEngine::made_of(const ElementDefinition& element, const IceShape& shape,
+                                     std::optional<int> rail) const {
+    Body made;
+    if (element.mass > 0) {
+        const double inverse_mass = 1.0 / element.mass;
+        made.parts.inverse_mass = inverse_mass;
+        made.parts.weight = -definition_.gravity * (1.0 / inverse_mass);
+        const btVector3 inertia = shape.inertia(element.mass);
+        for (int k = 0; k < 3; ++k) made.parts.inverse_inertia[static_cast<std::size_t>(k)] = 1.0 / inertia[k];
+        if (rail) {
+            made.parts.rail = *rail;
+            made.parts.weight = 0;
+            made.parts.inverse_inertia.fill(inverse_mass / (1e3 * off_rail));
+        }
+    }
+    made.parts.half_extent = shape.prism().half_extent;
+    made.parts.is_prism = !shape.prism().is_box;
+    made.parts.crushing_pressure = element.crushing_pressure;
+    made.start = state_at(element.pose);
+    made.friction = friction_.ice;
+    return made;
+}
+
+ContactElement LaneEngine::contact_element(const IceShape& shape, const Body& body, int piece) const {
+    const bool fixed = body.parts.inverse_mass == 0 || body.parts.rail >= 0;
+    return {shape.prism(), shape.reach(), fixed, body.parts.rail >= 0 ? no_piece : piece};
+}
+
+void LaneEngine::add_body(const ElementDefinition& body, std::optional<int> rail) {
+    IceShape& shape = shapes_.emplace_back(body.corners, body.half_thickness);
+    shape_of_.push_back(&shape);
+    const Body& made = bodies_.emplace_back(made_of(body, shape, rail));
+    ice_.add(contact_element(shape, made, body.piece));
+    hull_.add(body.mass > 0 && !rail ? &shape : nullptr);
+    stale_ = true;
+}
+
+void LaneEngine::add_structure(std::span<const ConvexSolid> solids, const Pose& pose) {
+    structure_ = static_cast<std::uint32_t>(bodies_.size());
+    structure_pose_ = structure_last_ = pose;
+    shape_of_.push_back(nullptr);
+    Body& made = bodies_.emplace_back();
+    made.start = state_at(pose);
+    made.friction = friction_.structure;
+    made.parts.crushing_pressure = std::numeric_limits<double>::infinity();  // it does not crush
+    ice_.add({.shape = {}, .fixed = true, .piece = sheet_piece});
+    hull_.add(nullptr);
+    hull_.set_structure(*structure_, solids);
+    stale_ = true;
+}
+
+void LaneEngine::take_out(BodyId body) {
+    bodies_[body.index()].asleep = true;
+    ice_.take_out(number_of(body), store_);
+    hull_.put_in(number_of(body), nullptr, store_);
+    forget_contacts(body);
+    stale_ = true;
+}
+
+void LaneEngine::put_in(BodyId body, const ElementDefinition& element) {
+    const std::size_t number = body.index();
+    IceShape& shape = *shape_of_[number];
+    std::destroy_at(&shape);
+    std::construct_at(&shape, element.corners, element.half_thickness);
+    bodies_[number] = made_of(element, shape, {});
+    if (in_system(body)) system_->set_state(number, bodies_[number].start);
+    ice_.put_in(number_of(body), contact_element(shape, bodies_[number], element.piece), store_);
+    hull_.put_in(number_of(body), &shape, store_);
+    forget_contacts(body);
+    stale_ = true;
+}
+
+SolverJoint LaneEngine::joint_of(const JointDefinition& definition) const {
+    const btTransform at = to_bullet(Pose{definition.pivot, definition.frame});
+    const auto frame_in = [&](BodyId body) {
+        const btTransform frame = transform_of(state_now(body)).inverse() * at;
+        return SolverFrame{rows_of(frame.getBasis()), array_of(frame.getOrigin())};
+    };
+    return {number_of(definition.a), number_of(definition.b), frame_in(definition.a), frame_in(definition.b),
+            definition.cfm,          definition.erp,          definition.spring};
+}
+
+void LaneEngine::add_joint(const JointDefinition& joint) {
+    joints_.push_back(joint_of(joint));
+    removed_.push_back(false);
+    hold_edges(joints_.back(), true);
+    stale_ = true;
+}
+
+void LaneEngine::put_in(JointId joint, const JointDefinition& definition) {
+    joints_[joint.index()] = joint_of(definition);
+    removed_[joint.index()] = false;
+    hold_edges(joints_[joint.index()], true);
+    stale_ = true;
+}
+
+void LaneEngine::remove_joint(JointId joint) {
+    if (removed_[joint.index()]) return;
+    removed_[joint.index()] = true;
+    hold_edges(joints_[joint.index()], false);
+    if (in_system(joint)) system_->remove_joint(joint_in_system_[joint.index()]);
+}
+
+void LaneEngine::soften_joint(JointId joint, double sound) {
+    joints_[joint.index()].sound = sound;
+    if (in_system(joint)) system_->soften_joint(joint_in_system_[joint.index()], sound);
+}
+
+/// The edge on which a joint lies has the joint's x axis as its normal: out of a, and into b.
+void LaneEngine::hold_edges(const SolverJoint& joint, bool held) {
+    hold_edge(joint.a, joint.in_a, 1, held);
+    hold_edge(joint.b, joint.in_b, -1, held);
+}
+
+void LaneEngine::hold_edge(std::uint32_t number, const SolverFrame& frame, double outward, bool held) {
+    Body& body = bodies_[number];
+    if (!body.parts.is_prism) return;
+    const auto& r = frame.rotation;
+    const int edge = edge_towards(ice_.shape(number), {outward * r[0], outward * r[3], outward * r[6]});
+    if (edge < 0) return;
+    std::uint8_t& joints = body.joints_at[static_cast<std::size_t>(edge)];
+    joints = static_cast<std::uint8_t>(joints + (held ? 1 : -1));
+}
+
+void LaneEngine::set_asleep(BodyId body, bool asleep) {
+    bodies_[body.index()].asleep = asleep;
+    ice_.set_asleep(number_of(body), asleep);
+    stale_ = true;
+}
+
+std::vector<BodyId> LaneEngine::touched_asleep() const {
+    std::vector<BodyId> touched;
+    for (const Touching& pair : touching_)
+        if (bodies_[pair.a].asleep != bodies_[pair.b].asleep)
+            touched.emplace_back(bodies_[pair.a].asleep ? pair.a : pair.b);
+    return touched;
+}
+
+void LaneEngine::place(BodyId body, const BodyState& state) {
+    bodies_[body.index()].start = solver_state(state);
+    if (in_system(body)) system_->set_state(body.index(), bodies_[body.index()].start);
+    ice_.move(number_of(body), store_);
+    hull_.move(number_of(body), store_);
+    forget_contacts(body);
+    if (structure_ == number_of(body))
+        structure_pose_ = structure_last_ = {state.position, Quat(state.rotation).normalized()};
+}
+
+void LaneEngine::set_water(BodyId body, const CarriedWater& water) {
+    bodies_[body.index()].parts.water = water;
+    if (!stale_ && in_system(body)) system_->set_water(body.index(), water);  // a new system takes it from `parts`
+}
+
+void LaneEngine::apply(BodyId body, const Wrench& wrench) {
+    if (!in_system(body)) lay_out();
+    if (const int rail = bodies_[body.index()].parts.rail; rail >= 0) {
+        std::array<double, 3> along{};
+        along[static_cast<std::size_t>(rail)] = wrench.force[rail];
+        system_->add_force(body.index(), along, {});
+        return;
+    }
+    system_->add_force(body.index(), {wrench.force.x(), wrench.force.y(), wrench.force.z()},
+                       {wrench.moment.x(), wrench.moment.y(), wrench.moment.z()});
+}
+
+BodyState LaneEngine::state(BodyId body) const {
+    if (bodies_[body.index()].parts.inverse_mass > 0 && in_system(body)) {
+        const BodyMotion& motion = system_->motions()[body.index()];
+        return body_state(motion.position, motion.rotation, motion.velocity, motion.angular_velocity);
+    }
+    const SolverState& start = bodies_[body.index()].start;
+    return body_state(start.position.data(), start.rotation.data(), start.velocity.data(),
+                      start.angular_velocity.data());
+}
+
+JointReaction LaneEngine::reaction(JointId joint) const {
+    if (!in_system(joint)) return {};
+    const auto [force, moment] = system_->reaction(joint_in_system_[joint.index()]);
+    return {.axial = force[0],
+            .shear_vertical = force[1],
+            .shear_in_plane = force[2],
+            .torsion = moment[0],
+            .in_plane_bending = moment[1],
+            .bending = moment[2]};
+}
+
+bool LaneEngine::in_system(JointId joint) const {
+    return joint.index() < joint_in_system_.size() && joint_in_system_[joint.index()] != not_in_system;
+}
+
+void LaneEngine::lay_out() {
+    std::vector<SolverBody> bodies;
+    for (const Body& body : bodies_) {
+        bodies.push_back(body.parts);
+        bodies.back().water = {};  // see below
+        if (!body.asleep) continue;
+        bodies.back() = {};
+        bodies.back().half_extent = body.parts.half_extent;
+        bodies.back().crushing_pressure = body.parts.crushing_pressure;
+    }
+    std::vector<SolverJoint> awake;
+    joint_in_system_.assign(joints_.size(), not_in_system);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (bodies_[joints_[i].a].asleep) continue;
+        joint_in_system_[i] = awake.size();
+        awake.push_back(joints_[i]);
+    }
+    const std::optional<LaneSystem> before = std::move(system_);
+    system_.emplace(bodies, awake, width_, definition_.solver);
+    if (before) system_->take_over(*before);
+    for (std::size_t i = before ? before->body_count() : 0; i < bodies_.size(); ++i)
+        system_->set_state(i, bodies_[i].start);
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (removed_[i] && in_system(JointId(i))) system_->remove_joint(joint_in_system_[i]);
+    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (moves(static_cast<std::uint32_t>(i)) && bodies_[i].parts.water != CarriedWater{})
+            system_->set_water(i, bodies_[i].parts.water);
+    }
+    stale_ = false;
+    contacts_.reserve(4 * bodies_.size());
+    sources_.reserve(4 * bodies_.size());
+    touching_.reserve(8 * bodies_.size());
+}
+
+/// The structure is where it will be at the end of the step, with the velocity that leads there.
+void LaneEngine::carry_structure() {
+    if (!structure_) return;
+    const btTransform before = to_bullet(structure_last_);
+    const btTransform after = to_bullet(structure_pose_);
+    const Vec3 turn = turn_between(structure_last_.orientation, structure_pose_.orientation) / definition_.time_step;
+    bodies_[*structure_].start = {array_of(after.getOrigin()),
+                                  rows_of(after.getBasis()),
+                                  array_of((after.getOrigin() - before.getOrigin()) / definition_.time_step),
+                                  {turn.x(), turn.y(), turn.z()}};
+    system_->set_state(*structure_, bodies_[*structure_].start);
+    structure_last_ = structure_pose_;
+}
+
+void LaneEngine::find_contacts() {
+    ice_.find(system_->motions(), store_);
+    hull_.find(system_->motions(), store_);
+    touching_.clear();
+    const std::span<const Touching> hull = hull_.touching();
+    const std::span<const Touching> ice = ice_.touching();
+    std::merge(hull.begin(), hull.end(), ice.begin(), ice.end(), std::back_inserter(touching_));
+}
+
+/// Crushing needs overlap: a point without any exerts nothing. Rigid contacts act before they touch.
+bool LaneEngine::acts(double distance) const {
+    return definition_.contact.normal == NormalLaw::rigid || distance < 0;
+}
+
+/// Whether a normal, from b to a, leaves a prism through an edge that another element of its floe covers.
+bool LaneEngine::is_inside(const Touching& pair, const Triple& normal) const {
+    if (definition_.contact.internal_edges) return false;
+    const auto leaves = [&](std::uint32_t number, double sign) {
+        const Body& body = bodies_[number];
+        if (!body.parts.is_prism) return false;
+        const Triple outwards = own_axes(system_->motions()[number].rotation, normal, sign);
+        const int edge = edge_towards(ice_.shape(number), outwards);
+        return edge >= 0 && body.joints_at[static_cast<std::size_t>(edge)] > 0;
+    };
+    return leaves(pair.a, -1) || leaves(pair.b, 1);
+}
+
+/// Of a contact of prisms: the smaller of the two sections that crush. Those of boxes have their own in the kernels.
+void LaneEngine::set_section(SolverContact& contact) const {
+    if (definition_.contact.normal == NormalLaw::rigid) return;
+    if (!bodies_[contact.a].parts.is_prism && !bodies_[contact.b].parts.is_prism) return;
+    for (const auto& [number, sign] : {std::pair(contact.a, 1.0), std::pair(contact.b, -1.0)}) {
+        const PrismShape& prism = ice_.shape(number);
+        if (prism.empty()) continue;  // the structure: flat and unbounded
+        const Triple inwards = own_axes(system_->motions()[number].rotation, contact.normal, sign);
+        const PrismSection section = crushed_section(prism, inwards, -contact.distance);
+        if (contact.section >= 0 && contact.section <= section.area) continue;
+        contact.section = section.area;
+        contact.section_growth = section.growth;
+    }
+}
+
+void LaneEngine::read_contacts() {
+    contacts_.clear();
+    sources_.clear();
+    for (const Touching& pair : touching_) read(pair);
+}
+
+void LaneEngine::read(const Touching& pair) {
+    const double friction = bodies_[pair.a].friction * bodies_[pair.b].friction;
+    const double kept = kept_of_impulse(cone());
+    const bool solvable = moves(pair.a) || moves(pair.b);
+    TouchingPoints& points = store_[pair.points];
+    for (int i = 0; i < points.count(); ++i) {
+        TouchingPoint& point = points[i];
+        if (!solvable || !acts(point.distance) || is_inside(pair, point.normal)) {
+            if (solvable) point.impulse = 0;
+            point.slide = {};
+            point.friction_impulse = 0;
+            continue;
+        }
+        contacts_.push_back({.a = pair.a,
+                             .b = pair.b,
+                             .on_a = point.on_a,
+                             .on_b = point.on_b,
+                             .normal = point.normal,
+                             .distance = point.distance,
+                             .friction = friction,
+                             .impulse = point.impulse * kept,
+                             .solid = pair.solid});
+        set_section(contacts_.back());
+        sources_.push_back(&point);
+        if (!cone()) continue;
+        contacts_.back().slide = point.slide;
+        contacts_.back().friction_impulse = point.friction_impulse;
+    }
+}
+
+void LaneEngine::write_contacts() {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        sources_[i]->impulse = contacts_[i].impulse;
+        sources_[i]->slide = contacts_[i].slide;
+        sources_[i]->friction_impulse = contacts_[i].friction_impulse;
+    }
+}
+
+void LaneEngine::push_apart() {
+    if (!system_->pushed()) return;
+    ice_.distrust();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        std::array<double, 6> push = system_->push(i);
+        for (std::size_t k = 0; k < 6 && bodies_[i].parts.rail >= 0; ++k)
+            if (k != static_cast<std::size_t>(bodies_[i].parts.rail)) push[k] = 0;
+        if (push == std::array<double, 6>{}) continue;
+        system_->set_state(i, pushed(system_->state(i), push, definition_.time_step));
+        hull_.distrust(static_cast<std::uint32_t>(i));
+    }
+}
+
+void LaneEngine::step() {
+    if (stale_) lay_out();
+    carry_structure();
+    find_contacts();
+    system_->prepare(definition_.time_step);
+    read_contacts();
+    sweeps_ = system_->solve(contacts_, definition_.contact, {definition_.iterations, definition_.tolerance});
+    write_contacts();
+    push_apart();
+    system_->advance();
+}
+
+}  // namespace
+
+MaterialFriction material_friction(const ContactLaw& law) {
+    if (law.ice_ice_friction == 0) return {0, 0};
+    const double ice = std::sqrt(law.ice_ice_friction);
+    return {ice, law.ice_structure_friction / ice};
+}
+
+std::unique_ptr<Engine> make_lane_engine(const WorldDefinition& definition) {
+    return std::make_unique<LaneEngine>(definition);
+}
+
+}  // namespace floes
