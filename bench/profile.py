@@ -22,14 +22,14 @@ PARTS = [
                      r"solve_cones|solve_normals|start_contacts|to_contacts|from_contacts|piece_motion"),
     ("Bullet's collision detection, and the structure's shape", r"libBullet|libLinearMath|\bbt[A-Z]|dBoxBox2|Frustum|"
                                                                 r"ConvexSolid|SolidShape|cullPoints2"),
-    ("our collision detection", r"NearPairs|BoxContacts|TouchingPoints|TouchingPoint|least_overlap|find_overlap|face_gap|"
-                                r"touch_by_|clip_to_rectangle|spread_evenly|StructureContacts|bounds_of|look_closer|"
+    ("our collision detection", r"NearPairs|IceContacts|ContactStore|TouchingPoints|TouchingPoint|least_overlap|find_overlap|face_gap|"
+                                r"touch_by_|clip_to_rectangle|spread_evenly|HullContacts|bounds_of|look_closer|"
                                 r"needsCollision|collect_manifolds|PieceDispatcher|every_face|every_pair_of_edges|"
-                                r"LaneSolver::read|LaneSolver::write_contacts|fill_points|fill_friction_start|solvable|"
-                                r"seen_from_a|pair<unsigned"),
+                                r"LaneEngine::read|LaneEngine::write_contacts|box_face_gap|find_box_overlap|reach_along|gap_along|look_at_edges|fill_points|fill_friction_start|solvable|"
+                                r"seen_from_a|LaneEngine::find_contacts|pair<unsigned"),
     ("bodies to and fro", r"write_bodies|read_forces|World::state|World::apply|FroudeUnits::to_si\(floes::Body|"
                           r"FroudeUnits::to_own|read_states|add_force|put_fields|WaterLanes::set|WaterLanes::wrench|"
-                          r"advance_bodies|prepare_bodies|turn_frames|LaneSystem::state|LaneSolver::state|"
+                          r"advance_bodies|prepare_bodies|turn_frames|LaneSystem::state|LaneEngine::state|LaneEngine::apply|"
                           r"nearest_rotation|Eigen::"),
     ("water", r"gauss|[Ww]ater|drag|buoyan|box_of|submerged|exposed"),
     ("preparing rows, joints, reactions, breakage", r"prepare|press|joint|reaction|Reaction|compliant_body|direct_arm|store_arm|"

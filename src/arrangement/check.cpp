@@ -97,6 +97,25 @@ bool are_far_apart(Corners a, Corners b, double gap) {
     return first_a.x > last_b.x + gap || first_b.x > last_a.x + gap;
 }
 
+/// Grown by half the clearance each they must not overlap: so corners keep up to 1.21 times of it from sides.
+std::optional<Fault> fault_of_rectangles(const Walls& walls, std::span<const Rectangle> shapes,
+                                         std::span<const PlanarPose> poses, double clearance) {
+    const double margin = 0.5 * (clearance - length_rounding);
+    std::vector<TurnedRectangle> grown;
+    for (std::size_t i = 0; i < poses.size(); ++i) grown.push_back({shapes[i].grown(margin), turn_of(poses[i].yaw)});
+    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(walls, grown, poses);
+    if (!pair) return std::nullopt;
+    const auto [i, j] = *pair;
+    const double dx = poses[j].x - poses[i].x;
+    const double dz = poses[j].z - poses[i].z;
+    return Fault{
+        fmt::format(
+            "floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, {}", i, j, poses[i].x,
+            poses[i].z, poses[j].x, poses[j].z,
+            gap_text(widest_gap({shapes[i], grown[i].turn}, {shapes[j], grown[j].turn}, margin, dx, dz), clearance)),
+        {i, j}};
+}
+
 /// The first polygon that leaves the walls, or lies nearer than `gap` to an earlier one.
 std::optional<Fault> fault_of_polygons(const Walls& walls, const std::vector<Outline>& outlines, double gap) {
     for (std::size_t i = 0; i < outlines.size(); ++i) {
@@ -166,32 +185,19 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
     }
     const Walls walls = field_walls(scenario).shrunk(clearance - length_rounding);
     if (scenario.shapes.any()) return fault_of_polygons(walls, outlines_on_water(floes), clearance - length_rounding);
-    const double margin = 0.5 * (clearance - length_rounding);
     const std::vector<Rectangle> shapes = rectangles(floes);
-    std::vector<TurnedRectangle> grown;
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const PlanarPose& pose = poses[i];
         // Checked first, because turn_of() is not defined for NaN.
         if (!(std::abs(pose.yaw) < 1e6)) return Fault{fmt::format("floe {} has the yaw {} rad", i, pose.yaw), {i}};
         const TurnedRectangle turned{shapes[i], turn_of(pose.yaw)};
-        grown.push_back({shapes[i].grown(margin), turned.turn});
         if (!walls.admits(shapes[i], pose.x, pose.z, turned.turn)) {
             return Fault{fmt::format("floe {} at x = {:.4f} m, z = {:.4f} m is not inside the field: it lies {}", i,
                                      pose.x, pose.z, edge_text(scenario, pose, turned)),
                          {i}};
         }
     }
-    const std::optional<std::pair<std::size_t, std::size_t>> pair = overlapping_pair(walls, grown, poses);
-    if (!pair) return std::nullopt;
-    const auto [i, j] = *pair;
-    const double dx = poses[j].x - poses[i].x;
-    const double dz = poses[j].z - poses[i].z;
-    return Fault{
-        fmt::format(
-            "floes {} and {}, at x = {:.4f} m, z = {:.4f} m and x = {:.4f} m, z = {:.4f} m, {}", i, j, poses[i].x,
-            poses[i].z, poses[j].x, poses[j].z,
-            gap_text(widest_gap({shapes[i], grown[i].turn}, {shapes[j], grown[j].turn}, margin, dx, dz), clearance)),
-        {i, j}};
+    return fault_of_rectangles(walls, shapes, poses, clearance);
 }
 
 std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Outline> outlines,
@@ -199,6 +205,15 @@ std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Ou
     // Parts of a field without end go on beyond its ends, so only its sides are walls here.
     constexpr double far = 1e9;
     const Walls sides = Walls{-far, walls.low_z, 2 * far, walls.breadth}.shrunk(clearance - length_rounding);
+    if (std::ranges::all_of(outlines, is_rectangle)) {
+        std::vector<Rectangle> shapes;
+        for (const Outline& one : outlines) shapes.push_back({half_sides_of(one)->x, half_sides_of(one)->z});
+        for (std::size_t i = 0; i < poses.size(); ++i)
+            if (!sides.admits(shapes[i], poses[i].x, poses[i].z, turn_of(poses[i].yaw)))
+                return fmt::format("the floe at x = {:.4f} m, z = {:.4f} m crosses a side", poses[i].x, poses[i].z);
+        if (const auto fault = fault_of_rectangles(walls, shapes, poses, clearance)) return fault->sentence;
+        return std::nullopt;
+    }
     std::vector<Outline> laid;
     for (std::size_t i = 0; i < poses.size(); ++i) laid.push_back(on_water(outlines[i], poses[i]));
     if (const auto fault = fault_of_polygons(sides, laid, clearance - length_rounding)) return fault->sentence;

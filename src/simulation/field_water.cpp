@@ -75,8 +75,10 @@ void PieceWater::share_out(int floe, const IceField& ice, World& world, WaterLan
         polygons_.clear();
         for (auto index = piece; index != end; ++index) {
             const CutElement& one = cut.elements[static_cast<std::size_t>(*index)];
-            polygons_.push_back(&one);
-            centres_.emplace_back(one.centre.x, one.centre.z);
+            if (cut.squares)
+                centres_.emplace_back(one.centre.x, one.centre.z);
+            else
+                polygons_.push_back(&one);
         }
         const double draught = draught_[static_cast<std::size_t>(floe)];
         for (const ElementWater& share :

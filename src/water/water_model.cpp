@@ -56,15 +56,16 @@ void follow_structure(WaterFactors& factors, bool flows, const StructureInWater&
     factors.speed_across = structure.velocity.y() - factors.current_z;
 }
 
-WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
-                       double speed, const Vec2& wind_stress)
+/// plan_side: of the square that the factors are of; side: of a square with the waterplane of the element.
+WaterModel::WaterModel(const Water& water, double gravity, double plan_side, ElementShape shape, double mass,
+                       double waterline_radius, double speed, const Vec2& wind_stress)
     : flows_(water.flow == WaterFlow::potential) {
-    const double gauss_area = shape.side * shape.side / 4;
+    const double gauss_area = plan_side * plan_side / 4;
     const double half_area = 0.5 * water.density * gauss_area;
     const Vec2 current = water.current_velocity();
     const Vec2 through = water.flow == WaterFlow::still ? Vec2::Zero() : Vec2(Vec2(speed, 0) - current);
     const bool by_outline = water.heave_damping_from == WaterFrom::outline;
-    factors_ = {.side = shape.side,
+    factors_ = {.side = plan_side,
                 .thickness = shape.thickness,
                 .buoyancy = water.density * gravity * gauss_area,
                 .form = -0.5 * water.density * water.form_drag,
@@ -97,14 +98,10 @@ WaterModel::WaterModel(const Water& water, double gravity, ElementShape shape, d
 
 WaterModel::WaterModel(const Water& water, double gravity, const CutElement& element, double thickness, double mass,
                        double waterline_radius, double speed, const Vec2& wind_stress)
-    : WaterModel(water, gravity, {std::sqrt(element.area), thickness}, mass, waterline_radius, speed, wind_stress) {
+    : WaterModel(water, gravity, plan_of(element).empty() ? std::sqrt(element.area) : 2,  // of 4 m², see WaterFactors
+                 {std::sqrt(element.area), thickness}, mass, waterline_radius, speed, wind_stress) {
     plan_ = plan_of(element);
-    if (plan_.empty()) return;
-    const double damping = damping_;
-    *this = WaterModel(water, gravity, {2, thickness}, mass, waterline_radius, speed, wind_stress);  // of 4 m²
-    factors_.side = 0;
-    plan_ = plan_of(element);
-    damping_ = damping;
+    if (!plan_.empty()) factors_.side = 0;
 }
 
 void WaterModel::flow_round(std::span<const FlowEllipse> ellipses) {

@@ -92,7 +92,8 @@ class WaterModel {
     /// `gravity` m/s², `mass` of one element without added mass kg, `waterline_radius` of the structure m, `speed` of
     /// its tow m/s, `wind_stress` along x and z Pa.
     WaterModel(const Water& water, double gravity, ElementShape shape, double mass, double waterline_radius,
-               double speed, const Vec2& wind_stress = Vec2::Zero());
+               double speed, const Vec2& wind_stress = Vec2::Zero())
+        : WaterModel(water, gravity, shape.side, shape, mass, waterline_radius, speed, wind_stress) {}
 
     /// For an element of any plan and this thickness, m.
     WaterModel(const Water& water, double gravity, const CutElement& element, double thickness, double mass,
@@ -119,6 +120,9 @@ class WaterModel {
     const std::vector<double>& plan() const { return plan_; }
 
   private:
+    WaterModel(const Water& water, double gravity, double plan_side, ElementShape shape, double mass,
+               double waterline_radius, double speed, const Vec2& wind_stress);
+
     WaterFactors factors_;
     std::vector<double> plan_;
     bool flows_;
