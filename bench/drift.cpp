@@ -25,7 +25,13 @@ Simulation make_drift(const Drift& drift) {
         poses.push_back({.x = scenario.field.begin + cell * (i / across + 0.5),
                          .z = cell * (i % across + 0.5) - scenario.field.half_width});
     }
-    const FloeSet floes = floes_at(scenario, poses);
+    if (drift.hexagons) {
+        scenario.shapes.kind = ShapeKind::polygon;
+        scenario.shapes.corners = 6;
+        scenario.shapes.irregularity = 0;
+    }
+    FloeSet floes = floes_of(scenario, {.seed = 1});
+    for (std::size_t i = 0; i < poses.size(); ++i) floes.floes[i].pose = poses[i];
     SimulationState state = Simulation(scenario, floes).state();
     const std::size_t elements = state.elements.size() / floes.size();
     for (std::size_t i = 0; i < state.elements.size(); ++i) {

@@ -11,6 +11,7 @@ struct Drift {
     double concentration = 0.75;
     double speed = 0.3;                     ///< m/s
     SolverKind solver = SolverKind::lanes;  ///< direct: with beam joints and the physical laws of contact
+    bool hexagons = false;                  ///< regular ones of the same area; concentration at most 0.6
 };
 
 Simulation make_drift(const Drift& drift);

@@ -133,6 +133,13 @@ void add_all(int steps) {
     for (const int floes : {50, 100, 189, 500, 1000, 2000, 5000, 10000, 20000}) {
         add_size({.floes = floes, .solver = SolverKind::direct}, "direct/floes", floes, 5);
     }
+    for (const int floes : {189, 2000}) {
+        const Drift direct{.floes = floes, .concentration = 0.6, .solver = SolverKind::direct};
+        add_size(direct, "squares", floes, 20);
+        Drift hexagons = direct;
+        hexagons.hexagons = true;
+        add_size(hexagons, "hexagons", floes, 20);
+    }
     for (const int percent : {50, 60, 70, 75, 80, 85}) {
         add_size({.concentration = percent / 100.0}, "concentration", percent, 20);
     }

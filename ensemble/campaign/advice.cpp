@@ -94,10 +94,10 @@ std::string traced_words(const Scenario& scenario) {
             std::pow(traced.scale, 2) * std::accumulate(traced.areas.begin(), traced.areas.end(), 0.0);
         const std::vector<double> added = traced_added(traced);
         const auto worst = std::ranges::max_element(added);
-        words +=
-            fmt::format("; as convex floes they cover {:.2g} % more than as they were traced, at most {:.2g} % ({})",
-                        100 * std::max(0.0, sum / in_file - 1), 100 * std::max(0.0, *worst),
-                        outline_name(traced, static_cast<std::size_t>(worst - added.begin())));
+        words += fmt::format(
+            "; with their holes filled they cover {:.2g} % more than as they were traced, at most {:.2g} % ({})",
+            100 * std::max(0.0, sum / in_file - 1), 100 * std::max(0.0, *worst),
+            outline_name(traced, static_cast<std::size_t>(worst - added.begin())));
     }
     if (scenario.arrangement.given()) return words + "; they lie as they were traced, so every arrangement is the same";
     const std::size_t floes = static_cast<std::size_t>(scenario.field.floes);

@@ -332,6 +332,17 @@ void refuse_degrees(const std::vector<TracedFloe>& floes, const Bounds& bounds, 
         file, size, bounds.low.x, bounds.high.x, 0.0 - bounds.high.z, 0.0 - bounds.low.z));
 }
 
+/// With as many corners as a floe may have. Bays of less than a hundredth of the area are closed.
+Outline outline_of(Outline ring) {
+    constexpr double least_bay = 0.01;
+    if (floes::area_of(ring) < 0) std::ranges::reverse(ring);
+    Outline hull = convex_hull(ring);
+    if (floes::area_of(hull) <= (1 + least_bay) * floes::area_of(ring))
+        return with_fewer_corners(hull, most_outline_corners);
+    Outline fewer = with_fewer_corners(ring, most_bayed_corners);
+    return is_convex(fewer) ? with_fewer_corners(fewer, most_outline_corners) : fewer;
+}
+
 /// The names of all floes, divided by commas; empty if none has one.
 std::string names_of(const std::vector<TracedFloe>& floes) {
     if (std::ranges::all_of(floes, &std::string::empty, &TracedFloe::name)) return "";
@@ -371,7 +382,7 @@ void take_outlines(TracedOutlines& traced, const std::string& text, const std::s
         areas.push_back(unit * unit * area_of(one));
         Outline placed;
         for (const Corner& corner : one.ring) placed.push_back(unit * (corner - bounds.low));
-        outlines.push_back(with_fewer_corners(convex_hull(std::move(placed)), most_outline_corners));
+        outlines.push_back(outline_of(std::move(placed)));
         of_floes.hold(outlines.back());
     }
     const Corner origin{of_floes.low.x, 0.5 * (of_floes.low.z + of_floes.high.z)};

@@ -131,7 +131,7 @@ std::optional<Fault> fault_of_polygons(const Walls& walls, const std::vector<Out
                     {i}};
         for (std::size_t k = 0; k < i; ++k) {
             if (are_far_apart(outlines[k], outlines[i], gap)) continue;
-            if (const double apart = distance_between(outlines[k], outlines[i]); !(apart >= gap))
+            if (const double apart = distance_between_outlines(outlines[k], outlines[i]); !(apart >= gap))
                 return Fault{fmt::format("floes {} and {} are {:.4g} m apart and are to be {:.4g} m", k, i, apart, gap),
                              {k, i}};
         }
@@ -155,7 +155,7 @@ std::vector<Outline> outlines_on_water(const FloeSet& floes) {
 
 std::vector<Outline> outlines_of(const FloeSet& floes) {
     std::vector<Outline> found;
-    for (std::size_t i = 0; i < floes.size(); ++i) found.push_back(floes.shape(i).corners());
+    for (std::size_t i = 0; i < floes.size(); ++i) found.push_back(floes.shape(i).hull());
     return found;
 }
 

@@ -116,7 +116,7 @@ double largest_diagonal(std::span<const SingleFloe> floes) {
 
 std::vector<Outline> outlines_of(std::span<const SingleFloe> floes) {
     std::vector<Outline> found;
-    for (const SingleFloe& floe : floes) found.push_back(floe.shape.corners());
+    for (const SingleFloe& floe : floes) found.push_back(floe.shape.hull());
     return found;
 }
 

@@ -75,7 +75,7 @@ struct ElementJoint {
     unsigned edge;     ///< bit of the element's edge that it holds
     bool live = true;  ///< or the edge is free there
 
-    std::size_t axis() const { return outward.x != 0 ? 0 : 1; }
+    std::size_t axis() const { return std::abs(outward.x) >= std::abs(outward.z) ? 0 : 1; }
 };
 
 /// An element as a contact meets it. SI.

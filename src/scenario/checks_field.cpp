@@ -166,13 +166,16 @@ std::string and_more(std::ptrdiff_t others) {
 std::optional<std::string> fault_of(const TracedOutlines& traced) {
     for (std::size_t i = 0; i < traced.outlines.size(); ++i) {
         const Outline& one = traced.outlines[i];
-        if (const auto fault = floes::fault_of(one))
+        if (const auto fault = ring_fault_of(one))
             return fmt::format("{} is no floe: {}", outline_name(traced, i), *fault);
-        if (one.size() > most_outline_corners)
+        const bool turned = area_of(one) < 0;
+        const std::size_t most =
+            is_convex(turned ? Outline(one.rbegin(), one.rend()) : one) ? most_outline_corners : most_bayed_corners;
+        if (one.size() > most)
             return fmt::format(
                 "{} has {} corners, more than the {} of a floe; give it by shapes.file, which takes "
                 "fewer",
-                outline_name(traced, i), one.size(), most_outline_corners);
+                outline_name(traced, i), one.size(), most);
     }
     if (!traced.areas.empty() && traced.areas.size() != traced.outlines.size())
         return fmt::format("shapes.traced_areas_m2 has {} areas for {} outlines; leave it out, or give one for each",
@@ -180,7 +183,7 @@ std::optional<std::string> fault_of(const TracedOutlines& traced) {
     return std::nullopt;
 }
 
-/// What became convex and covers too much more than what was traced.
+/// What covers too much more than what was traced.
 void check_added(const TracedOutlines& traced, Contradictions& found) {
     if (traced.areas.empty()) return;
     const std::vector<double> added = traced_added(traced);
@@ -189,8 +192,8 @@ void check_added(const TracedOutlines& traced, Contradictions& found) {
     if (above == 0) return;
     found.push_back(
         {{"shapes.most_added_percent", "shapes.file"},
-         fmt::format("{} is not convex: without its bays and holes it would cover {:.3g} % more, above "
-                     "shapes.most_added_percent = {:g}{}; trace it as several floes, allow more, or leave it out",
+         fmt::format("{} has holes: filled it would cover {:.3g} % more, above shapes.most_added_percent = {:g}{}; "
+                     "trace it as several floes, allow more, or leave it out",
                      outline_name(traced, static_cast<std::size_t>(worst - added.begin())), 100 * *worst,
                      100 * traced.most_added, and_more(above - 1))});
 }
@@ -216,8 +219,8 @@ void check_sheets(const Scenario& scenario, Contradictions& found) {
                          outline_name(traced, static_cast<std::size_t>(narrowest - floes.begin())), and_more(below - 1),
                          what, breadth_of(*narrowest), given(scenario, key))});
     };
-    refuse([](const SingleFloe& one) { return 2 * inner_radius(one.shape.outline); }, scenario.floe.thickness,
-           "ice.thickness_m", "is thinner than the ice: the widest circle within has a diameter of");
+    refuse([](const SingleFloe& one) { return 2 * inner_radius_of_parts(one.shape.outline); }, scenario.floe.thickness,
+           "ice.thickness_m", "is thinner than the ice: the widest circle in a convex part of it has a diameter of");
     if (!found.empty()) return;
     refuse([](const SingleFloe& one) { return one.shape.breadth; }, scenario.floe.element * (1 - 1e-9),
            "floe.element_m", "is smaller than an element: its breadth is");

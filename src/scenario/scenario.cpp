@@ -34,6 +34,10 @@ Outline FloeShape::corners() const {
     return is_polygon() ? outline : corners_of(length / 2, breadth / 2);
 }
 
+Outline FloeShape::hull() const {
+    return is_polygon() && !is_convex(outline) ? convex_hull(outline) : corners();
+}
+
 CutFloe FloeShape::cut() const {
     return is_polygon() ? cut_into_elements(outline, element)
                         : cut_into_squares(elements_long(), elements_broad(), element);

@@ -201,7 +201,7 @@ struct FloeShape {
     double breadth = 0.6;      ///< B_i along the floe's own z, m
     double thickness = 0.033;  ///< T_i = T_e, m
     double element = 0.2;      ///< L_e, m; divides length and breadth
-    /// Convex, about its centroid, in the floe's own axes; length and breadth are its extents then. Empty: a rectangle.
+    /// About its centroid, in the floe's own axes; length and breadth are its extents then. Empty: a rectangle.
     Outline outline{};
 
     int elements_long() const;                                                             ///< along x, at least 1
@@ -210,6 +210,7 @@ struct FloeShape {
     double area() const { return outline.empty() ? length * breadth : area_of(outline); }  ///< m²
     bool is_polygon() const { return !outline.empty(); }
     Outline corners() const;  ///< of its outline, of a rectangle as well
+    Outline hull() const;     ///< the same without bays, which is how floes are laid beside each other
     /// Its elements and joints.
     CutFloe cut() const;
     double element_mass(const Ice&) const;  ///< of a square of ice, kg

@@ -281,14 +281,14 @@ void add_traced(Keys& keys, Shapes& shapes) {
         "thickness does not follow.")));
     keys.push_back(of_file(number_key(
         "shapes.most_added_percent", traced.most_added, unit::percent, at_least(0).at_most(1000), "5 % in each length",
-        "Area that a floe may gain in becoming convex: bays that its convex hull closes and holes that are filled, of "
-        "its own. More is refused.")));
+        "Area that a floe may gain over its own: holes are filled, and bays of less than 1 % closed. More is "
+        "refused.")));
     keys.push_back(of_file({"shapes.outlines", outline_rows(traced), "none",
                             "The outlines themselves, a row for each corner: the number of its floe, and where it is. "
-                            "Convex, with at most 16 corners."}));
+                            "With at most 16 corners, or 32 where it has bays."}));
     keys.push_back(
         of_file(numbers_key("shapes.traced_areas_m2", traced.areas, unit::one, above(0).at_most(1e10), "none",
-                            "Area of each outline in shapes.file, by which the convex ones are judged; "
+                            "Area of each outline in shapes.file, by which these are judged; "
                             "empty: they came from no file.")));
     keys.push_back(of_file(text_key("shapes.names", traced.names, "none",
                                     "Names of the outlines in shapes.file, divided by commas, for messages.")));

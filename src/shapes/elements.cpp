@@ -1,21 +1,17 @@
 #include "shapes/elements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/contract.hpp"
 
 namespace floes {
 namespace {
-
-/// A rectangle of cells, i from `i0` up to and without `i1` along x, likewise along z.
-struct Block {
-    int i0, i1, k0, k1;
-    friend bool operator==(const Block&, const Block&) = default;
-};
 
 struct Grid {
     int along, across;
@@ -36,72 +32,74 @@ Grid grid_over(Corners outline, double side) {
     return grid;
 }
 
-Outline within(Corners outline, const Grid& grid, const Block& block) {
-    Outline left(outline.begin(), outline.end());
-    const auto cut = [&](const HalfPlane& half) {
-        if (!left.empty()) left = clipped(left, half);
-    };
-    if (block.i0 > 0) cut({{-1, 0}, -grid.x(block.i0)});
-    if (block.i1 < grid.along) cut({{1, 0}, grid.x(block.i1)});
-    if (block.k0 > 0) cut({{0, -1}, -grid.z(block.k0)});
-    if (block.k1 < grid.across) cut({{0, 1}, grid.z(block.k1)});
-    if (left.empty()) return left;
-    left = tidied(left, 1e-7 * (grid.dx + grid.dz));
-    return left;
+/// What lies within all of these.
+using Area = std::vector<HalfPlane>;
+
+/// A cell at the edge of the grid has no end there.
+Area area_of_cell(const Grid& grid, int i, int k) {
+    Area area;
+    if (i > 0) area.push_back({{-1, 0}, -grid.x(i)});
+    if (i + 1 < grid.along) area.push_back({{1, 0}, grid.x(i + 1)});
+    if (k > 0) area.push_back({{0, -1}, -grid.z(k)});
+    if (k + 1 < grid.across) area.push_back({{0, 1}, grid.z(k + 1)});
+    return area;
 }
 
-/// Length that two blocks share, on the line between them, and the middle of it.
+Area with(Area area, const Corner& normal, double bound) {
+    area.push_back({normal, bound});
+    return area;
+}
+
+Outline within(Corners convex, const Area& area, double least) {
+    Outline left(convex.begin(), convex.end());
+    for (const HalfPlane& half : area)
+        if (!left.empty()) left = clipped(left, half);
+    return left.empty() ? left : tidied(left, least);
+}
+
+/// The edges on which two convex polygons touch, and the line that they share.
 struct Shared {
     double length = 0;
-    Corner middle, normal;  // from the first to the second
+    Corner middle, normal;  ///< from the first to the second
+    unsigned edge_a = 0, edge_b = 0;
 };
 
-/// The part of a line x = at (or z = at) within the outline and between two bounds along it.
-std::pair<double, double> chord(Corners outline, bool along_x, double at, double low, double high) {
-    double from = high;
-    double to = low;
-    for (std::size_t k = 0; k < outline.size(); ++k) {
-        const Corner& p = outline[k];
-        const Corner& q = after(outline, k);
-        const double a = along_x ? p.x : p.z;
-        const double b = along_x ? q.x : q.z;
-        if ((a < at && b < at) || (a > at && b > at)) continue;
-        const double here = along_x ? p.z : p.x;
-        const double there = along_x ? q.z : q.x;
-        const auto meet = [&](double place) {
-            from = std::min(from, place);
-            to = std::max(to, place);
-        };
-        if (a != b) {
-            meet(here + (at - a) / (b - a) * (there - here));
-            continue;
+/// Exactly along the grid where it is so but for rounding.
+Corner on_grid(const Corner& normal) {
+    if (std::abs(normal.x) < 1e-9) return {0, normal.z > 0 ? 1.0 : -1.0};
+    if (std::abs(normal.z) < 1e-9) return {normal.x > 0 ? 1.0 : -1.0, 0};
+    return normal;
+}
+
+Shared shared(Corners a, Corners b, double exact) {
+    Shared found;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const Corner normal = on_grid(outward(a, i));
+        const Corner along{-normal.z, normal.x};
+        const double end = dot(along, after(a, i) - a[i]);
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            const Corner& p = b[k];
+            const Corner& q = after(b, k);
+            if (std::abs(dot(normal, p - a[i])) > exact || std::abs(dot(normal, q - a[i])) > exact) continue;
+            const double from = dot(along, p - a[i]);
+            const double to = dot(along, q - a[i]);
+            const double low = std::max(std::min(0.0, end), std::min(from, to));
+            const double high = std::min(std::max(0.0, end), std::max(from, to));
+            if (!(high - low > found.length)) continue;
+            found = {high - low, a[i] + 0.5 * (low + high) * along, normal, 1U << i, 1U << k};
         }
-        meet(here);
-        meet(there);
     }
-    return {std::max(from, low), std::min(to, high)};
+    return found;
 }
 
-Shared shared(Corners outline, const Grid& grid, const Block& a, const Block& b) {
-    const auto found = [&](bool along_x, double at, double low, double high, double sign) -> Shared {
-        const auto [from, to] = chord(outline, along_x, at, low, high);
-        if (!(to > from)) return {};
-        const double middle = 0.5 * (from + to);
-        return {to - from, along_x ? Corner{at, middle} : Corner{middle, at},
-                along_x ? Corner{sign, 0} : Corner{0, sign}};
-    };
-    const int k0 = std::max(a.k0, b.k0);
-    const int k1 = std::min(a.k1, b.k1);
-    const int i0 = std::max(a.i0, b.i0);
-    const int i1 = std::min(a.i1, b.i1);
-    if (k0 < k1 && a.i1 == b.i0) return found(true, grid.x(a.i1), grid.z(k0), grid.z(k1), 1);
-    if (k0 < k1 && b.i1 == a.i0) return found(true, grid.x(a.i0), grid.z(k0), grid.z(k1), -1);
-    if (i0 < i1 && a.k1 == b.k0) return found(false, grid.z(a.k1), grid.x(i0), grid.x(i1), 1);
-    if (i0 < i1 && b.k1 == a.k0) return found(false, grid.z(a.k0), grid.x(i0), grid.x(i1), -1);
-    return {};
-}
+/// Less of a cell is too little mass for its joints.
+constexpr double least_share_beside_bays = 0.1;
 
-/// Whether two neighbours make a rectangle of cells.
+/// A rectangle of cells, i from `i0` up to and without `i1` along x, likewise along z.
+struct Block {
+    int i0, i1, k0, k1;
+};
+
 bool make_a_rectangle(const Block& a, const Block& b) {
     return (a.k0 == b.k0 && a.k1 == b.k1 && (a.i1 == b.i0 || b.i1 == a.i0)) ||
            (a.i0 == b.i0 && a.i1 == b.i1 && (a.k1 == b.k0 || b.k1 == a.k0));
@@ -111,43 +109,177 @@ Block united(const Block& a, const Block& b) {
     return {std::min(a.i0, b.i0), std::max(a.i1, b.i1), std::min(a.k0, b.k0), std::max(a.k1, b.k1)};
 }
 
-/// The blocks of all elements, in the order of their first cells, along x first.
-std::vector<Block> blocks_of(Corners outline, const Grid& grid) {
-    std::vector<Block> blocks;
-    std::vector<double> areas;
-    for (int k = 0; k < grid.across; ++k)
-        for (int i = 0; i < grid.along; ++i) {
-            const Block cell{i, i + 1, k, k + 1};
-            const Outline left = within(outline, grid, cell);
-            if (left.empty()) continue;
-            blocks.push_back(cell);
-            areas.push_back(area_of(left));
+/// A convex piece of an outline, and the cells of the grid that it has a part of.
+struct Piece {
+    Block block;
+    Outline corners;
+};
+
+class Cutter {
+  public:
+    Cutter(Corners outline, double side)
+        : grid_(grid_over(outline, side)),
+          least_(1e-7 * (grid_.dx + grid_.dz)),
+          exact_(10 * least_),
+          parts_(convex_parts(outline)) {
+        for (std::size_t k = 0; parts_.size() > 1 && k < outline.size(); ++k) {
+            const std::size_t before = k > 0 ? k - 1 : outline.size() - 1;
+            if (cross(outline[k] - outline[before], after(outline, k) - outline[k]) < 0)
+                bays_.push_back(
+                    Bay{outline[k], {Corner{1, 0}, Corner{0, 1}, outward(outline, before), outward(outline, k)}});
         }
-    // The smallest first, so that a sliver joins a whole cell rather than another sliver. One that fits nowhere stays.
-    std::vector<Block> small;
-    std::vector<std::size_t> order(blocks.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t n) { return areas[n]; });
-    for (const std::size_t n : order)
-        if (areas[n] < least_element_share * grid.dx * grid.dz) small.push_back(blocks[n]);
-    for (const Block& sliver : small) {
-        const auto own = std::ranges::find(blocks, sliver);
-        if (own == blocks.end()) continue;  // another one joined it
-        auto best = blocks.end();
-        double longest = 0;
-        for (auto other = blocks.begin(); other != blocks.end(); ++other) {
-            if (other == own || !make_a_rectangle(*own, *other)) continue;
-            const double length = shared(outline, grid, *own, *other).length;
-            if (length <= longest) continue;
-            longest = length;
-            best = other;
-        }
-        if (best == blocks.end()) continue;
-        *best = united(*own, *best);
-        blocks.erase(own);
     }
-    std::ranges::sort(blocks, {}, [](const Block& one) { return std::pair(one.k0, one.i0); });
-    return blocks;
+
+    double exact() const { return exact_; }
+    double shortest_joint() const { return 1e-5 * std::min(grid_.dx, grid_.dz); }
+
+    /// In the order of their first cells, along x first.
+    std::vector<Piece> pieces() const {
+        std::vector<Piece> pieces;
+        for (int k = 0; k < grid_.across; ++k)
+            for (int i = 0; i < grid_.along; ++i)
+                for (Outline& one : cut(area_of_cell(grid_, i, k)))
+                    pieces.push_back({{i, i + 1, k, k + 1}, std::move(one)});
+        merge_small(pieces);
+        for (std::size_t n = 0; n < pieces.size(); ++n)
+            if (!bays_.empty() && area_of(pieces[n].corners) < least_share_beside_bays * grid_.dx * grid_.dz)
+                enlarge(pieces, n);
+        std::ranges::stable_sort(pieces, {}, [](const Piece& one) { return std::pair(one.block.k0, one.block.i0); });
+        return pieces;
+    }
+
+  private:
+    /// Where the outline bends inwards, and normals of lines through there that may part its two sides: the grid's, and
+    /// those of its edges.
+    struct Bay {
+        Corner at;
+        std::array<Corner, 4> normals;
+    };
+
+    /// What lies within, with as few pieces as pairs allow.
+    std::vector<Outline> joined_parts(const Area& area) const {
+        std::vector<Outline> found;
+        for (const Outline& part : parts_)
+            if (Outline left = within(part, area, least_); left.size() >= 3 && area_of(left) > least_ * grid_.dx)
+                found.push_back(std::move(left));
+        for (std::size_t i = 0; i < found.size(); ++i)
+            for (std::size_t k = i + 1; k < found.size(); ++k) {
+                std::optional<Outline> both = united(found[i], found[k]);
+                if (!both) continue;
+                found[i] = tidied(*both, least_);
+                found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+                k = i;
+            }
+        return found;
+    }
+
+    bool hang_together(const std::vector<Outline>& pieces) const {
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            for (std::size_t k = i + 1; k < pieces.size(); ++k)
+                if (shared(pieces[i], pieces[k], exact_).length > shortest_joint()) return true;
+        return false;
+    }
+
+    /// Convex pieces of what lies within. Where the outline bends inwards in it, it is cut along the line that leaves
+    /// the largest smallest piece.
+    std::vector<Outline> cut(const Area& area) const {
+        std::vector<Outline> whole = joined_parts(area);
+        if (whole.size() < 2 || !hang_together(whole)) return whole;
+        const auto is_in = [&](const Bay& bay) {
+            return std::ranges::all_of(
+                area, [&](const HalfPlane& half) { return dot(half.normal, bay.at) < half.bound - exact_; });
+        };
+        const auto bay = std::ranges::find_if(bays_, is_in);
+        if (bay == bays_.end()) return whole;
+        std::vector<Outline> best;
+        double largest = 0;
+        for (const Corner& normal : bay->normals) {
+            const double bound = dot(normal, bay->at);
+            std::vector<Outline> found = cut(with(area, normal, bound));
+            for (Outline& more : cut(with(area, -1.0 * normal, -bound))) found.push_back(std::move(more));
+            double smallest = std::numeric_limits<double>::infinity();
+            for (const Outline& one : found) smallest = std::min(smallest, area_of(one));
+            if (!(smallest > 1.001 * largest)) continue;  // those along the grid come first
+            largest = smallest;
+            best = std::move(found);
+        }
+        return best;
+    }
+
+    /// To make a rectangle of cells, by which stress below contacts on a rim is right (docs/fracture.md); of an outline
+    /// with bays whatever is convex.
+    bool may_join(const Block& a, const Block& b) const { return !bays_.empty() || make_a_rectangle(a, b); }
+
+    /// The smallest first, so that a sliver joins a whole cell rather than another sliver. One that fits nowhere stays.
+    void merge_small(std::vector<Piece>& pieces) const {
+        std::vector<std::pair<double, Outline>> small;
+        for (const Piece& one : pieces)
+            if (const double area = area_of(one.corners); area < least_element_share * grid_.dx * grid_.dz)
+                small.emplace_back(area, one.corners);
+        std::ranges::stable_sort(small, {}, [](const auto& one) { return one.first; });
+        for (const auto& [area, corners] : small) {
+            const auto own = std::ranges::find(pieces, corners, &Piece::corners);
+            if (own == pieces.end()) continue;  // another one joined it
+            auto best = pieces.end();
+            Outline together;
+            double longest = 0;
+            for (auto other = pieces.begin(); other != pieces.end(); ++other) {
+                if (other == own || !may_join(own->block, other->block)) continue;
+                const double length = shared(own->corners, other->corners, exact_).length;
+                if (length <= (1 + 1e-9) * longest) continue;
+                std::optional<Outline> both = united(own->corners, other->corners);
+                if (!both || both->size() > most_corners) continue;
+                longest = length;
+                best = other;
+                together = tidied(*both, least_);
+            }
+            if (best == pieces.end()) continue;
+            *best = {united(best->block, own->block), std::move(together)};
+            pieces.erase(own);
+        }
+    }
+
+    /// A sliver beside a bay that fits nowhere takes what a neighbour has on its side of one of its edges' lines, so
+    /// that the smaller of the two is as large as can be.
+    void enlarge(std::vector<Piece>& pieces, std::size_t small) const {
+        Outline larger;
+        Outline left;
+        std::size_t from = small;
+        double smallest = area_of(pieces[small].corners);
+        for (std::size_t n = 0; n < pieces.size(); ++n) {
+            if (n == small || shared(pieces[small].corners, pieces[n].corners, exact_).length == 0) continue;
+            for (std::size_t k = 0; k < pieces[small].corners.size(); ++k) {
+                const Corner normal = outward(pieces[small].corners, k);
+                const double bound = dot(normal, pieces[small].corners[k]);
+                const Outline near = within(pieces[n].corners, {{normal, bound}}, least_);
+                Outline beyond = within(pieces[n].corners, {{-1.0 * normal, -bound}}, least_);
+                if (near.size() < 3 || beyond.size() < 3) continue;
+                std::optional<Outline> both = united(pieces[small].corners, near);
+                if (!both || both->size() > most_corners) continue;
+                const double of = std::min(area_of(*both), area_of(beyond));
+                if (of <= smallest) continue;
+                smallest = of;
+                larger = tidied(*both, least_);
+                left = std::move(beyond);
+                from = n;
+            }
+        }
+        if (from == small) return;
+        pieces[small].corners = std::move(larger);
+        pieces[from].corners = std::move(left);
+    }
+
+    Grid grid_;
+    double least_, exact_;  ///< m: shorter edges go; what is nearer is the same
+    std::vector<Outline> parts_;
+    std::vector<Bay> bays_;
+};
+
+bool lies_on(Corners outline, std::size_t edge, const Corner& point, double exact) {
+    const Corner normal = outward(outline, edge);
+    const Corner from = point - outline[edge];
+    const double along = cross(normal, from);
+    return std::abs(dot(normal, from)) < exact && along > -exact && along < edge_length(outline, edge) + exact;
 }
 
 CutElement element_of(const Outline& corners, Corners outline, double exact) {
@@ -160,45 +292,29 @@ CutElement element_of(const Outline& corners, Corners outline, double exact) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const Corner middle = 0.5 * (corners[k] + after(corners, k));
         for (std::size_t edge = 0; edge < outline.size(); ++edge)
-            if (std::abs(dot(outward(outline, edge), middle - outline[edge])) < exact) element.rim |= 1U << k;
+            if (lies_on(outline, edge, middle, exact)) element.rim |= 1U << k;
     }
     return element;
-}
-
-/// Bit of the edge that lies on a line; 0 if none does.
-unsigned edge_on(Corners corners, const Corner& point, const Corner& normal, double exact) {
-    unsigned bits = 0;
-    for (std::size_t k = 0; k < corners.size(); ++k)
-        if (std::abs(dot(normal, corners[k] - point)) < exact &&
-            std::abs(dot(normal, after(corners, k) - point)) < exact)
-            bits |= 1U << k;
-    return bits;
 }
 
 }  // namespace
 
 CutFloe cut_into_elements(Corners outline, double side) {
-    const Grid grid = grid_over(outline, side);
-    const double exact = 1e-6 * (grid.dx + grid.dz);
-    const std::vector<Block> blocks = blocks_of(outline, grid);
-    std::vector<Outline> pieces;
+    const Cutter cutter(outline, side);
+    const std::vector<Piece> pieces = cutter.pieces();
     CutFloe floe;
-    for (const Block& block : blocks) {
-        pieces.push_back(within(outline, grid, block));
-        floe.elements.push_back(element_of(pieces.back(), outline, exact));
-    }
-    for (std::size_t a = 0; a < blocks.size(); ++a)
-        for (std::size_t b = a + 1; b < blocks.size(); ++b) {
-            const Shared common = shared(outline, grid, blocks[a], blocks[b]);
-            if (!(common.length > 1e-5 * std::min(grid.dx, grid.dz))) continue;
+    for (const Piece& one : pieces) floe.elements.push_back(element_of(one.corners, outline, cutter.exact()));
+    for (std::size_t a = 0; a < pieces.size(); ++a)
+        for (std::size_t b = a + 1; b < pieces.size(); ++b) {
+            const Shared common = shared(pieces[a].corners, pieces[b].corners, cutter.exact());
+            if (!(common.length > cutter.shortest_joint())) continue;
             const Corner& from = floe.elements[a].centre;
             const Corner& to = floe.elements[b].centre;
             const double span = dot(common.normal, to - from);
             const double shift = dot(common.normal, 0.5 * (from + to) - common.middle);
             floe.joints.push_back({static_cast<int>(a), static_cast<int>(b), common.normal,
-                                   common.middle + shift * common.normal, common.length, span,
-                                   edge_on(pieces[a], common.middle, common.normal, exact),
-                                   edge_on(pieces[b], common.middle, common.normal, exact)});
+                                   common.middle + shift * common.normal, common.length, span, common.edge_a,
+                                   common.edge_b});
         }
     return floe;
 }
@@ -250,7 +366,7 @@ CutFloe cut_into_squares(int along, int across, double side) {
 }
 
 int count_elements(Corners outline, double side) {
-    return static_cast<int>(blocks_of(outline, grid_over(outline, side)).size());
+    return static_cast<int>(Cutter(outline, side).pieces().size());
 }
 
 Quat turned_to(const Corner& axis) {

@@ -1,9 +1,10 @@
 #pragma once
 // A floe cut into convex elements that joints hold together.
 //
-// A convex outline is cut by a square grid over its extents, clipped at the outline. Cells that keep little of their
-// area become part of the neighbour with which they share the longest edge, where the two make a rectangle of cells; so
-// no ice is lost. A rectangle is cut into squares.
+// An outline, which may have bays, is cut by a square grid over its extents, clipped at the outline. A cell in which the
+// outline bends inwards is cut there, along the grid or along an edge of the bay, until its pieces are convex. What keeps
+// little of a cell becomes part of the neighbour with which it shares the longest edge, where the two make a rectangle of
+// cells, or are convex beside a bay; so no ice is lost. A rectangle is cut into squares.
 
 #include <cstdint>
 #include <vector>
@@ -55,13 +56,16 @@ CutFloe cut_into_squares(int along, int across, double side);
 /// More corners than this no element may have.
 inline constexpr std::size_t most_corners = 24;
 
-/// More corners than this no outline may have: cells that clip it, and join, add up to eight.
+/// More corners than this no convex outline may have: cells that clip it, and join, add up to eight.
 inline constexpr std::size_t most_outline_corners = most_corners - 8;
+
+/// Nor one with bays, of which an element has a part only.
+inline constexpr std::size_t most_bayed_corners = 2 * most_outline_corners;
 
 /// Cells keep at least this share of their area, or are merged.
 inline constexpr double least_element_share = 0.3;
 
-/// The elements of a convex outline about its centroid, cells of about `side`, m: as many along each axis as its
+/// The elements of an outline about its centroid, cells of about `side`, m: as many along each axis as its
 /// extents over `side`, rounded.
 CutFloe cut_into_elements(Corners outline, double side);
 

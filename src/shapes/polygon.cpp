@@ -301,21 +301,115 @@ std::optional<std::string> ring_fault_of(Corners ring) {
     return std::nullopt;
 }
 
-Outline with_fewer_corners(Corners convex, std::size_t most) {
+Outline with_fewer_corners(Corners ring, std::size_t most) {
     FLOES_EXPECTS(most >= 3);
-    Outline kept(convex.begin(), convex.end());
-    if (kept.size() <= most) return kept;
+    Outline kept(ring.begin(), ring.end());
+    const auto before = [&](std::size_t k) { return k > 0 ? k - 1 : kept.size() - 1; };
+    const auto can_go = [&](std::size_t k) {
+        const Corner& from = kept[before(k)];
+        const Corner& to = after(kept, k);
+        for (std::size_t i = 0; i < kept.size(); ++i) {
+            const std::size_t next = i + 1 < kept.size() ? i + 1 : 0;
+            const bool touches =
+                i == k || next == k || i == before(k) || next == before(k) || kept[i] == to || kept[next] == to;
+            if (!touches && meet(from, to, kept[i], kept[next])) return false;
+        }
+        return true;
+    };
+    std::vector<bool> stays(kept.size());
     while (kept.size() > most) {
-        const auto cut_off = [&](const Corner& corner) {
-            const auto k = static_cast<std::size_t>(&corner - kept.data());
-            return side(kept[k > 0 ? k - 1 : kept.size() - 1], corner, after(kept, k));
-        };
-        kept.erase(std::ranges::min_element(kept, {}, cut_off));
+        std::size_t least = kept.size();
+        double change = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < kept.size(); ++k) {
+            const double of = std::abs(side(kept[before(k)], kept[k], after(kept, k)));
+            if (stays[k] || of >= change) continue;
+            change = of;
+            least = k;
+        }
+        if (least == kept.size()) break;
+        if (!can_go(least)) {
+            stays[least] = true;
+            continue;
+        }
+        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(least));
+        stays.assign(kept.size(), false);
     }
+    if (kept.size() == ring.size()) return kept;
     const Measures left = measures_of(kept);
-    const double scale = std::sqrt(area_of(convex) / left.area);
+    const double scale = std::sqrt(area_of(ring) / left.area);
     for (Corner& corner : kept) corner = left.centroid + scale * (corner - left.centroid);
     return kept;
+}
+
+bool is_convex(Corners ring) {
+    const Corner size = size_of(ring);
+    for (std::size_t k = 0; k < ring.size(); ++k)
+        if (bend(ring, k) < -1e-9 * (size.x * size.x + size.z * size.z)) return false;
+    return true;
+}
+
+std::optional<Outline> united(Corners a, Corners b) {
+    Outline all(a.begin(), a.end());
+    all.insert(all.end(), b.begin(), b.end());
+    Outline hull = convex_hull(std::move(all));
+    const double sum = area_of(a) + area_of(b);
+    return area_of(hull) <= (1 + 1e-6) * sum ? std::optional(std::move(hull)) : std::nullopt;
+}
+
+namespace {
+
+/// Cuts triangles off until none is left; every ring has an ear.
+std::vector<Outline> triangles_of(Outline ring) {
+    std::vector<Outline> triangles;
+    while (ring.size() > 3) {
+        const auto is_ear = [&](std::size_t k) {
+            const Corner& from = ring[k > 0 ? k - 1 : ring.size() - 1];
+            const Corner& to = after(ring, k);
+            if (side(from, ring[k], to) < 0) return false;
+            return std::ranges::none_of(ring, [&](const Corner& p) {
+                if (p == from || p == ring[k] || p == to) return false;
+                return side(from, ring[k], p) >= 0 && side(ring[k], to, p) >= 0 && side(to, from, p) >= 0;
+            });
+        };
+        std::size_t ear = 0;
+        while (ear + 1 < ring.size() && !is_ear(ear)) ++ear;
+        triangles.push_back({ring[ear > 0 ? ear - 1 : ring.size() - 1], ring[ear], after(ring, ear)});
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    triangles.push_back(std::move(ring));
+    return triangles;
+}
+
+}  // namespace
+
+std::vector<Outline> convex_parts(Corners ring) {
+    if (is_convex(ring)) return {Outline(ring.begin(), ring.end())};
+    std::vector<Outline> parts = triangles_of(Outline(ring.begin(), ring.end()));
+    std::erase_if(parts, [&](const Outline& one) { return area_of(one) <= 1e-12 * area_of(ring); });
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t k = i + 1; k < parts.size(); ++k) {
+            std::optional<Outline> both = united(parts[i], parts[k]);
+            if (!both) continue;
+            parts[i] = *std::move(both);
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+            k = i;  // others may fit now
+        }
+    }
+    return parts;
+}
+
+double inner_radius_of_parts(Corners ring) {
+    double widest = 0;
+    for (const Outline& part : convex_parts(ring)) widest = std::max(widest, inner_radius(part));
+    return widest;
+}
+
+double distance_between_outlines(Corners a, Corners b) {
+    double least = std::numeric_limits<double>::infinity();
+    const std::vector<Outline> of_b = convex_parts(b);
+    for (const Outline& one : convex_parts(a))
+        for (const Outline& other : of_b) least = std::min(least, distance_between(one, other));
+    return least;
 }
 
 }  // namespace floes

@@ -127,9 +127,24 @@ double distance_between(Corners a, Corners b);
 /// their number.
 std::optional<std::string> ring_fault_of(Corners ring);
 
-/// A convex polygon with at most `most` corners, at least 3, and the same area: the corners that cut off least go one
-/// by one (Visvalingam and Whyatt, Cartogr. J. 30, 1993, cited from memory), and the rest moves outwards about the
-/// centroid.
-Outline with_fewer_corners(Corners convex, std::size_t most);
+/// An outline with at most `most` corners, at least 3, and the same area: the corners that change least of it go one by
+/// one, unless it would touch itself without them (Visvalingam and Whyatt, Cartogr. J. 30, 1993, cited from memory),
+/// and the rest moves outwards about the centroid. May leave more where none can go.
+Outline with_fewer_corners(Corners ring, std::size_t most);
+
+/// Whether it bends inwards nowhere, by more than rounding. Counter-clockwise from z to x, as all outlines.
+bool is_convex(Corners ring);
+
+/// Convex polygons that make up the outline: ears, joined as long as two make a convex one.
+std::vector<Outline> convex_parts(Corners ring);
+
+/// Two convex polygons that do not overlap as one, where that is convex to 1e-6 of their area.
+std::optional<Outline> united(Corners a, Corners b);
+
+/// How wide the widest convex part of an outline is: its inner_radius().
+double inner_radius_of_parts(Corners ring);
+
+/// Least distance between points of two outlines, m; 0 or less where they overlap.
+double distance_between_outlines(Corners a, Corners b);
 
 }  // namespace floes

@@ -24,6 +24,10 @@ std::string load(const std::string& path) {
     if (path == "configs/two.csv") return "floe,x,y\n" + triangle + square;
     if (path == "configs/overlapping.csv") return "floe,x,y\n" + triangle + "B,1,0\nB,2,0\nB,2,1\nB,1,1\n";
     if (path == "configs/bay.csv") return "floe,x,y\n" + triangle + square + bay;
+    if (path == "configs/holed.geojson")
+        return R"({"type": "Feature", "id": "C", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [
+                  [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]],
+                  [[0.2, 0.2], [0.2, 0.6], [0.7, 0.6], [0.7, 0.2], [0.2, 0.2]]]}})";
     throw InputError(path + ": this file cannot be read");
 }
 
@@ -93,10 +97,12 @@ TEST(ReadOutlines, SaysWhatItRead) {
     EXPECT_THAT(words[0], HasSubstr("2 outlines of 0.75 to 1 m², 1.75 m² together"));
     EXPECT_THAT(words[0], HasSubstr("each is that of 4 floes"));
     EXPECT_THAT(words[0], HasSubstr("in arrangement 0 8 traced floes of 3.5 corners on average"));
-    const std::vector<std::string> bay =
-        floe_words(read("kind = \"file\"\nfile = \"bay.csv\"\nmost_added_percent = 30\n"));
-    EXPECT_THAT(bay.at(0), HasSubstr("at most 25 % (outline 3 \"C\")"));
+    const std::vector<std::string> bay = floe_words(read("kind = \"file\"\nfile = \"bay.csv\"\n"));
+    EXPECT_THAT(bay.at(0), HasSubstr("cover 0 % more"));
     EXPECT_THAT(bay.at(0), HasSubstr("each is that of 2 or 3 floes"));
+    const std::vector<std::string> holed =
+        floe_words(read("kind = \"file\"\nfile = \"holed.geojson\"\nmost_added_percent = 30\n"));
+    EXPECT_THAT(holed.at(0), HasSubstr("at most 25 % (outline 1 \"C\")"));
 }
 
 TEST(ReadOutlines, LieAsTracedOrAreRefusedWithTheFloes) {
@@ -121,9 +127,8 @@ TEST(ReadOutlines, SaysWhatIsWrong) {
     EXPECT_EQ(message("kind = \"file\"\nfile = \"none.csv\""), "configs/none.csv: this file cannot be read");
     EXPECT_EQ(message("kind = \"file\""),
               "configs/a.toml:4: shapes.kind = \"file\" needs outlines; give shapes.file or shapes.outlines");
-    EXPECT_THAT(message("kind = \"file\"\nfile = \"bay.csv\""),
-                HasSubstr("configs/a.toml:5: outline 3 \"C\" is not convex: without its bays and holes it would cover "
-                          "25 % more"));
+    EXPECT_THAT(message("kind = \"file\"\nfile = \"holed.geojson\""),
+                HasSubstr("configs/a.toml:5: outline 1 \"C\" has holes: filled it would cover 25 % more"));
     EXPECT_EQ(message(of_file + "outlines = [[0, 0, 0], [0, 1, 0], [0, 1, 1]]"),
               "configs/a.toml:5: shapes.file = \"two.csv\" and shapes.outlines are both given; keep one");
     EXPECT_THAT(message("scale = 2.0", ""), HasSubstr("has no effect: it needs shapes.kind = \"file\""));

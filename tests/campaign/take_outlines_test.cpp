@@ -85,16 +85,23 @@ TEST(TakeOutlines, GeoJsonAndCsvOfTheSameFloesAreTheSame) {
     EXPECT_NEAR(json.areas[0], 4e-4, 1e-16);
 }
 
-TEST(TakeOutlines, BecomeConvexAndKeepTheAreaOfTheFile) {
+TEST(TakeOutlines, KeepBaysAndFillHoles) {
     // A square of 2 with a square bay of 1 in a side, and one with a hole of 1 m².
     const std::string bay = "[[0,0],[2,0],[2,2],[1.5,2],[1.5,1],[0.5,1],[0.5,2],[0,2],[0,0]]";
     const std::string hole = square_ring + ",[[10.5,20.5],[11.5,20.5],[11.5,21.5],[10.5,21.5],[10.5,20.5]]";
     const TracedOutlines traced = taken(collection(feature(polygon(bay)) + "," + feature(polygon(hole))), "a.json");
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_NEAR(traced.areas[i], 3, 1e-12);
-        EXPECT_NEAR(area_of(traced.outlines[i]), 4, 1e-12);
-        EXPECT_EQ(fault_of(traced.outlines[i]), std::nullopt);
+        EXPECT_NEAR(area_of(traced.outlines[i]), i == 0 ? 3 : 4, 1e-12);
+        EXPECT_EQ(is_convex(traced.outlines[i]), i == 1);
     }
+    EXPECT_EQ(traced.outlines[0].size(), 8u);
+}
+
+TEST(TakeOutlines, CloseBaysOfLessThanAHundredth) {
+    const TracedOutlines traced = taken(polygon("[[0,0],[2,0],[2,2],[1,1.99],[0,2],[0,0]]"), "a.json");
+    EXPECT_TRUE(is_convex(traced.outlines[0]));
+    EXPECT_NEAR(area_of(traced.outlines[0]), 4, 1e-12);
 }
 
 TEST(TakeOutlines, ManyCornersBecomeSixteenOfTheSameArea) {

@@ -97,15 +97,15 @@ TEST(Traced, OutlinesMayRunInEitherDirection) {
     for (std::size_t i = 0; i < shapes.size(); ++i) EXPECT_NEAR(reversed[i].area(), shapes[i].area(), 1e-12);
 }
 
-TEST(Traced, WhatBecameConvexIsMeasured) {
+TEST(Traced, WhatFilledHolesAddIsMeasured) {
     Scenario scenario = traced_scenario();
     TracedOutlines& traced = scenario.shapes.traced;
     traced.areas = {0.98, 0.36, 0.5};
     traced.names = "A, B, C, with more";
     EXPECT_NEAR(traced_added(traced).at(2), 0.28, 1e-12);
     EXPECT_EQ(refusal_of(scenario),
-              "outline 3 \"C\" is not convex: without its bays and holes it would cover 28 % more, above "
-              "shapes.most_added_percent = 10; trace it as several floes, allow more, or leave it out");
+              "outline 3 \"C\" has holes: filled it would cover 28 % more, above shapes.most_added_percent = 10; trace "
+              "it as several floes, allow more, or leave it out");
     traced.most_added = 0.01;
     EXPECT_THAT(refusal_of(scenario), HasSubstr("shapes.most_added_percent = 1 (and 1 more);"));
     traced.most_added = 0.29;
@@ -117,14 +117,17 @@ TEST(Traced, WhatBecameConvexIsMeasured) {
 TEST(Traced, AreRefusedWhereTheyAreNoFloes) {
     Scenario scenario = traced_scenario();
     scenario.shapes.traced.outlines[1] = rectangle(0, 0, 2, 0.03);
-    EXPECT_EQ(refusal_of(scenario),
-              "outline 2 is thinner than the ice: the widest circle within has a diameter of 0.03 m, less than "
-              "ice.thickness_m = 0.033; leave such floes out of the file, or change shapes.scale or shapes.unit");
+    EXPECT_EQ(
+        refusal_of(scenario),
+        "outline 2 is thinner than the ice: the widest circle in a convex part of it has a diameter of 0.03 m, less "
+        "than ice.thickness_m = 0.033; leave such floes out of the file, or change shapes.scale or shapes.unit");
     scenario.shapes.traced.outlines[1] = rectangle(0, 0, 2, 0.1);
     EXPECT_THAT(refusal_of(scenario), HasSubstr("outline 2 is smaller than an element: its breadth is 0.1 m, less than "
                                                 "floe.element_m = 0.2"));
     scenario.shapes.traced.outlines[1] = {{0, 0}, {2, 0}, {1, 0.5}, {2, 2}, {0, 2}};
-    EXPECT_EQ(refusal_of(scenario), "outline 2 is no floe: it is not convex: it bends inwards at corner 3");
+    EXPECT_EQ(refusal_of(scenario), "");
+    scenario.shapes.traced.outlines[1] = {{0, 0}, {2, 0}, {-1, 0.5}, {2, 2}, {0, 2}};
+    EXPECT_THAT(refusal_of(scenario), HasSubstr("outline 2 is no floe: it crosses or touches itself"));
     scenario.shapes.traced.outlines[1].clear();
     for (int k = 0; k < 17; ++k)
         scenario.shapes.traced.outlines[1].push_back({std::cos(2 * M_PI * k / 17), std::sin(2 * M_PI * k / 17)});

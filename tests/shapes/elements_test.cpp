@@ -17,6 +17,31 @@ Outline polygon(int number) {
     return in_axes(drawn, {0, 0}, long_axis(measures_of(drawn)));
 }
 
+/// Outlines with bays: an L, a C, a star, and polygons of which every third corner is pushed in; about their centroids.
+Outline with_bays(int number) {
+    Outline ring;
+    if (number == 0) ring = {{0, 0}, {1.2, 0}, {1.2, 0.4}, {0.5, 0.4}, {0.5, 1.1}, {0, 1.1}};
+    if (number == 1)
+        ring = {{0, 0}, {1.3, 0}, {1.3, 0.35}, {0.4, 0.35}, {0.4, 0.75}, {1.3, 0.75}, {1.3, 1.1}, {0, 1.1}};
+    for (int k = 0; number == 2 && k < 12; ++k) {
+        const double radius = k % 2 == 0 ? 0.8 : 0.45;
+        ring.push_back({radius * std::cos(k * std::numbers::pi / 6), radius * std::sin(k * std::numbers::pi / 6)});
+    }
+    if (number > 2) {
+        RandomStream random(1, static_cast<std::uint32_t>(number), StreamId::polygons, 1);
+        ring = polygon_about(1.4, 1.0, 6 + number % 7, 0.6, random);
+        for (std::size_t k = 0; k < ring.size(); k += 3) ring[k] = 0.5 * ring[k];
+    }
+    return in_axes(ring, measures_of(ring).centroid, {1, 0});
+}
+
+/// Convex ones, then ones with bays.
+constexpr int polygons = 60;
+Outline any_outline(int number) {
+    return number < polygons ? polygon(number) : with_bays(number - polygons);
+}
+constexpr int all_outlines = 2 * polygons;
+
 TEST(Elements, OfARectangleAreSquares) {
     const CutFloe floe = cut_into_elements(Outline{{-0.3, -0.2}, {0.3, -0.2}, {0.3, 0.2}, {-0.3, 0.2}}, 0.2);
     ASSERT_EQ(floe.elements.size(), 6u);
@@ -35,8 +60,8 @@ TEST(Elements, OfARectangleAreSquares) {
 }
 
 TEST(Elements, KeepAreaCentreAndSecondMoments) {
-    for (int number = 0; number < 60; ++number) {
-        const Outline outline = polygon(number);
+    for (int number = 0; number < all_outlines; ++number) {
+        const Outline outline = any_outline(number);
         const Measures whole = measures_of(outline);
         Measures sum;
         for (const CutElement& one : cut_into_elements(outline, 0.2).elements) {
@@ -56,8 +81,8 @@ TEST(Elements, KeepAreaCentreAndSecondMoments) {
 }
 
 TEST(Elements, AreConvexLargeEnoughAndConnected) {
-    for (int number = 0; number < 60; ++number) {
-        const CutFloe floe = cut_into_elements(polygon(number), 0.2);
+    for (int number = 0; number < all_outlines; ++number) {
+        const CutFloe floe = cut_into_elements(any_outline(number), 0.2);
         Components pieces(floe.elements.size());
         for (const CutJoint& one : floe.joints) {
             pieces.connect(static_cast<std::size_t>(one.a), static_cast<std::size_t>(one.b));
@@ -68,28 +93,91 @@ TEST(Elements, AreConvexLargeEnoughAndConnected) {
         for (std::size_t i = 0; i < floe.elements.size(); ++i) {
             EXPECT_EQ(pieces.first(i), 0u);
             EXPECT_EQ(fault_of(floe.elements[i].corners), std::nullopt);
-            EXPECT_GT(floe.elements[i].area, 0.1 * 0.04);
+            EXPECT_GT(floe.elements[i].area, (number < polygons ? 0.1 : 0.05) * 0.04) << number;
         }
     }
 }
 
 /// Every edge of an element lies on the rim or is shared with a neighbour, to its length.
 TEST(Elements, EdgesAreRimOrJoint) {
-    for (int number = 0; number < 60; ++number) {
-        const CutFloe floe = cut_into_elements(polygon(number), 0.2);
+    for (int number = 0; number < all_outlines; ++number) {
+        const Outline outline = any_outline(number);
+        const CutFloe floe = cut_into_elements(outline, 0.2);
         std::vector<double> held(floe.elements.size());
+        double free = 0;
+        for (std::size_t k = 0; k < outline.size(); ++k) free += edge_length(outline, k);
+        double all = free;
         for (const CutJoint& one : floe.joints) {
             held[static_cast<std::size_t>(one.a)] += one.length;
             held[static_cast<std::size_t>(one.b)] += one.length;
+            all += 2 * one.length;
         }
+        double sum = 0;
         for (std::size_t i = 0; i < floe.elements.size(); ++i) {
             const CutElement& one = floe.elements[i];
             double inner = 0;
-            for (std::size_t k = 0; k < one.corners.size(); ++k)
+            for (std::size_t k = 0; k < one.corners.size(); ++k) {
+                sum += edge_length(one.corners, k);
                 if ((one.rim >> k & 1U) == 0) inner += edge_length(one.corners, k);
+            }
+            if (number >= polygons) continue;  // an edge in line with one of a bay may be both
             EXPECT_NEAR(inner, held[i], 1e-5) << "polygon " << number << ", element " << i;
         }
+        EXPECT_NEAR(sum, all, 1e-5) << "polygon " << number;
     }
+}
+
+TEST(Elements, OfAnOutlineWithSquareBaysHaveJointsAlongTheGrid) {
+    for (int number = 0; number < 2; ++number) {
+        const Outline outline = with_bays(number);
+        EXPECT_FALSE(is_convex(outline));
+        const CutFloe floe = cut_into_elements(outline, 0.2);
+        EXPECT_EQ(static_cast<int>(floe.elements.size()), count_elements(outline, 0.2));
+        for (const CutJoint& one : floe.joints)
+            EXPECT_NEAR(std::max(std::abs(one.normal.x), std::abs(one.normal.z)), 1, 1e-9) << number;
+    }
+}
+
+TEST(ConvexParts, MakeUpTheOutline) {
+    for (int number = 0; number < polygons; ++number) {
+        const Outline outline = with_bays(number);
+        double sum = 0;
+        for (const Outline& part : convex_parts(outline)) {
+            EXPECT_EQ(fault_of(part), std::nullopt);
+            sum += area_of(part);
+        }
+        EXPECT_NEAR(sum, area_of(outline), 1e-9) << number;
+    }
+    EXPECT_EQ(convex_parts(with_bays(0)).size(), 2u);
+    EXPECT_EQ(convex_parts(with_bays(1)).size(), 3u);
+    EXPECT_EQ(convex_parts(polygon(5)).size(), 1u);
+}
+
+TEST(ConvexParts, TellHowFarAFloeInABayIsFromIt) {
+    const Outline c = with_bays(1);  // its bay is 0.4 m wide
+    const Corner shift =
+        Corner{0, 0} -
+        measures_of(Outline{{0, 0}, {1.3, 0}, {1.3, 0.35}, {0.4, 0.35}, {0.4, 0.75}, {1.3, 0.75}, {1.3, 1.1}, {0, 1.1}})
+            .centroid;
+    Outline guest;
+    for (const Corner& one : corners_of(0.2, 0.1)) guest.push_back(one + Corner{0.9, 0.55} + shift);
+    EXPECT_NEAR(distance_between_outlines(c, guest), 0.1, 1e-12);
+    for (Corner& one : guest) one.z += 0.15;
+    EXPECT_LE(distance_between_outlines(c, guest), 0);
+}
+
+TEST(FewerCorners, OfARoughOutlineKeepItsAreaAndDoNotCross) {
+    Outline rough;
+    for (int k = 0; k < 300; ++k) {
+        const double angle = 2 * std::numbers::pi * k / 300;
+        const double radius = 1 + 0.3 * std::sin(3 * angle) + 0.02 * std::sin(40 * angle);
+        rough.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    const Outline fewer = with_fewer_corners(rough, most_bayed_corners);
+    EXPECT_EQ(fewer.size(), most_bayed_corners);
+    EXPECT_EQ(ring_fault_of(fewer), std::nullopt);
+    EXPECT_NEAR(area_of(fewer), area_of(rough), 1e-9);
+    EXPECT_FALSE(is_convex(fewer));
 }
 
 }  // namespace elements_test
