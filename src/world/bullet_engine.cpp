@@ -14,6 +14,7 @@
 #include "world/conversion.hpp"
 #include "world/engine.hpp"
 #include "world/fixed_joint.hpp"
+#include "world/material_friction.hpp"
 #include "world/ice_shape.hpp"
 #include "world/ordered_dynamics_world.hpp"
 #include "world/piece_dispatcher.hpp"

@@ -62,14 +62,6 @@ class Engine {
 /// Ice sheets that give way and the structure do not touch each other; elements' pieces are numbers of elements.
 inline constexpr int sheet_piece = std::numeric_limits<int>::max();
 
-/// Coulomb friction is the product of two materials, so the two coefficients of contact fix both: ice sqrt(f_ii),
-/// structure f_is / sqrt(f_ii).
-struct MaterialFriction {
-    double ice = 0;
-    double structure = 0;
-};
-MaterialFriction material_friction(const ContactLaw& law);
-
 /// Bullet's own world, whole: its joints, contacts and solver.
 std::unique_ptr<Engine> make_bullet_engine(const WorldDefinition& definition);
 

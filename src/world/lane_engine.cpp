@@ -19,6 +19,7 @@
 #include "world/conversion.hpp"
 #include "world/engine.hpp"
 #include "world/hull_contacts.hpp"
+#include "world/material_friction.hpp"
 
 namespace floes {
 namespace {
@@ -536,12 +537,6 @@ void LaneEngine::step() {
 }
 
 }  // namespace
-
-MaterialFriction material_friction(const ContactLaw& law) {
-    if (law.ice_ice_friction == 0) return {0, 0};
-    const double ice = std::sqrt(law.ice_ice_friction);
-    return {ice, law.ice_structure_friction / ice};
-}
 
 std::unique_ptr<Engine> make_lane_engine(const WorldDefinition& definition) {
     return std::make_unique<LaneEngine>(definition);

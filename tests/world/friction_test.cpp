@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "scene.hpp"
-#include "world/engine.hpp"
+#include "world/material_friction.hpp"
 
 namespace floes::test {
 namespace friction_test {
