@@ -1,10 +1,10 @@
 #pragma once
 // A floe cut into convex elements that joints hold together.
 //
-// An outline, which may have bays, is cut by a square grid over its extents, clipped at the outline. A cell in which the
-// outline bends inwards is cut there, along the grid or along an edge of the bay, until its pieces are convex. What keeps
-// little of a cell becomes part of the neighbour with which it shares the longest edge, where the two make a rectangle of
-// cells, or are convex beside a bay; so no ice is lost. A rectangle is cut into squares.
+// An outline, which may have bays, is cut by a square grid over its extents, clipped at the outline. A cell in which
+// the outline bends inwards is cut there, along the grid or along an edge of the bay, until its pieces are convex. What
+// keeps little of a cell becomes part of the neighbour with which it shares the longest edge, where the two make a
+// rectangle of cells, or are convex beside a bay; so no ice is lost. A rectangle is cut into squares.
 
 #include <cstdint>
 #include <vector>
