@@ -317,7 +317,9 @@ Outline with_fewer_corners(Corners ring, std::size_t most) {
         return true;
     };
     std::vector<bool> stays(kept.size());
-    while (kept.size() > most) {
+    constexpr int most_passes = 8;  // over those that could not go: others have gone since then
+    int passes = 0;
+    while (kept.size() > most && passes < most_passes) {
         std::size_t least = kept.size();
         double change = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -326,13 +328,16 @@ Outline with_fewer_corners(Corners ring, std::size_t most) {
             change = of;
             least = k;
         }
-        if (least == kept.size()) break;
-        if (!can_go(least)) {
+        if (least == kept.size()) {
+            ++passes;
+            stays.assign(kept.size(), false);
+        } else if (!can_go(least)) {
             stays[least] = true;
-            continue;
+        } else {
+            stays[before(least)] = stays[least + 1 < kept.size() ? least + 1 : 0] = false;
+            kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(least));
+            stays.erase(stays.begin() + static_cast<std::ptrdiff_t>(least));
         }
-        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(least));
-        stays.assign(kept.size(), false);
     }
     if (kept.size() == ring.size()) return kept;
     const Measures left = measures_of(kept);
