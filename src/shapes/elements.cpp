@@ -162,14 +162,8 @@ class Cutter {
         for (const Outline& part : parts_)
             if (Outline left = within(part, area, least_); left.size() >= 3 && area_of(left) > least_ * grid_.dx)
                 found.push_back(std::move(left));
-        for (std::size_t i = 0; i < found.size(); ++i)
-            for (std::size_t k = i + 1; k < found.size(); ++k) {
-                std::optional<Outline> both = united(found[i], found[k]);
-                if (!both) continue;
-                found[i] = tidied(*both, least_);
-                found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
-                k = i;
-            }
+        found = joined(std::move(found));
+        for (Outline& one : found) one = tidied(one, least_);
         return found;
     }
 
@@ -180,9 +174,20 @@ class Cutter {
         return false;
     }
 
+    /// The pieces on both sides of a line: cut until they are convex, or as they lie.
+    std::vector<Outline> on_both_sides(const Area& area, const Corner& at, const Corner& normal, bool convex) const {
+        const double bound = dot(normal, at);
+        std::vector<Outline> found;
+        for (const Area& half : {with(area, normal, bound), with(area, -1.0 * normal, -bound)})
+            for (Outline& one : convex ? cut(half) : joined_parts(half)) found.push_back(std::move(one));
+        return found;
+    }
+
     /// Convex pieces of what lies within. Where the outline bends inwards in it, it is cut along the line that leaves
-    /// the largest smallest piece.
+    /// the largest smallest piece: in the end, or at once where there are so many bays that to try all lines of all of
+    /// them would not end.
     std::vector<Outline> cut(const Area& area) const {
+        constexpr std::ptrdiff_t few = 3;
         std::vector<Outline> whole = joined_parts(area);
         if (whole.size() < 2 || !hang_together(whole)) return whole;
         const auto is_in = [&](const Bay& bay) {
@@ -191,19 +196,22 @@ class Cutter {
         };
         const auto bay = std::ranges::find_if(bays_, is_in);
         if (bay == bays_.end()) return whole;
+        const bool to_the_end = std::ranges::count_if(bays_, is_in) <= few;
         std::vector<Outline> best;
+        Corner along{};
         double largest = 0;
         for (const Corner& normal : bay->normals) {
-            const double bound = dot(normal, bay->at);
-            std::vector<Outline> found = cut(with(area, normal, bound));
-            for (Outline& more : cut(with(area, -1.0 * normal, -bound))) found.push_back(std::move(more));
-            double smallest = std::numeric_limits<double>::infinity();
-            for (const Outline& one : found) smallest = std::min(smallest, area_of(one));
+            std::vector<Outline> found = on_both_sides(area, bay->at, normal, to_the_end);
+            if (found.empty()) continue;
+            const auto by_area = [](const Outline& one) { return area_of(one); };
+            const double smallest = area_of(*std::ranges::min_element(found, {}, by_area));
             if (!(smallest > 1.001 * largest)) continue;  // those along the grid come first
             largest = smallest;
+            along = normal;
             best = std::move(found);
         }
-        return best;
+        if (best.empty()) return whole;
+        return to_the_end ? best : on_both_sides(area, bay->at, along, true);
     }
 
     /// To make a rectangle of cells, by which stress below contacts on a rim is right (docs/fracture.md); of an outline

@@ -361,6 +361,19 @@ std::optional<Outline> united(Corners a, Corners b) {
     return area_of(hull) <= (1 + 1e-6) * sum ? std::optional(std::move(hull)) : std::nullopt;
 }
 
+std::vector<Outline> joined(std::vector<Outline> parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        for (std::size_t k = i + 1; k < parts.size(); ++k) {
+            std::optional<Outline> both = united(parts[i], parts[k]);
+            if (!both) continue;
+            parts[i] = *std::move(both);
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
+            k = i;  // others may fit now
+        }
+    }
+    return parts;
+}
+
 namespace {
 
 /// Cuts triangles off until none is left; every ring has an ear.
@@ -391,16 +404,7 @@ std::vector<Outline> convex_parts(Corners ring) {
     if (is_convex(ring)) return {Outline(ring.begin(), ring.end())};
     std::vector<Outline> parts = triangles_of(Outline(ring.begin(), ring.end()));
     std::erase_if(parts, [&](const Outline& one) { return area_of(one) <= 1e-12 * area_of(ring); });
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        for (std::size_t k = i + 1; k < parts.size(); ++k) {
-            std::optional<Outline> both = united(parts[i], parts[k]);
-            if (!both) continue;
-            parts[i] = *std::move(both);
-            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(k));
-            k = i;  // others may fit now
-        }
-    }
-    return parts;
+    return joined(std::move(parts));
 }
 
 double inner_radius_of_parts(Corners ring) {

@@ -141,6 +141,9 @@ std::vector<Outline> convex_parts(Corners ring);
 /// Two convex polygons that do not overlap as one, where that is convex to 1e-6 of their area.
 std::optional<Outline> united(Corners a, Corners b);
 
+/// Convex polygons that do not overlap, joined as long as two make a convex one.
+std::vector<Outline> joined(std::vector<Outline> parts);
+
 /// How wide the widest convex part of an outline is: its inner_radius().
 double inner_radius_of_parts(Corners ring);
 

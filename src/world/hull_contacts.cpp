@@ -11,10 +11,13 @@
 namespace floes {
 namespace {
 
-btTransform transform_of(const BodyMotion& motion) {
-    const double* r = motion.rotation;
-    return btTransform(btMatrix3x3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]),
-                       {motion.position[0], motion.position[1], motion.position[2]});
+btTransform place_of(const BodyMotion& motion) {
+    return transform_of(motion.position, motion.rotation);
+}
+
+/// 0 of none.
+double radius_of(const IceShape* shape) {
+    return shape != nullptr ? std::sqrt(dot(shape->prism().half_extent, shape->prism().half_extent)) : 0.0;
 }
 
 /// The farthest that turning from one rotation to the other moves a point of the shape, m.
@@ -72,19 +75,17 @@ void HullContacts::set_structure(std::uint32_t number, std::span<const ConvexSol
 }
 
 void HullContacts::add(const IceShape* shape) {
-    shapes_.emplace_back();
-    radius_.push_back(0);
+    shapes_.push_back(shape);
+    radius_.push_back(radius_of(shape));
     way_.push_back(0);
     due_.push_back(0);
     pairs_.resize(shapes_.size() * solids_.size());
     touching_.reserve(2 * shapes_.size());
-    shapes_.back() = shape;
-    if (shape != nullptr) radius_.back() = std::sqrt(dot(shape->prism().half_extent, shape->prism().half_extent));
 }
 
 void HullContacts::put_in(std::uint32_t element, const IceShape* shape, ContactStore& store) {
     shapes_[element] = shape;
-    radius_[element] = shape ? std::sqrt(dot(shape->prism().half_extent, shape->prism().half_extent)) : 0.0;
+    radius_[element] = radius_of(shape);
     move(element, store);
 }
 
@@ -104,7 +105,7 @@ void HullContacts::distrust(std::uint32_t element) {
 
 /// How far a point of it can have gone since the last find(), m.
 double HullContacts::way_of_structure(const BodyMotion& motion) {
-    const btTransform now = transform_of(motion);
+    const btTransform now = place_of(motion);
     const double way =
         (now.getOrigin() - last_.getOrigin()).length() + way_of_turn(whole_, last_.getBasis(), now.getBasis());
     last_ = now;
@@ -126,7 +127,7 @@ void HullContacts::look_round(std::uint32_t element, const BodyMotion& motion, c
                               ContactStore& store) {
     const IceShape& shape = *shapes_[element];
     const double reach = 2 * shape.reach();
-    const btTransform beside = transform_of(structure).inverseTimes(transform_of(motion));
+    const btTransform beside = place_of(structure).inverseTimes(place_of(motion));
     due_[element] = std::numeric_limits<double>::infinity();
     const std::span<Pair> pairs = pairs_of(element);
     for (std::size_t i = 0; i < solids_.size(); ++i) {
@@ -158,8 +159,8 @@ void HullContacts::touch(TouchingPoints& points, std::size_t solid, std::uint32_
     const PrismPlace b{nullptr, motion.position, motion.rotation};
     points.refresh(a, b, reach);
     btGjkPairDetector::ClosestPointInput input;
-    input.m_transformA = transform_of(structure) * solids_[solid].place();
-    input.m_transformB = transform_of(motion);
+    input.m_transformA = place_of(structure) * solids_[solid].place();
+    input.m_transformB = place_of(motion);
     const double farthest = solids_[solid].getMargin() + shape.convex().getMargin() + reach;
     input.m_maximumDistanceSquared = farthest * farthest;
     btGjkPairDetector detector(&solids_[solid], &shape.convex(), &simplex_, &depths_);

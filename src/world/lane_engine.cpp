@@ -34,12 +34,6 @@ std::array<double, 9> rows_of(const btMatrix3x3& m) {
     return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]};
 }
 
-btTransform transform_of(const SolverState& state) {
-    const auto& r = state.rotation;
-    return btTransform(btMatrix3x3(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]),
-                       {state.position[0], state.position[1], state.position[2]});
-}
-
 /// At rest there.
 SolverState state_at(const Pose& pose) {
     const btTransform place = to_bullet(pose);
@@ -65,7 +59,7 @@ BodyState body_state(const double* position, const double* rotation, const doubl
 SolverState pushed(SolverState state, const std::array<double, 6>& push, double time_step) {
     btTransform after;
     btTransformUtil::integrateTransform(
-        transform_of(state), {push[0], push[1], push[2]},
+        transform_of(state.position.data(), state.rotation.data()), {push[0], push[1], push[2]},
         btVector3(push[3], push[4], push[5]) * btContactSolverInfo().m_splitImpulseTurnErp, time_step, after);
     state.position = array_of(after.getOrigin());
     state.rotation = rows_of(after.getBasis());
@@ -261,7 +255,8 @@ void LaneEngine::put_in(BodyId body, const ElementDefinition& element) {
 SolverJoint LaneEngine::joint_of(const JointDefinition& definition) const {
     const btTransform at = to_bullet(Pose{definition.pivot, definition.frame});
     const auto frame_in = [&](BodyId body) {
-        const btTransform frame = transform_of(state_now(body)).inverse() * at;
+        const SolverState state = state_now(body);
+        const btTransform frame = transform_of(state.position.data(), state.rotation.data()).inverse() * at;
         return SolverFrame{rows_of(frame.getBasis()), array_of(frame.getOrigin())};
     };
     return {number_of(definition.a), number_of(definition.b), frame_in(definition.a), frame_in(definition.b),

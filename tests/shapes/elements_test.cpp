@@ -138,6 +138,17 @@ TEST(Elements, OfAnOutlineWithSquareBaysHaveJointsAlongTheGrid) {
     }
 }
 
+/// The lines of all bays of a cell are many; it must not try them all.
+TEST(Elements, OfACombInOneCellAreFoundAtOnce) {
+    constexpr int teeth = 27;
+    Outline ring{{0, 0}, {0.24, 0}};
+    for (int k = teeth; k >= 0; --k) ring.push_back({0.24 * k / teeth, k % 2 == 0 ? 0.15 : 0.24});
+    const Outline comb = in_axes(ring, measures_of(ring).centroid, {1, 0});
+    double sum = 0;
+    for (const CutElement& one : cut_into_elements(comb, 0.2).elements) sum += one.area;
+    EXPECT_NEAR(sum, area_of(comb), 1e-9);
+}
+
 TEST(ConvexParts, MakeUpTheOutline) {
     for (int number = 0; number < polygons; ++number) {
         const Outline outline = with_bays(number);
