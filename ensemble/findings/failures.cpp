@@ -50,32 +50,52 @@ std::string mode_name(int mode) {
                : failure_mode_names.at(static_cast<std::size_t>(mode));
 }
 
-/// How often the joints failed in one floe of one member of a case, 0 to 1.
+/// How often joints failed in one floe of one member of a case, 0 to 1, by where they are: in fields of half an element,
+/// row after row.
 struct CaseFailures {
     std::string name;
     FloeShape floe;
     int floes;
-    CutFloe cut;
-    std::vector<double> of_joint;
-    std::map<int, double> of_mode;  ///< sum over the joints
+    int columns, rows;
+    std::vector<double> joints;          ///< in each field, of all floes
+    std::vector<double> failed;          ///< of them, in a member
+    std::map<int, double> of_mode{};     ///< sum over the joints of a floe
     double total = 0;
+
+    std::size_t field_of(const Corner& at) const {
+        const auto place = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); };
+        return static_cast<std::size_t>(place(0.5 + at.x / floe.length, columns) +
+                                        columns * place(0.5 + at.z / floe.breadth, rows));
+    }
+    double share(std::size_t field) const { return joints[field] > 0 ? failed[field] / joints[field] : 0; }
 };
 
-/// None where floes differ in shape, from each other or from one arrangement to the next: their joints are not the
-/// same.
+/// None where floes differ in more than their elements, from each other or from one arrangement to the next: their
+/// places are not the same.
 std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case) {
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
     const FloeSet floes = floes_of(scenario);
-    if (floes.shapes.size() != 1 || (scenario.shapes.any() && !scenario.shapes.from_file())) return std::nullopt;
+    if (!floes.alike() || (scenario.shapes.any() && !scenario.shapes.from_file())) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = floes.shapes.front();
-    CaseFailures found{evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), floe.cut(), {}, {}};
-    found.of_joint.resize(found.cut.joints.size(), 0.0);
+    const auto count = [&](double extent) { return std::max(1, static_cast<int>(std::lround(2 * extent / floe.element))); };
+    CaseFailures found{evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), count(floe.length),
+                       count(floe.breadth), {}, {}};
+    found.joints.resize(static_cast<std::size_t>(found.columns) * static_cast<std::size_t>(found.rows), 0.0);
+    found.failed = found.joints;
+    std::vector<std::vector<std::size_t>> fields;  // of the joints of each shape
+    for (const FloeShape& shape : floes.shapes) {
+        std::vector<std::size_t>& of_joint = fields.emplace_back();
+        for (const CutJoint& one : shape.cut().joints) of_joint.push_back(found.field_of(one.pivot));
+    }
+    for (const Floe& one : floes.floes)
+        for (const std::size_t field : fields[one.shape]) found.joints[field] += 1;
     const double share = 1.0 / row.done / found.floes;
     for (const BreakRow& one : breaks_of(evidence)) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(one.member)];
         if (member.case_index != static_cast<int>(of_case)) continue;
-        found.of_joint.at(static_cast<std::size_t>(one.joint)) += share;
+        const std::size_t shape = floes.floes[static_cast<std::size_t>(one.floe) % floes.size()].shape;
+        found.failed[fields[shape].at(static_cast<std::size_t>(one.joint))] += 1.0 / row.done;
         found.of_mode[one.mode] += share;
         found.total += share;
     }
@@ -94,37 +114,32 @@ std::string sentence(const CaseFailures& found) {
     return fmt::format("{}: {:.1f} joints failed in a member: {}.", found.name, found.total * found.floes, words);
 }
 
-/// The floe with each joint in the shade of how often it failed; `largest` is the darkest.
+/// The floe with each field in the shade of how often its joints failed; `largest` is the darkest.
 Figure panel(const CaseFailures& found, double largest) {
-    constexpr std::size_t most_numbers = 40;  // joints; more have no room for them
+    constexpr std::size_t most_numbers = 40;  // more have no room
     constexpr double widest = 188;            // three panels stand side by side
     const FloeShape& floe = found.floe;
     const double half_length = 0.55 * floe.length;
     const double half_breadth = 0.55 * floe.breadth;
     const double scale = widest / 2 / std::max(half_length, half_breadth);
-    const double side = floe.element;
     Figure figure{
-        .description = fmt::format("Case {}: how often each joint of a floe failed", found.name),
+        .description = fmt::format("Case {}: how often the joints of a floe failed", found.name),
         .x = {fmt::format("{}: along the floe, m", found.name), -half_length, half_length, false, {}, floe.length / 2},
         .y = {"across, m", -half_breadth, half_breadth, false, {}, floe.breadth / 2},
         .size = {std::max(268.0, 80 + 2 * scale * half_length), 74 + 2 * scale * half_breadth},
         .heat_scale = fmt::format("up to {:.1f} %", largest / unit::percent)};
-    for (const CutElement& element : found.cut.elements) {
-        Figure::Points points;
-        for (const Corner& corner : from_axes(element.corners, {}, element.axis)) {
-            const Corner inside = element.centre + 0.78 * corner;
-            points.emplace_back(inside.x, inside.z);
-        }
-        figure.area(std::move(points), "ice");
-    }
-    for (std::size_t k = 0; k < found.cut.joints.size(); ++k) {
-        const Corner& at = found.cut.joints[k].pivot;
-        const bool along = found.cut.joints[k].normal.x != 0;
-        const double x = (along ? 0.22 : 0.78) * side;
-        const double z = (along ? 0.78 : 0.22) * side;
-        figure.cell(at.x - x / 2, at.z - z / 2, x, z, found.of_joint[k] / largest, "heat");
-        if (found.cut.joints.size() <= most_numbers)
-            figure.text(at.x, at.z - 0.03 * side, fmt::format("{:.1f}", found.of_joint[k] / unit::percent), "middle",
+    Figure::Points rim;
+    for (const Corner& corner : floe.corners()) rim.emplace_back(corner.x, corner.z);
+    figure.area(std::move(rim), "ice");
+    const double wide = floe.length / found.columns;
+    const double high = floe.breadth / found.rows;
+    for (std::size_t field = 0; field < found.joints.size(); ++field) {
+        if (found.joints[field] == 0) continue;
+        const double x = -floe.length / 2 + wide * static_cast<double>(field % static_cast<std::size_t>(found.columns));
+        const double z = -floe.breadth / 2 + high * static_cast<double>(field / static_cast<std::size_t>(found.columns));
+        figure.cell(x + 0.04 * wide, z + 0.04 * high, 0.92 * wide, 0.92 * high, found.share(field) / largest, "heat");
+        if (found.joints.size() <= most_numbers)
+            figure.text(x + wide / 2, z + 0.44 * high, fmt::format("{:.1f}", found.share(field) / unit::percent), "middle",
                         "key");
     }
     return figure;
@@ -170,7 +185,8 @@ Section joint_failures_section(Evidence& evidence) {
         std::optional<CaseFailures> found = failures_of(evidence, k);
         if (!found) continue;
         cases.push_back(std::move(*found));
-        for (const double share : cases.back().of_joint) largest = std::max(largest, share);
+        for (std::size_t field = 0; field < cases.back().joints.size(); ++field)
+            largest = std::max(largest, cases.back().share(field));
     }
     Section section;
     if (largest == 0) return section;
@@ -179,8 +195,8 @@ Section joint_failures_section(Evidence& evidence) {
         if (found.total > 0) section.notes.push_back(sentence(found));
     }
     section.figures.back().caption =
-        "How often each joint failed, % of all floes of all members; floes lie at every angle to the tow. All cases "
-        "have the same colours." +
+        "How often joints failed by where they are in the floe, % of the joints there of all floes of all members; floes "
+        "lie at every angle to the tow. All cases have the same colours." +
         undrawn_text(evidence.summary);
     return section;
 }

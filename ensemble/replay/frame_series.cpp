@@ -131,7 +131,10 @@ void write_floes(hid_t file, const FloeSet& floes, const std::vector<int>& numbe
     write("length", "extent along the floe's own x", [](const FloeShape& one) { return one.length; });
     write("breadth", "extent along its own z", [](const FloeShape& one) { return one.breadth; });
     write("thickness", "thickness", [](const FloeShape& one) { return one.thickness; });
-    write("element", "side of its elements", [](const FloeShape& one) { return one.element; });
+    write("element", "side of a square of an element's area", [](const FloeShape& one) { return one.element; });
+    std::vector<std::int32_t> patterns;
+    for (std::size_t i = 0; i < floes.size(); ++i) patterns.push_back(floes.shape(i).pattern);
+    hdf5::write_values(group.id(), {"pattern", "1", "of its cells; -1: squares"}, {floe}, patterns);
     std::size_t most = 0;
     for (std::size_t i = 0; i < floes.size(); ++i) most = std::max(most, floes.shape(i).outline.size());
     if (most == 0) return;

@@ -38,6 +38,7 @@ FloeSet read_own_floes(hid_t file, const Scenario& scenario) {
     const auto breadth = hdf5::read_column<double>(file, "floes/breadth", count);
     const auto thickness = hdf5::read_column<double>(file, "floes/thickness", count);
     const auto element = hdf5::read_column<double>(file, "floes/element", count);
+    const auto pattern = hdf5::read_column<std::int32_t>(file, "floes/pattern", count);
     std::vector<double> x;
     std::vector<double> z;
     std::size_t corners = 0;
@@ -47,7 +48,7 @@ FloeSet read_own_floes(hid_t file, const Scenario& scenario) {
     }
     std::vector<SingleFloe> floes;
     for (std::size_t i = 0; i < count; ++i) {
-        FloeShape shape{length[i], breadth[i], thickness[i], element[i]};
+        FloeShape shape{length[i], breadth[i], thickness[i], element[i], {}, pattern[i]};
         for (std::size_t k = corners * i; k < corners * (i + 1) && !std::isnan(x[k]); ++k)
             shape.outline.push_back({x[k], z[k]});
         const double elements = shape.element > 0 ? shape.length * shape.breadth / (shape.element * shape.element) : 0;
@@ -65,10 +66,13 @@ void check_floes(hid_t file, const FloeSet& floes, const std::vector<std::int32_
 }
 
 /// The floes of the scenario, as many as the file has. `floe`: of each element.
-FloeSet read_floes(hid_t file, const Scenario& scenario, const Draw& draw, const std::vector<std::int32_t>& floe) {
+FloeSet read_floes(hid_t file, Scenario scenario, const Draw& draw, const std::vector<std::int32_t>& floe) {
     FloeSet floes = floes_of(scenario, draw);
     const std::size_t count = floe.empty() || floe.back() < 0 ? 0 : static_cast<std::size_t>(floe.back()) + 1;
-    if (!floes_may_differ(scenario) && count <= floe.size()) floes = floes_at(scenario, std::vector<PlanarPose>(count));
+    if (!floes_may_differ(scenario) && count <= floe.size()) {
+        scenario.field.floes = static_cast<int>(count);
+        floes = floes_of(scenario, draw);
+    }
     check_floes(file, floes, floe);
     return floes;
 }

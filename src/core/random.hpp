@@ -33,6 +33,7 @@ enum class StreamId : std::uint32_t {
     weakened_ice = 16,  ///< which floes are weaker than the others
     voronoi = 20,       ///< points whose Voronoi cells are floes
     polygons = 21,      ///< corners of single floes
+    elements = 22,      ///< points whose Voronoi cells are the elements of a floe
 };
 
 using PhiloxCounter = std::array<std::uint32_t, 4>;

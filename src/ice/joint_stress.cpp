@@ -24,7 +24,7 @@ JointSpring beam_joint(const ElasticIce& ice, double width, double span) {
     const double shear_flexibility =
         12 * ice.flexural_rigidity() / (5.0 / 6.0 * shear_modulus * ice.thickness * square);
     return {.force = {stretching, 12 * bending / (square * (1 + shear_flexibility)),
-                      2 * shear_modulus * ice.thickness * width / span},
+                      stretching},
             .moment = {bending, stretching * width * width / 12, bending},
             .damping_ratio = ice.damping_ratio};
 }
@@ -46,32 +46,46 @@ JointStrength joint_strength(const FloeShape& shape, const Material& material, d
             .length_over_span = length / span};
 }
 
-double fibre_stress(const JointLoad& load, const IceSection& section) {
-    const double by_moment = 6 / (section.side * section.thickness * section.thickness);
+namespace {
+
+/// Where it pulls across the joint rather than along its normal, it is another joint's: no direction is farther than 30
+/// degrees from the normal of a cell's joint.
+Tension principal(double n, double t, double shear) {
+    if (n < t) return {n, 1};
+    const double half = 0.5 * (n - t);
+    const double radius = std::sqrt(half * half + shear * shear);
+    return {0.5 * (n + t) + radius, radius > 0 ? std::sqrt(0.5 * (1 + half / radius)) : 1.0};
+}
+
+}  // namespace
+
+Tension fibre_tension(const JointLoad& load, const IceSection& section) {
+    const double area = section.side * section.thickness;
+    const double by_moment = 6 / (area * section.thickness);
     const double nu = section.poisson_ratio;
     const double normal = by_moment * (load.reaction.bending + nu * load.across);
     const double across = by_moment * (load.across + nu * load.reaction.bending);
     const double twist = by_moment * (1 - nu) * load.reaction.torsion;
-    const double axial = load.reaction.axial / (section.side * section.thickness);
     const auto in_fibre = [&](double sign, const LocalStress& local) {  // +1 the lower one
-        const double n = axial + sign * (normal + local.along);
-        const double t = sign * (across + local.across);
-        const double sheared = twist - local.shear;  // a torsion about x turns the lower fibre towards -z
-        // The tension along an oblique edge pulls at the joints of both axes, so neither leaves it to the other: with
-        // the grid's own twist, which is about as large as what the contact adds. Never more than the principal one.
-        if (n < t) return n + std::min(std::abs(sheared), 2 * std::abs(local.shear));
-        return 0.5 * (n + t) + std::sqrt(0.25 * (n - t) * (n - t) + sheared * sheared);
+        // A torsion about x turns the lower fibre towards -z.
+        return principal(load.reaction.axial / area + sign * (normal + local.along),
+                         load.pulled_across / area + sign * (across + local.across),
+                         load.reaction.shear_in_plane / area + sign * (local.shear - twist));
     };
-    return std::max(in_fibre(1, load.sagging), in_fibre(-1, load.hogging));
+    const Tension lower = in_fibre(1, load.sagging);
+    const Tension upper = in_fibre(-1, load.hogging);
+    return lower.stress < upper.stress ? upper : lower;
 }
 
-double tension_in_plane(const JointReaction& reaction, const IceSection& section) {
+Tension tension_in_plane(const JointLoad& load, const IceSection& section) {
     const double area = section.side * section.thickness;
-    return (reaction.axial + 6 * std::abs(reaction.in_plane_bending) / section.side) / area;
+    const JointReaction& r = load.reaction;
+    return principal((r.axial + 6 * std::abs(r.in_plane_bending) / section.side) / area, load.pulled_across / area,
+                     r.shear_in_plane / area);
 }
 
 JointLoad smoothed(const JointLoad& load) {
-    return {.reaction = load.reaction, .across = load.across};
+    return {.reaction = load.reaction, .across = load.across, .pulled_across = load.pulled_across};
 }
 
 bool may_fail(const JointReaction& r, double across, double by_contacts, const IceSection& section,
@@ -80,18 +94,20 @@ bool may_fail(const JointReaction& r, double across, double by_contacts, const I
     const double area = section.side * section.thickness;
     const double moments =
         std::abs(r.bending + section.poisson_ratio * across) + (1 - section.poisson_ratio) * std::abs(r.torsion);
-    const double fibre = (std::max(0.0, r.axial) + 6 * moments / section.thickness) / area + by_contacts;
+    const double pull = std::max(0.0, r.axial) + std::abs(r.shear_in_plane);
+    const double fibre = (pull + 6 * moments / section.thickness) / area + by_contacts;
+    const double in_plane = (pull + 6 * std::abs(r.in_plane_bending) / section.side) / area;
     const double shear = thresholds.shear * rounding;
     return !(fibre < section.flexural_strength * rounding &&
              r.shear_vertical * r.shear_vertical + r.shear_in_plane * r.shear_in_plane < shear * shear &&
              -r.axial < thresholds.compression * rounding &&
-             tension_in_plane(r, section) < section.tensile_strength * rounding &&
+             in_plane < section.tensile_strength * rounding &&
              std::abs(r.torsion) < thresholds.torsion * rounding &&
              std::abs(r.in_plane_bending) < thresholds.in_plane_bending * rounding);
 }
 
 Utilisation utilisation(const JointLoad& load, const IceSection& section, const Thresholds& thresholds) {
-    Utilisation worst{std::max(0.0, fibre_stress(load, section) / section.flexural_strength), FailureMode::bending};
+    Utilisation worst{std::max(0.0, fibre_tension(load, section).stress / section.flexural_strength), FailureMode::bending};
     const auto meet = [&](double share, FailureMode mode) {
         if (share > worst.share) worst = {share, mode};
     };
@@ -99,7 +115,7 @@ Utilisation utilisation(const JointLoad& load, const IceSection& section, const 
     meet(std::sqrt(r.shear_vertical * r.shear_vertical + r.shear_in_plane * r.shear_in_plane) / thresholds.shear,
          FailureMode::shear);
     meet(-r.axial / thresholds.compression, FailureMode::compression);
-    meet(tension_in_plane(r, section) / section.tensile_strength, FailureMode::tension);
+    meet(tension_in_plane(load, section).stress / section.tensile_strength, FailureMode::tension);
     meet(std::abs(r.torsion) / thresholds.torsion, FailureMode::torsion);
     meet(std::abs(r.in_plane_bending) / thresholds.in_plane_bending, FailureMode::in_plane_bending);
     return worst;

@@ -9,11 +9,10 @@
 //   shear up         12 D / (L² (1 + Φ))     Timoshenko's beam, Φ = 12 D / (κ G T L²), κ = 5/6, G = E / (2 (1 + ν))
 //   torsion          D                       so that the lattice has the twisting energy of a plate, D w_xz²
 //
-// In its plane the lattice has the energy of a sheet that is stretched or sheared uniformly, without lateral
-// contraction:
+// In its plane likewise a sheet of ν = 0, whichever way its joints point:
 //
 //   axial            E T
-//   shear in plane   2 G T                   half of a uniform shear strain falls to each direction of joints
+//   shear in plane   E T
 //   in-plane bending E T L² / 12             linear stress across the face
 //
 // A sheet of such elements has the plate's bending equation D ∇⁴w inside; at free edges it is a plate of ν = 0. A beam
@@ -49,17 +48,20 @@ std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& 
 
 // The stress in the outer fibres of the ice at a joint, and the strength that it meets.
 //
-// The grid of beams has the curvatures of the plate: a joint carries D w_xx per width and twists with D w_xz. The
+// The lattice of beams has the curvatures of the plate: a joint carries D w_nn per width and twists with D w_nt. The
 // plate's moments follow with Poisson's ratio (docs/ice.md):
 //
 //   m_n = M_n + ν M_t,   m_t = M_t + ν M_n,   m_nt = (1 - ν) M_nt
 //
-// M_t, across the joint, is the mean of the four joints beside it, 0 at free faces. With σ = 6 m/T², the axial stress
-// N/(L T) and what contacts add (ice/contact_stress.hpp), both fibres have a largest principal tension; where it pulls
-// along the joint's normal rather than across it, it is this joint that cracks.
+// M_t, across the joint, is that of the two elements' mean moments (ice/stress_field.hpp). With σ = 6 m/T², the stress
+// in the plane N/(L T) and what contacts add, both fibres have a largest principal tension; where it pulls along the
+// joint's normal rather than across it, it is this joint that cracks.
 //
-//   bending  σ_1 of either fibre                          flexural strength
-//   tension  N/(L T) + 6 |M_in plane|/(T L²)              tensile strength
+//   bending  σ_1 of either fibre                                               flexural strength
+//   tension  σ_1 in the plane, N_n/(L T) + 6 |M_in plane|/(T L²) along it      tensile strength
+//
+// The crack lies across that tension, so it is shorter than the joint by the cosine of the angle between them: a crack
+// along a zigzag of joints takes the energy of a straight one.
 //
 // Compression and shear are Eqs. (1) and (2) of the paper, as in ice/failure.hpp.
 
@@ -88,22 +90,31 @@ JointStrength joint_strength(const FloeShape& shape, const Material& material, d
 struct LocalStress {
     double along = 0;   ///< along the joint's normal
     double across = 0;  ///< and across it
-    double shear = 0;   ///< of both, by the joint's x and z; 0 in elements that are squares
+    double shear = 0;   ///< of both, by the joint's x and z
+
+    friend bool operator==(const LocalStress&, const LocalStress&) = default;
 };
 
 /// What acts at a joint.
 struct JointLoad {
     JointReaction reaction = {};
-    double across = 0;         ///< N m: mean bending moment of the joints beside it, M_t L
+    double across = 0;         ///< N m: mean bending moment of its elements across it, M_t L
+    double pulled_across = 0;  ///< N: their mean force in the plane across it, N_t L, tension positive
     LocalStress sagging = {};  ///< of the contact on its elements that adds most tension to the lower fibre
     LocalStress hogging = {};  ///< to the upper fibre; each is at a place of its own, so they do not add up
 };
 
-/// Largest principal tension of either fibre that pulls at this joint, Pa.
-double fibre_stress(const JointLoad& load, const IceSection& section);
+/// A principal tension that pulls at a joint.
+struct Tension {
+    double stress = 0;  ///< Pa; negative under compression
+    double facing = 1;  ///< cosine of the angle from the joint's normal, at least √½
+};
 
-/// Largest tension in the plane, Pa; negative under compression.
-double tension_in_plane(const JointReaction& reaction, const IceSection& section);
+/// Largest of either fibre.
+Tension fibre_tension(const JointLoad& load, const IceSection& section);
+
+/// Largest in the plane.
+Tension tension_in_plane(const JointLoad& load, const IceSection& section);
 
 struct Utilisation {
     double share = 0;  ///< of the strength; above 1 the joint fails

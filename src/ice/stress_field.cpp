@@ -73,66 +73,55 @@ FreeEdge nearest_free_edge(const PressedElement& element, const Corner& at) {
     return nearest;
 }
 
-/// The live joint along each axis that is nearest to a contact, in spans, and how far it is, m.
-struct Nearest {
-    std::size_t joint = ContactStress::none;
-    double distance = 0;
-};
-std::array<Nearest, 2> nearest_joints(const PressedElement& element, const Corner& at) {
-    std::array<Nearest, 2> found;
+double distance_to(const ElementJoint& joint, const Corner& at) {
+    const Corner from = at - joint.pivot;
+    const double beside = std::max(0.0, std::abs(cross(joint.outward, from)) - joint.length / 2);
+    return std::hypot(dot(joint.outward, from), beside);
+}
+
+/// Whether another joint of much the same direction is nearer, in spans; of equals the first.
+bool is_nearest(const PressedElement& element, std::size_t own, const Corner& at) {
+    const ElementJoint& joint = element.joints[own];
+    const double distance = distance_to(joint, at) / joint.span;
     for (std::size_t k = 0; k < element.joints.size(); ++k) {
-        const ElementJoint& joint = element.joints[k];
-        if (!joint.live) continue;
-        const Corner from = at - joint.pivot;
-        const double beside = std::max(0.0, std::abs(cross(joint.outward, from)) - joint.length / 2);
-        const double distance = std::hypot(dot(joint.outward, from), beside);
-        Nearest& best = found[joint.axis()];
-        if (best.joint == ContactStress::none ||
-            distance * element.joints[best.joint].span < best.distance * joint.span)
-            best = {k, distance};
+        const ElementJoint& other = element.joints[k];
+        if (k == own || !other.live || std::abs(dot(other.outward, joint.outward)) < std::numbers::sqrt2 / 2) continue;
+        const double there = distance_to(other, at) / other.span;
+        if (there < distance || (k < own && there == distance)) return false;
     }
-    return found;
+    return true;
 }
 
 }  // namespace
 
-ContactStress contact_stress(const PressedElement& element, const Press& press) {
+std::optional<LocalStress> contact_stress(const PressedElement& element, const Press& press, std::size_t own) {
     const Corner at{press.x, press.z};
+    if (!is_nearest(element, own, at)) return std::nullopt;
+    const ElementJoint& joint = element.joints[own];
     const double crushed = std::sqrt(std::abs(press.down) / (std::numbers::pi * element.crushing_pressure));
     const double contact = felt_radius(crushed, element.thickness);
     const double edge = edge_stress_per_decade(press.down, element.thickness, element.poisson_ratio);
     const double interior = interior_stress_per_decade(press.down, element.thickness, element.poisson_ratio);
     const FreeEdge rim = nearest_free_edge(element, at);
-    const std::array<Nearest, 2> nearest = nearest_joints(element, at);
-    // An oblique edge meets the joints along both axes, so they are as much closer along it.
-    const double crossings = std::abs(rim.along.x) + std::abs(rim.along.z);
-    ContactStress found;
-    std::array<double, 2> along_rim{};  // decades
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        if (nearest[axis].joint == ContactStress::none) continue;
-        const ElementJoint& joint = element.joints[nearest[axis].joint];
-        const double size = size_of_grid(joint.length, joint.span);
-        const double towards = std::max(0.0, joint.span / 2 - nearest[axis].distance);
-        const double inside = std::min(felt_inside.radius(size, towards, joint.span), rim.distance);
-        const double at_edge = felt_at_edge.radius(size, towards, joint.span) / crossings;
-        along_rim[axis] = rim.decades_between(std::max(contact, rim.distance), at_edge);
-        const double share = axis == 0 ? rim.along.x * rim.along.x : rim.along.z * rim.along.z;
-        found.stress[axis] = interior * decades(contact, inside) + edge * share * along_rim[axis];
-        found.joint[axis] = nearest[axis].joint;
-    }
-    found.shear = edge * rim.along.x * rim.along.z * std::sqrt(along_rim[0] * along_rim[1]);
-    return found;
+    const double size = std::sqrt(element.area);
+    const double towards = std::max(0.0, joint.span / 2 - distance_to(joint, at));
+    const double inside = element.patch.inside.radius(size, towards, joint.span);
+    const double at_edge = element.patch.at_edge.radius(size, towards, joint.span);
+    const double all_round = interior * decades(contact, std::min(inside, rim.distance));
+    const double along_rim = edge * rim.decades_between(std::max(contact, rim.distance), at_edge);
+    const double n = dot(joint.outward, rim.along);
+    const double t = cross(joint.outward, rim.along);
+    return LocalStress{all_round + along_rim * n * n, all_round + along_rim * t * t, along_rim * n * t};
 }
 
 double most_contact_stress(const PressedElement& element) {
-    double largest = 0;
-    for (const ElementJoint& joint : element.joints)
-        largest = std::max(largest, size_of_grid(joint.length, joint.span));
     const double per_decade = std::max(edge_stress_per_decade(1, element.thickness, element.poisson_ratio),
                                        interior_stress_per_decade(1, element.thickness, element.poisson_ratio));
     // A tension s along a rim is s cos² φ along the normal with a shear of s cos φ sin φ, together at most:
     const double with_shear = 0.5 * (1 + std::numbers::sqrt2);
-    return with_shear * per_decade * decades(felt_radius(0, element.thickness), felt_inside.share * largest);
+    return with_shear * per_decade * decades(felt_radius(0, element.thickness),
+                                              std::max(element.patch.inside.share, element.patch.at_edge.share) *
+                                                  std::sqrt(element.area));
 }
 
 namespace {
@@ -140,8 +129,9 @@ namespace {
 /// Contacts of a step beyond which the memory grows, for each element.
 constexpr std::size_t usual_contacts = 4;
 
-Corner in_floe_axes(const Corner& own_x, const Vec3& at) {
-    return at.x() * own_x + at.z() * Corner{-own_x.z, own_x.x};
+/// The corner of these coordinates along a unit vector and the one that is turned from it as z is from x.
+Corner by_axes(const Corner& x_axis, double x, double z) {
+    return x * x_axis + z * Corner{-x_axis.z, x_axis.x};
 }
 
 }  // namespace
@@ -154,8 +144,7 @@ void StressField::reserve(std::size_t elements) {
 
 void StressField::put_element(std::size_t number, BodyId body, const Corner& axis, PressedElement element) {
     FLOES_EXPECTS(number <= elements_.size() && element.joints.empty());
-    const Corner size = size_of(element.corners);
-    Element made{.ice = std::move(element), .body = body, .axis = axis, .size = size};
+    Element made{.ice = std::move(element), .body = body, .axis = axis};
     if (number < elements_.size()) {
         elements_[number] = std::move(made);
         return;
@@ -199,9 +188,27 @@ void StressField::remove_joint(std::size_t joint) {
     }
 }
 
+/// On the faces of its elements: of a the forces that b exerts, of b the same the other way round.
+void StressField::spread(const Joint& joint, const JointReaction& reaction) {
+    Element& a = elements_[joint.a];
+    Element& b = elements_[joint.b];
+    const ElementJoint& at_a = a.ice.joints[joint.on_a];
+    const ElementJoint& at_b = b.ice.joints[joint.on_b];
+    const Corner moment = by_axes(at_a.outward, reaction.bending, -reaction.torsion);
+    const Corner force = by_axes(at_a.outward, reaction.axial, reaction.shear_in_plane);
+    a.moment.add(moment, at_a.pivot);
+    a.force.add(force, at_a.pivot);
+    b.moment.add(-1.0 * moment, at_b.pivot);
+    b.force.add(-1.0 * force, at_b.pivot);
+}
+
 void StressField::read(const World& world) {
-    for (std::size_t i = 0; i < joints_.size(); ++i)
-        if (live_[i]) reactions_[i] = world.reaction(joints_[i].id);
+    for (Element& element : elements_) element.moment = element.force = {};
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (!live_[i]) continue;
+        reactions_[i] = world.reaction(joints_[i].id);
+        spread(joints_[i], reactions_[i]);
+    }
     for (const std::size_t i : touched_) {
         elements_[i].first = elements_[i].last = no_touch;
         elements_[i].largest_force = 0;
@@ -233,30 +240,22 @@ void StressField::touch(BodyId body, std::size_t contact, bool on_a) {
     element.largest_force = std::max(element.largest_force, force);
 }
 
-Press StressField::press(const World& world, const Element& element, const Touch& touch) const {
+StressField::Push StressField::push(const World& world, const Element& element, const Touch& touch) const {
     const ContactForce& contact = contacts_[touch.contact];
     const Vec3 on_a = contact.normal + contact.friction;
-    const Vec3 force = touch.on_a ? on_a : -on_a;
     const BodyState state = world.state(element.body);
     const Vec3 at = state.rotation.transpose() * (contact.point - state.position);
-    const double down = -state.rotation.col(1).dot(force);
-    const Corner there = in_floe_axes(element.axis, at);
-    return {there.x, there.z, down};
-}
-
-/// Half of the mean over both elements: what the joints on either side of one carry, over its extent along the normal.
-/// A side that has joints on a part of it has that part of the moment, as free faces have none.
-double StressField::across(const Joint& joint, bool at_b) const {
-    const Element& element = elements_[at_b ? joint.b : joint.a];
-    const ElementJoint& own = element.ice.joints[at_b ? joint.on_b : joint.on_a];
-    double sum = 0;
-    for (std::size_t k = 0; k < element.joints.size(); ++k)
-        if (element.ice.joints[k].axis() != own.axis()) sum += reactions_[element.joints[k]].bending;
-    return own.length / (own.axis() == 0 ? element.size.x : element.size.z) * sum / 4;
+    const Vec3 force = state.rotation.transpose() * (touch.on_a ? on_a : -on_a);
+    return {by_axes(element.axis, at.x(), at.z()), by_axes(element.axis, force.x(), force.z()), -force.y()};
 }
 
 double StressField::across(std::size_t joint) const {
-    return across(joints_[joint], false) + across(joints_[joint], true);
+    const Joint& one = joints_[joint];
+    const Element& a = elements_[one.a];
+    const Element& b = elements_[one.b];
+    const ElementJoint& own = a.ice.joints[one.on_a];
+    const Corner t{-own.outward.z, own.outward.x};
+    return own.length / 2 * (a.moment.along(t) / a.ice.area + b.moment.along(t) / b.ice.area);
 }
 
 double StressField::most_by_contacts(std::size_t joint) const {
@@ -265,27 +264,24 @@ double StressField::most_by_contacts(std::size_t joint) const {
     return std::max(a.most_stress * a.largest_force, b.most_stress * b.largest_force);
 }
 
-std::optional<LocalStress> StressField::added(const Joint& joint, bool at_b, const Press& press) const {
-    const Element& element = elements_[at_b ? joint.b : joint.a];
-    const std::size_t on = at_b ? joint.on_b : joint.on_a;
-    const ContactStress found = contact_stress(element.ice, press);
-    const std::size_t axis = element.ice.joints[on].axis();
-    if (found.joint[axis] != on) return std::nullopt;
-    // The joint's z is the floe's where its x is along the floe's x; turned to z, it is the other way.
-    return LocalStress{found.stress[axis], found.stress[1 - axis], axis == 0 ? found.shear : -found.shear};
-}
-
 JointLoad StressField::load(const World& world, std::size_t joint) const {
     const Joint& one = joints_[joint];
+    const ElementJoint& own = elements_[one.a].ice.joints[one.on_a];
+    const Corner t{-own.outward.z, own.outward.x};
     JointLoad load{.reaction = reactions_[joint], .across = across(joint)};
     for (const bool at_b : {false, true}) {
         const Element& element = elements_[at_b ? one.b : one.a];
+        Tensor force = element.force;
         for (std::uint32_t i = element.first; i != no_touch; i = touches_[i].next) {
-            const std::optional<LocalStress> local = added(one, at_b, press(world, element, touches_[i]));
+            const Push push = this->push(world, element, touches_[i]);
+            force.add(push.force, push.at);
+            const std::optional<LocalStress> local =
+                contact_stress(element.ice, {push.at.x, push.at.z, push.down}, at_b ? one.on_b : one.on_a);
             if (!local) continue;
             if (local->along > load.sagging.along) load.sagging = *local;
             if (local->along < load.hogging.along) load.hogging = *local;
         }
+        load.pulled_across += own.length / 2 * force.along(t) / element.ice.area;
     }
     return load;
 }

@@ -1,15 +1,14 @@
 #pragma once
-// What a grid of elements does not show of a load: the stress right below a contact. A joint's moment is a mean over
-// the width of an element, but below a small contact the stress of a plate grows as the logarithm of the contact's size
+// What a lattice of elements does not show of a load: the stress right below a contact. A joint's moment is a mean over
+// the size of an element, but below a small contact the stress of a plate grows as the logarithm of the contact's size
 // (theory/westergaard.hpp). The difference between the patch that a joint feels and the contact's own size b₀ is added:
 //
 //   Δσ = C log10(b_L / b₀),   C = stress per decade, at an edge or inside
 //
-// b_L is the radius of the circle below which the formula has the stress that the joint of the grid shows: a constant
-// times the element's side, less the nearer the contact is to the joint (docs/figures/fracture.py computes it from the
-// grid; docs/fracture.md). Near a second free edge, a corner, the logarithm ends at the distance to it.
+// b_L is the radius of the circle below which the formula has the stress that the joint shows: a constant times the
+// element's size, less the nearer the contact is to the joint (docs/fracture.md). Near a second free edge, a corner, the
+// logarithm ends at the distance to it.
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -28,28 +27,26 @@ struct Press {
     double down = 0;  ///< N, along -y
 };
 
-// The circle below which Westergaard's formula has the stress that a joint of the grid shows: b_L of docs/fracture.md,
-// as docs/figures/fracture.py finds it from the grid.
-
-/// b_L over the size of the grid for a contact level with the middle of an element, and the decades by which it shrinks
-/// for each span that the contact is nearer to the joint.
+/// b_L over the side of a square of the element's area, for a contact level with the middle of an element, and the
+/// decades by which it shrinks for each span that the contact is nearer to the joint.
 struct FeltPatch {
     double share, decades;
 
-    /// m; `size`: of the grid, of squares their side; `towards`: the contact from the middle of the span to the joint.
+    /// m; `towards`: the contact from the middle of the span to the joint.
     double radius(double size, double towards, double span) const {
         return share * size * std::pow(10, -decades * towards / span);
     }
 };
-inline constexpr FeltPatch felt_at_edge{0.6, 0.66};
-inline constexpr FeltPatch felt_inside{1.0, 0.92};
+struct FeltPatches {
+    FeltPatch at_edge, inside;
+};
 
-/// The size of a grid whose joints are `length` wide and `span` long, m. A load on a node of a grid shows the sum of
-/// moments that the plate has on a circle of e^-γ/4 √(length² + span²), the same for every such grid of one diagonal:
-/// the radius by which Peaceman (SPE Journal 18, 1978 and 1983; from memory) joins a well to its cell.
-inline double size_of_grid(double length, double span) {
-    return std::sqrt(0.5 * (length * length + span * span));
-}
+// A load on a node of a lattice shows the sum of moments that the plate has on a circle: of a square grid e^-γ/√8 times
+// the side, of one of hexagons e^-γ/√12 times the distance of their centres, 0.88 times as much for the same area
+// (Peaceman's radius by which a well is joined to its cell, SPE Journal 18, 1978; from memory). The rest is fitted to
+// Westergaard's formula (docs/fracture.md): a rim crosses joints in every direction, so more of them.
+inline constexpr FeltPatches square_patch{{0.6, 0.66}, {1.0, 0.92}};
+inline constexpr FeltPatches cell_patch{{0.64, 0.66}, {0.80, 0.92}};
 
 /// Powers of ten from one radius to a larger one; 0 if it is not larger.
 inline double decades(double from, double to) {
@@ -60,7 +57,7 @@ inline double decades(double from, double to) {
 // logarithm, from the contact to the circle b_L that its grid feels:
 //
 //   inside   in every direction, up to the nearest free edge
-//   at it    along that edge, from there on; a joint sees the component along its normal, and the shear
+//   at it    along that edge, from there on
 //
 // Where the edge ends at another free one, a corner that turns by φ, the logarithm goes on with √(max(0, cos φ)): as
 // ever along a straight rim, not at all at the corner of a square, where the moment below a load is finite. In between
@@ -68,42 +65,35 @@ inline double decades(double from, double to) {
 
 /// A joint as one of its elements has it, in the axes of the floe from the element's centroid. SI.
 struct ElementJoint {
-    Corner outward;    ///< along x or z
+    Corner outward;    ///< of length 1
     Corner pivot;      ///< halfway between the centroids of the two elements
     double length;     ///< of the common edge
     double span;       ///< between the centroids
     unsigned edge;     ///< bit of the element's edge that it holds
     bool live = true;  ///< or the edge is free there
-
-    std::size_t axis() const { return std::abs(outward.x) >= std::abs(outward.z) ? 0 : 1; }
 };
 
 /// An element as a contact meets it. SI.
 struct PressedElement {
     Outline corners;  ///< in the axes of the floe, about the centroid
+    double area = 0;
+    FeltPatches patch = cell_patch;
     double thickness = 0;
     double poisson_ratio = 0;
     double crushing_pressure = 0;  ///< above 0: a force crushes a circle of this pressure
     std::vector<ElementJoint> joints{};
 };
 
-/// Stress of the nearest joint along x and the nearest along z, Pa; tension in the lower fibre positive.
-struct ContactStress {
-    static constexpr std::size_t none = ~std::size_t{0};
-
-    std::array<double, 2> stress{};                   ///< along x and z; 0 without a joint
-    double shear = 0;                                 ///< σ_xz
-    std::array<std::size_t, 2> joint = {none, none};  ///< by number in the element's
-};
-
-/// `press`: in the axes of the floe from the centroid.
-ContactStress contact_stress(const PressedElement& element, const Press& press);
+/// What a contact adds at a joint of its element; nothing if another joint within 45 degrees of its direction is nearer,
+/// since one crack forms below a contact. `press`: in the axes of the floe from the centroid.
+std::optional<LocalStress> contact_stress(const PressedElement& element, const Press& press, std::size_t joint);
 
 /// The most that a force of 1 N can add at any of the joints, its shear included, wherever it acts, Pa.
 double most_contact_stress(const PressedElement& element);
 
-// What acts at every joint of all floes in the world's last step: its reaction, the moments beside it, and the stress
-// by contacts on its elements.
+// What acts at every joint of all floes in the world's last step: its reaction, the mean moment and force of its two
+// elements across it, and the stress by contacts on them. The means follow from what acts on an element's faces, f_k at
+// x_k, as that of a stress does: A N = Σ f_k ⊗ x_k (divergence theorem).
 
 class StressField {
   public:
@@ -124,7 +114,7 @@ class StressField {
 
     const JointReaction& reaction(std::size_t joint) const { return reactions_[joint]; }
 
-    /// Mean bending moment of the joints beside it, N m: JointLoad::across.
+    /// JointLoad::across, N m.
     double across(std::size_t joint) const;
 
     /// A bound of what contacts add to any tension at the joint, Pa.
@@ -142,15 +132,26 @@ class StressField {
         std::size_t a, b;
         std::size_t on_a, on_b;  ///< its number among the joints of either element
     };
+    /// A symmetric tensor in the axes of a floe.
+    struct Tensor {
+        double xx = 0, zz = 0, xz = 0;
+
+        void add(const Corner& force, const Corner& at) {
+            xx += force.x * at.x;
+            zz += force.z * at.z;
+            xz += 0.5 * (force.x * at.z + force.z * at.x);
+        }
+        double along(const Corner& t) const { return xx * t.x * t.x + zz * t.z * t.z + 2 * xz * t.x * t.z; }
+    };
     struct Element {
         PressedElement ice;
         BodyId body;
         Corner axis;                        ///< own x axis in the axes of the floe
-        Corner size;                        ///< extents in the axes of the floe, m
         std::vector<std::size_t> joints{};  ///< of all, by their numbers among the element's
         int live = 0;                       ///< of them
         double most_stress = 0;             ///< by a force of 1 N, Pa
         /// In the last step:
+        Tensor moment{}, force{};  ///< times the area, by its joints, N m² and N m
         double largest_force = 0;  ///< of its contacts, N
         std::uint32_t first = no_touch, last = no_touch;
     };
@@ -162,11 +163,13 @@ class StressField {
     };
     void touch(BodyId body, std::size_t contact, bool on_a);
     std::size_t join(std::size_t element, std::size_t joint, const ElementJoint& at);
-    double across(const Joint& joint, bool at_b) const;
-    Press press(const World& world, const Element& element, const Touch& touch) const;
-
-    /// What the contact adds to the joint, as its element a or b bears it; nothing where another joint is nearer.
-    std::optional<LocalStress> added(const Joint& joint, bool at_b, const Press& press) const;
+    void spread(const Joint& joint, const JointReaction& reaction);
+    /// A contact force on an element in the axes of its floe, and how far down.
+    struct Push {
+        Corner at, force;
+        double down;
+    };
+    Push push(const World& world, const Element& element, const Touch& touch) const;
 
     std::vector<Element> elements_;
     std::vector<Joint> joints_;

@@ -57,7 +57,7 @@ void check_sides(const Scenario& scenario, Contradictions& found) {
 
 void check_elements(const Scenario& scenario, Contradictions& found) {
     if (scenario.sizes.law != SizeLaw::one || scenario.shapes.from_file()) return;  // others have looked at those
-    if (!scenario.shapes.any()) check_sides(scenario, found);
+    if (!scenario.shapes.any() && !scenario.has_cells()) check_sides(scenario, found);
     if (!scenario.arrangement.columns.empty()) return;  // check_given_floes() counts those
     check_element_count(scenario, scenario.floe.elements() * scenario.field.floes, found);
 }
@@ -236,7 +236,7 @@ void check_list(const Scenario& scenario, Contradictions& found) {
     if (std::abs(sum - 1) > 1e-6)
         found.push_back(
             {{key}, fmt::format("the shares of {} sum to {:.6g} %; they are to sum to 100 %", key, 100 * sum)});
-    if (scenario.sizes.element != ElementSide::given) return;
+    if (scenario.sizes.element != ElementSide::given || scenario.has_cells()) return;
     const double element = scenario.floe.element;
     for (const ListedSize& one : list) {
         for (const double side : {one.length, one.breadth}) {

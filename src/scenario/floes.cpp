@@ -53,6 +53,14 @@ FloeSet gathered(std::span<const SingleFloe> floes) {
     return set;
 }
 
+bool FloeSet::alike() const {
+    const auto same = [&](FloeShape shape) {
+        shape.pattern = shapes.front().pattern;
+        return shape == shapes.front();
+    };
+    return materials.size() == 1 && std::ranges::all_of(shapes, same);
+}
+
 std::vector<PlanarPose> FloeSet::poses() const {
     std::vector<PlanarPose> found;
     for (const Floe& floe : floes) found.push_back(floe.pose);
@@ -117,6 +125,7 @@ double characteristic_length(const Scenario& scenario) {
 
 FloeShape rounded(const Scenario& scenario, double length, double breadth) {
     const double side = element_side(scenario, std::min(length, breadth));
+    if (scenario.has_cells()) return {length, breadth, scenario.floe.thickness, side};
     const auto whole = [side](double wanted) {
         const double reached = std::max(1.0, std::round(wanted / side)) * side;
         return std::abs(reached - wanted) <= 1e-9 * wanted ? wanted : reached;  // 0.6 rather than 3 x 0.2 in binary
@@ -470,12 +479,12 @@ std::vector<SingleFloe> sized_floes(const Scenario& scenario, const Draw& draw) 
 FloeSet floes_of(const Scenario& scenario, const Draw& draw) {
     const ArrangementRule& rule = scenario.arrangement;
     const bool given = rule.method == ArrangementMethod::file;
-    if (!floes_may_differ(scenario))
-        return floes_at(scenario,
-                        given ? rule.poses : std::vector<PlanarPose>(static_cast<std::size_t>(scenario.field.floes)));
     std::vector<SingleFloe> floes = given ? given_floes(scenario) : sized_floes(scenario, draw);
-    shape_floes(scenario, draw, floes);
-    draw_ice(scenario, draw, floes);
+    if (floes_may_differ(scenario)) {
+        shape_floes(scenario, draw, floes);
+        draw_ice(scenario, draw, floes);
+    }
+    for (std::size_t i = 0; i < floes.size(); ++i) floes[i].shape.pattern = scenario.pattern_of(i);
     return gathered(floes);
 }
 

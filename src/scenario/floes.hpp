@@ -27,7 +27,8 @@ struct FloeSet {
     std::size_t size() const { return floes.size(); }
     const FloeShape& shape(std::size_t floe) const { return shapes[floes[floe].shape]; }
     const Material& material(std::size_t floe) const { return materials[floes[floe].material]; }
-    bool alike() const { return shapes.size() == 1 && materials.size() == 1; }
+    /// But for the pattern of their elements.
+    bool alike() const;
 
     std::vector<PlanarPose> poses() const;
 };
@@ -54,7 +55,7 @@ struct IceAhead {
 /// The set of these floes, in their order; equal shapes and equal materials stand in the tables once.
 FloeSet gathered(std::span<const SingleFloe> floes);
 
-/// A floe of the scenario's own shape and material at each pose.
+/// A floe of the scenario's own shape and material at each pose, cut into squares.
 FloeSet floes_at(const Scenario& scenario, std::span<const PlanarPose> poses);
 
 /// Which of a campaign's arrangements: what laws draw floes by.

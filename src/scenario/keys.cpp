@@ -44,6 +44,7 @@ Keys describe(Scenario& scenario) {
     add_general(keys, scenario.general);
     add_ice(keys, scenario.floe, scenario.ice, scenario.joint);
     add_floe(keys, scenario.floe);
+    add_elements(keys, scenario.elements, scenario.joint);
     add_sizes(keys, scenario.sizes);
     add_shapes(keys, scenario.shapes);
     add_spread(keys, scenario.spread);
@@ -67,7 +68,7 @@ TableTitles scenario_titles() {
     return {
         {"general", "Time stepping and the constraint solver."},
         {"ice", "Material properties of the ice."},
-        {"floe", "One floe: a sheet of square elements joined at the middle of their edges."},
+        {"floe", "One floe: a sheet of elements joined where they share an edge."},
         {"sizes", "Sizes of floes that differ."},
         {"shapes", "Floes that are no rectangles."},
         {"spread", "Properties that differ from floe to floe: each a law of the factor on what [ice] or [brine] says."},
@@ -106,6 +107,7 @@ Scenario paper_scenario() {
     scenario.general.iterations = 50;
     scenario.general.solver = SolverKind::lanes;
     scenario.general.tolerance = 0;
+    scenario.elements.form = ElementForm::squares;
     scenario.joint.model = JointModel::cfm;
     scenario.joint.failure = JointFailure::moment;
     scenario.contact = with_preset(scenario.contact, ContactPreset::paper);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "scenario/floes.hpp"
 
@@ -26,8 +27,8 @@ int FloeShape::elements_broad() const {
 }
 
 double FloeShape::elements() const {
-    if (is_polygon()) return count_elements(outline, element);
-    return static_cast<double>(elements_long()) * elements_broad();
+    if (has_squares()) return static_cast<double>(elements_long()) * elements_broad();
+    return count_cells(corners(), element);
 }
 
 Outline FloeShape::corners() const {
@@ -39,8 +40,8 @@ Outline FloeShape::hull() const {
 }
 
 CutFloe FloeShape::cut() const {
-    return is_polygon() ? cut_into_elements(outline, element)
-                        : cut_into_squares(elements_long(), elements_broad(), element);
+    if (has_squares()) return cut_into_squares(elements_long(), elements_broad(), element);
+    return cut_into_cells(corners(), element, static_cast<std::uint32_t>(std::max(0, pattern)));
 }
 
 double FloeShape::element_mass(const Ice& ice) const {
@@ -48,11 +49,17 @@ double FloeShape::element_mass(const Ice& ice) const {
 }
 
 double FloeShape::element_mass(const Ice& ice, const CutElement& of) const {
-    return is_polygon() ? ice.density * thickness * of.area : element_mass(ice);
+    return has_squares() ? element_mass(ice) : ice.density * thickness * of.area;
 }
 
 double FloeShape::floating_height(const Ice& ice, double water_density) const {
     return thickness * (0.5 - ice.density / water_density);
+}
+
+int Scenario::pattern_of(std::size_t floe) const {
+    constexpr int stock = 16;
+    if (!has_cells()) return FloeShape::squares;
+    return stock * elements.draw + static_cast<int>(floe % stock);
 }
 
 Material Scenario::material() const {

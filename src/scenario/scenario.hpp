@@ -152,6 +152,8 @@ struct Brine {
 enum class JointModel { cfm, beam };  ///< Σ and Γ, or an elastic beam from centre to centre
 /// What is compared with the bending strength: the moment of a joint, Eq. (3), or the stress of its outer fibres.
 enum class JointFailure { moment, stress };
+/// What floes are cut into: the paper's grid of squares, or cells without a direction (docs/fracture.md).
+enum class ElementForm { squares, cells };
 /// The point about which the bending moment of Eq. (3) is taken: where the joint is, or the centre of its first
 /// element, about which Bullet reports a joint's torque.
 enum class MomentAbout { pivot, element_centre };
@@ -195,7 +197,13 @@ struct Ice {
     friend auto operator<=>(const Ice&, const Ice&) = default;
 };
 
-/// A sheet of ice, made of square elements of its own thickness (Table 1), or cut out of such squares.
+/// Elements of floes with beam joints; others are cut into squares.
+struct Elements {
+    ElementForm form = ElementForm::cells;
+    int draw = 0;  ///< of the cells' points
+};
+
+/// A sheet of ice, made of elements of its own thickness (Table 1).
 struct FloeShape {
     double length = 0.6;       ///< L_i along the floe's own x, m
     double breadth = 0.6;      ///< B_i along the floe's own z, m
@@ -203,12 +211,16 @@ struct FloeShape {
     double element = 0.2;      ///< L_e, m; divides length and breadth
     /// About its centroid, in the floe's own axes; length and breadth are its extents then. Empty: a rectangle.
     Outline outline{};
+    int pattern = squares;  ///< which draw of cells it is cut into; rectangles alone may be cut into squares
 
-    int elements_long() const;                                                             ///< along x, at least 1
+    static constexpr int squares = -1;
+
+    int elements_long() const;                                                             ///< squares along x, at least 1
     int elements_broad() const;                                                            ///< along z, at least 1
     double elements() const;                                                               ///< of the whole floe
     double area() const { return outline.empty() ? length * breadth : area_of(outline); }  ///< m²
     bool is_polygon() const { return !outline.empty(); }
+    bool has_squares() const { return pattern == squares && !is_polygon(); }
     Outline corners() const;  ///< of its outline, of a rectangle as well
     Outline hull() const;     ///< the same without bays, which is how floes are laid beside each other
     /// Its elements and joints.
@@ -353,6 +365,7 @@ struct Scenario {
     General general;
     Ice ice;
     FloeShape floe;
+    Elements elements;
     Joint joint;
     Field field;
     ArrangementRule arrangement;
@@ -378,6 +391,9 @@ struct Scenario {
     double reach() const;                   ///< m, how far ahead of its start it comes, without its moorings
     double towed() const;                   ///< m, how far the structure goes in a run, along its path
     Material material() const;              ///< of floes that have no other
+    bool has_cells() const { return elements.form == ElementForm::cells && joint.model == JointModel::beam; }
+    /// FloeShape::pattern of a floe by its number: a stock of them, taken in turn.
+    int pattern_of(std::size_t floe) const;
     ContactLaw contact_law() const { return contact_law(ice); }  ///< contact, with the crushing pressure in force
     ContactLaw contact_law(const Ice& of) const;                 ///< for such ice
     /// Averaging times that are measured, s: those given; of the default, only whole steps that fit into a segment.

@@ -9,6 +9,7 @@ namespace floes {
 void add_general(Keys& keys, General& general);
 void add_ice(Keys& keys, FloeShape& floe, Ice& ice, const Joint& joint);
 void add_floe(Keys& keys, FloeShape& floe);
+void add_elements(Keys& keys, Elements& elements, const Joint& joint);
 void add_joint(Keys& keys, Joint& joint);
 void add_field(Keys& keys, Field& field);
 void add_arrangement(Keys& keys, ArrangementRule& arrangement);

@@ -49,9 +49,7 @@ Outline voronoi_cell(const WaterArea& area, Corners by_x, std::size_t point) {
     }
 }
 
-namespace {
-
-std::vector<Outline> cells_of(const WaterArea& area, const std::vector<Corner>& points) {
+std::vector<Outline> voronoi_cells(const WaterArea& area, Corners points) {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {}, [&](std::size_t n) { return points[n]; });
@@ -61,6 +59,8 @@ std::vector<Outline> cells_of(const WaterArea& area, const std::vector<Corner>& 
     for (std::size_t place = 0; place < order.size(); ++place) cells[order[place]] = voronoi_cell(area, by_x, place);
     return cells;
 }
+
+namespace {
 
 double sum_of_areas(const std::vector<Outline>& outlines) {
     double sum = 0;
@@ -84,10 +84,10 @@ std::vector<Outline> voronoi_cells(const WaterArea& area, int count, int relaxat
         const double x = random.uniform(area.low_x, area.low_x + area.length);
         points.push_back({x, random.uniform(area.low_z, area.low_z + area.breadth)});
     }
-    std::vector<Outline> cells = cells_of(area, points);
+    std::vector<Outline> cells = voronoi_cells(area, points);
     for (int step = 0; step < relaxations; ++step) {
         for (std::size_t i = 0; i < points.size(); ++i) points[i] = measures_of(cells[i]).centroid;
-        cells = cells_of(area, points);
+        cells = voronoi_cells(area, points);
     }
     return cells;
 }

@@ -22,6 +22,9 @@ struct WaterArea {
 /// The Voronoi cell of one of some points in the area; by_x: all of them, sorted.
 Outline voronoi_cell(const WaterArea& area, Corners by_x, std::size_t point);
 
+/// Those of all points, in their order.
+std::vector<Outline> voronoi_cells(const WaterArea& area, Corners points);
+
 /// The Voronoi cells of `count` points thrown into the area. After each of `relaxations` steps of Lloyd's the points
 /// are at the centroids of their cells: none leaves cells of very unequal areas, many make them all much alike.
 /// Two draws a point.

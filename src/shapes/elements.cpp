@@ -4,46 +4,18 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <optional>
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/random.hpp"
+#include "shapes/drawn.hpp"
 
 namespace floes {
 namespace {
 
-struct Grid {
-    int along, across;
-    Corner low;
-    double dx, dz;
-
-    double x(int i) const { return low.x + i * dx; }
-    double z(int k) const { return low.z + k * dz; }
-};
-
-Grid grid_over(Corners outline, double side) {
-    const Corner size = size_of(outline);
-    const auto count = [side](double extent) { return std::max(1, static_cast<int>(std::lround(extent / side))); };
-    Grid grid{count(size.x), count(size.z), outline[0], 0, 0};
-    for (const Corner& one : outline) grid.low = {std::min(grid.low.x, one.x), std::min(grid.low.z, one.z)};
-    grid.dx = size.x / grid.along;
-    grid.dz = size.z / grid.across;
-    return grid;
-}
-
 /// What lies within all of these.
 using Area = std::vector<HalfPlane>;
-
-/// A cell at the edge of the grid has no end there.
-Area area_of_cell(const Grid& grid, int i, int k) {
-    Area area;
-    if (i > 0) area.push_back({{-1, 0}, -grid.x(i)});
-    if (i + 1 < grid.along) area.push_back({{1, 0}, grid.x(i + 1)});
-    if (k > 0) area.push_back({{0, -1}, -grid.z(k)});
-    if (k + 1 < grid.across) area.push_back({{0, 1}, grid.z(k + 1)});
-    return area;
-}
 
 Area with(Area area, const Corner& normal, double bound) {
     area.push_back({normal, bound});
@@ -64,17 +36,10 @@ struct Shared {
     unsigned edge_a = 0, edge_b = 0;
 };
 
-/// Exactly along the grid where it is so but for rounding.
-Corner on_grid(const Corner& normal) {
-    if (std::abs(normal.x) < 1e-9) return {0, normal.z > 0 ? 1.0 : -1.0};
-    if (std::abs(normal.z) < 1e-9) return {normal.x > 0 ? 1.0 : -1.0, 0};
-    return normal;
-}
-
 Shared shared(Corners a, Corners b, double exact) {
     Shared found;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const Corner normal = on_grid(outward(a, i));
+        const Corner normal = outward(a, i);
         const Corner along{-normal.z, normal.x};
         const double end = dot(along, after(a, i) - a[i]);
         for (std::size_t k = 0; k < b.size(); ++k) {
@@ -95,74 +60,149 @@ Shared shared(Corners a, Corners b, double exact) {
 /// Less of a cell is too little mass for its joints.
 constexpr double least_share_beside_bays = 0.1;
 
-/// A rectangle of cells, i from `i0` up to and without `i1` along x, likewise along z.
-struct Block {
-    int i0, i1, k0, k1;
-};
+/// Points relax by steps of Lloyd's until cells are much alike: no corner is below 60 degrees, and no area beyond these
+/// shares of the mean. Six steps are enough as a rule; fifty turn nine cells in a square into a grid along its sides.
+constexpr int most_relaxations = 50;
+constexpr int relaxations_with_bays = 6;
+constexpr double cosine_of_most_turn = -0.5;
+constexpr double least_area_share = 0.6;
+constexpr double most_area_share = 1.5;
 
-bool make_a_rectangle(const Block& a, const Block& b) {
-    return (a.k0 == b.k0 && a.k1 == b.k1 && (a.i1 == b.i0 || b.i1 == a.i0)) ||
-           (a.i0 == b.i0 && a.i1 == b.i1 && (a.k1 == b.k0 || b.k1 == a.k0));
+std::size_t cell_count(double area, double side) {
+    return static_cast<std::size_t>(std::max(1L, std::lround(area / (side * side))));
 }
 
-Block united(const Block& a, const Block& b) {
-    return {std::min(a.i0, b.i0), std::max(a.i1, b.i1), std::min(a.k0, b.k0), std::max(a.k1, b.k1)};
+WaterArea box_of(Corners outline) {
+    WaterArea box{outline[0].x, outline[0].z};
+    for (const Corner& one : outline) {
+        box.low_x = std::min(box.low_x, one.x);
+        box.low_z = std::min(box.low_z, one.z);
+    }
+    const Corner size = size_of(outline);
+    box.length = size.x;
+    box.breadth = size.z;
+    return box;
 }
 
-/// A convex piece of an outline, and the cells of the grid that it has a part of.
-struct Piece {
-    Block block;
-    Outline corners;
-};
+/// Faces shorter than this share of an element's side carry no joint.
+constexpr double least_joint_share = 0.05;
 
 class Cutter {
   public:
     Cutter(Corners outline, double side)
-        : grid_(grid_over(outline, side)),
-          least_(1e-7 * (grid_.dx + grid_.dz)),
+        : side_(side),
+          least_(2e-7 * side),
           exact_(10 * least_),
+          area_(area_of(outline)),
+          box_(box_of(outline)),
           parts_(convex_parts(outline)) {
         for (std::size_t k = 0; parts_.size() > 1 && k < outline.size(); ++k) {
             const std::size_t before = k > 0 ? k - 1 : outline.size() - 1;
-            if (cross(outline[k] - outline[before], after(outline, k) - outline[k]) < 0)
-                bays_.push_back(
-                    Bay{outline[k], {Corner{1, 0}, Corner{0, 1}, outward(outline, before), outward(outline, k)}});
+            if (!(cross(outline[k] - outline[before], after(outline, k) - outline[k]) < 0)) continue;
+            const Corner one = outward(outline, before);
+            const Corner other = outward(outline, k);
+            const Corner between = other - one;
+            bays_.push_back(Bay{outline[k], {(1 / std::sqrt(dot(between, between))) * between, one, other}});
         }
     }
 
     double exact() const { return exact_; }
-    double shortest_joint() const { return 1e-5 * std::min(grid_.dx, grid_.dz); }
+    double shortest_joint() const { return least_joint_share * side_; }
 
-    /// In the order of their first cells, along x first.
-    std::vector<Piece> pieces() const {
-        std::vector<Piece> pieces;
-        for (int k = 0; k < grid_.across; ++k)
-            for (int i = 0; i < grid_.along; ++i)
-                for (Outline& one : cut(area_of_cell(grid_, i, k)))
-                    pieces.push_back({{i, i + 1, k, k + 1}, std::move(one)});
+    /// Convex pieces of the Voronoi cells of points that relaxed in the outline, row after row.
+    std::vector<Outline> pieces(std::uint32_t pattern) const {
+        std::vector<Outline> pieces;
+        for (const Area& cell : cells(pattern))
+            for (Outline& one : cut(cell)) pieces.push_back(std::move(one));
         merge_small(pieces);
         for (std::size_t n = 0; n < pieces.size(); ++n)
-            if (!bays_.empty() && area_of(pieces[n].corners) < least_share_beside_bays * grid_.dx * grid_.dz)
-                enlarge(pieces, n);
-        std::ranges::stable_sort(pieces, {}, [](const Piece& one) { return std::pair(one.block.k0, one.block.i0); });
+            if (!bays_.empty() && area_of(pieces[n]) < least_share_beside_bays * side_ * side_) enlarge(pieces, n);
+        const double low = box_.low_z;
+        const auto place = [&](const Outline& one) {
+            const Corner middle = measures_of(one).centroid;
+            return std::pair(std::floor((middle.z - low) / side_), middle.x);
+        };
+        std::ranges::stable_sort(pieces, {}, place);
         return pieces;
     }
 
   private:
-    /// Where the outline bends inwards, and normals of lines through there that may part its two sides: the grid's, and
-    /// those of its edges.
+    /// Where the outline bends inwards, and normals of lines through there that may part its two sides: halfway between
+    /// its edges, and those of either.
     struct Bay {
         Corner at;
-        std::array<Corner, 4> normals;
+        std::array<Corner, 3> normals;
     };
+
+    /// The parts of the outline within, without those that are nothing but rounding.
+    std::vector<Outline> parts_in(const Area& area) const {
+        std::vector<Outline> found;
+        for (const Outline& part : parts_)
+            if (Outline left = within(part, area, least_); left.size() >= 3 && area_of(left) > least_ * side_)
+                found.push_back(std::move(left));
+        return found;
+    }
+
+    Corner middle_of(const Area& area, const Corner& otherwise) const {
+        double sum = 0;
+        Corner middle{};
+        for (const Outline& part : parts_in(area)) {
+            const Measures measures = measures_of(part);
+            sum += measures.area;
+            middle = middle + measures.area * measures.centroid;
+        }
+        return sum > 0 ? (1 / sum) * middle : otherwise;
+    }
+
+    /// By areas, and by corners where the outline itself has none.
+    bool are_alike(const std::vector<Area>& cells, int step) const {
+        if (!bays_.empty()) return step == relaxations_with_bays;
+        const Outline& outline = parts_.front();
+        const double mean = area_ / static_cast<double>(cells.size());
+        return std::ranges::all_of(cells, [&](const Area& area) {
+            const Outline cell = within(outline, area, least_);
+            const double share = area_of(cell) / mean;
+            if (share < least_area_share || share > most_area_share) return false;
+            for (std::size_t k = 0; k < cell.size(); ++k) {
+                const auto is_own = [&](const Corner& one) { return dot(one - cell[k], one - cell[k]) < least_ * least_; };
+                const std::size_t before = k > 0 ? k - 1 : cell.size() - 1;
+                if (dot(outward(cell, before), outward(cell, k)) < cosine_of_most_turn &&
+                    std::ranges::none_of(outline, is_own))
+                    return false;
+            }
+            return true;
+        });
+    }
+
+    /// Cells of a relaxed Voronoi diagram of as many points as the outline has elements (Lloyd).
+    std::vector<Area> cells(std::uint32_t pattern) const {
+        RandomStream random(0, pattern, StreamId::elements, 0);
+        std::vector<Corner> points;
+        while (points.size() < cell_count(area_, side_)) {
+            const double x = random.uniform(box_.low_x, box_.low_x + box_.length);
+            const Corner point{x, random.uniform(box_.low_z, box_.low_z + box_.breadth)};
+            if (std::ranges::any_of(parts_, [&](const Outline& part) { return contains(part, point); }))
+                points.push_back(point);
+        }
+        // Beyond the outline, so that no cell ends at the box.
+        const WaterArea box{box_.low_x - side_, box_.low_z - side_, box_.length + 2 * side_, box_.breadth + 2 * side_};
+        for (int step = 0;; ++step) {
+            std::vector<Area> found;
+            for (const Outline& cell : voronoi_cells(box, points)) {
+                Area& area_of_cell = found.emplace_back();
+                for (std::size_t k = 0; k < cell.size(); ++k) {
+                    const Corner normal = outward(cell, k);
+                    area_of_cell.push_back({normal, dot(normal, cell[k])});
+                }
+            }
+            if (step == most_relaxations || (step > 0 && are_alike(found, step))) return found;
+            for (std::size_t n = 0; n < points.size(); ++n) points[n] = middle_of(found[n], points[n]);
+        }
+    }
 
     /// What lies within, with as few pieces as pairs allow.
     std::vector<Outline> joined_parts(const Area& area) const {
-        std::vector<Outline> found;
-        for (const Outline& part : parts_)
-            if (Outline left = within(part, area, least_); left.size() >= 3 && area_of(left) > least_ * grid_.dx)
-                found.push_back(std::move(left));
-        found = joined(std::move(found));
+        std::vector<Outline> found = joined(parts_in(area));
         for (Outline& one : found) one = tidied(one, least_);
         return found;
     }
@@ -170,7 +210,7 @@ class Cutter {
     bool hang_together(const std::vector<Outline>& pieces) const {
         for (std::size_t i = 0; i < pieces.size(); ++i)
             for (std::size_t k = i + 1; k < pieces.size(); ++k)
-                if (shared(pieces[i], pieces[k], exact_).length > shortest_joint()) return true;
+                if (shared(pieces[i], pieces[k], exact_).length > exact_) return true;
         return false;
     }
 
@@ -205,7 +245,7 @@ class Cutter {
             if (found.empty()) continue;
             const auto by_area = [](const Outline& one) { return area_of(one); };
             const double smallest = area_of(*std::ranges::min_element(found, {}, by_area));
-            if (!(smallest > 1.001 * largest)) continue;  // those along the grid come first
+            if (!(smallest > 1.001 * largest)) continue;
             largest = smallest;
             along = normal;
             best = std::move(found);
@@ -214,55 +254,51 @@ class Cutter {
         return to_the_end ? best : on_both_sides(area, bay->at, along, true);
     }
 
-    /// To make a rectangle of cells, by which stress below contacts on a rim is right (docs/fracture.md); of an outline
-    /// with bays whatever is convex.
-    bool may_join(const Block& a, const Block& b) const { return !bays_.empty() || make_a_rectangle(a, b); }
-
     /// The smallest first, so that a sliver joins a whole cell rather than another sliver. One that fits nowhere stays.
-    void merge_small(std::vector<Piece>& pieces) const {
+    void merge_small(std::vector<Outline>& pieces) const {
         std::vector<std::pair<double, Outline>> small;
-        for (const Piece& one : pieces)
-            if (const double area = area_of(one.corners); area < least_element_share * grid_.dx * grid_.dz)
-                small.emplace_back(area, one.corners);
+        for (const Outline& one : pieces)
+            if (const double area = area_of(one); area < least_element_share * side_ * side_)
+                small.emplace_back(area, one);
         std::ranges::stable_sort(small, {}, [](const auto& one) { return one.first; });
         for (const auto& [area, corners] : small) {
-            const auto own = std::ranges::find(pieces, corners, &Piece::corners);
+            const auto own = std::ranges::find(pieces, corners);
             if (own == pieces.end()) continue;  // another one joined it
             auto best = pieces.end();
             Outline together;
             double longest = 0;
             for (auto other = pieces.begin(); other != pieces.end(); ++other) {
-                if (other == own || !may_join(own->block, other->block)) continue;
-                const double length = shared(own->corners, other->corners, exact_).length;
+                if (other == own) continue;
+                const double length = shared(*own, *other, exact_).length;
                 if (length <= (1 + 1e-9) * longest) continue;
-                std::optional<Outline> both = united(own->corners, other->corners);
+                std::optional<Outline> both = united(*own, *other);
                 if (!both || both->size() > most_corners) continue;
                 longest = length;
                 best = other;
                 together = tidied(*both, least_);
             }
             if (best == pieces.end()) continue;
-            *best = {united(best->block, own->block), std::move(together)};
+            *best = std::move(together);
             pieces.erase(own);
         }
     }
 
     /// A sliver beside a bay that fits nowhere takes what a neighbour has on its side of one of its edges' lines, so
     /// that the smaller of the two is as large as can be.
-    void enlarge(std::vector<Piece>& pieces, std::size_t small) const {
+    void enlarge(std::vector<Outline>& pieces, std::size_t small) const {
         Outline larger;
         Outline left;
         std::size_t from = small;
-        double smallest = area_of(pieces[small].corners);
+        double smallest = area_of(pieces[small]);
         for (std::size_t n = 0; n < pieces.size(); ++n) {
-            if (n == small || shared(pieces[small].corners, pieces[n].corners, exact_).length == 0) continue;
-            for (std::size_t k = 0; k < pieces[small].corners.size(); ++k) {
-                const Corner normal = outward(pieces[small].corners, k);
-                const double bound = dot(normal, pieces[small].corners[k]);
-                const Outline near = within(pieces[n].corners, {{normal, bound}}, least_);
-                Outline beyond = within(pieces[n].corners, {{-1.0 * normal, -bound}}, least_);
+            if (n == small || shared(pieces[small], pieces[n], exact_).length == 0) continue;
+            for (std::size_t k = 0; k < pieces[small].size(); ++k) {
+                const Corner normal = outward(pieces[small], k);
+                const double bound = dot(normal, pieces[small][k]);
+                const Outline near = within(pieces[n], {{normal, bound}}, least_);
+                Outline beyond = within(pieces[n], {{-1.0 * normal, -bound}}, least_);
                 if (near.size() < 3 || beyond.size() < 3) continue;
-                std::optional<Outline> both = united(pieces[small].corners, near);
+                std::optional<Outline> both = united(pieces[small], near);
                 if (!both || both->size() > most_corners) continue;
                 const double of = std::min(area_of(*both), area_of(beyond));
                 if (of <= smallest) continue;
@@ -273,12 +309,14 @@ class Cutter {
             }
         }
         if (from == small) return;
-        pieces[small].corners = std::move(larger);
-        pieces[from].corners = std::move(left);
+        pieces[small] = std::move(larger);
+        pieces[from] = std::move(left);
     }
 
-    Grid grid_;
+    double side_;
     double least_, exact_;  ///< m: shorter edges go; what is nearer is the same
+    double area_;
+    WaterArea box_;
     std::vector<Outline> parts_;
     std::vector<Bay> bays_;
 };
@@ -307,14 +345,14 @@ CutElement element_of(const Outline& corners, Corners outline, double exact) {
 
 }  // namespace
 
-CutFloe cut_into_elements(Corners outline, double side) {
+CutFloe cut_into_cells(Corners outline, double side, std::uint32_t pattern) {
     const Cutter cutter(outline, side);
-    const std::vector<Piece> pieces = cutter.pieces();
+    const std::vector<Outline> pieces = cutter.pieces(pattern);
     CutFloe floe;
-    for (const Piece& one : pieces) floe.elements.push_back(element_of(one.corners, outline, cutter.exact()));
+    for (const Outline& one : pieces) floe.elements.push_back(element_of(one, outline, cutter.exact()));
     for (std::size_t a = 0; a < pieces.size(); ++a)
         for (std::size_t b = a + 1; b < pieces.size(); ++b) {
-            const Shared common = shared(pieces[a].corners, pieces[b].corners, cutter.exact());
+            const Shared common = shared(pieces[a], pieces[b], cutter.exact());
             if (!(common.length > cutter.shortest_joint())) continue;
             const Corner& from = floe.elements[a].centre;
             const Corner& to = floe.elements[b].centre;
@@ -373,8 +411,9 @@ CutFloe cut_into_squares(int along, int across, double side) {
     return floe;
 }
 
-int count_elements(Corners outline, double side) {
-    return static_cast<int>(Cutter(outline, side).pieces().size());
+int count_cells(Corners outline, double side) {
+    if (is_convex(outline)) return static_cast<int>(cell_count(area_of(outline), side));
+    return static_cast<int>(Cutter(outline, side).pieces(0).size());
 }
 
 Quat turned_to(const Corner& axis) {

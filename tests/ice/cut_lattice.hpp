@@ -88,23 +88,32 @@ class CutLattice {
     /// What a StressField would tell of a joint, without contacts.
     JointLoad load(std::size_t joint) const {
         const CutJoint& one = cut_.joints[joint];
+        const Corner t{-one.normal.z, one.normal.x};
         JointLoad load{.reaction = reaction(joint)};
         for (const int element : {one.a, one.b}) {
-            const Corner size = size_of(in_floe(static_cast<std::size_t>(element)));
-            const double extent = one.normal.x != 0 ? size.x : size.z;
+            double sum = 0;
             for (std::size_t k = 0; k < cut_.joints.size(); ++k) {
                 const CutJoint& other = cut_.joints[k];
-                if ((other.a == element || other.b == element) && (other.normal.x != 0) != (one.normal.x != 0))
-                    load.across += one.length / extent * reaction(k).bending / 4;
+                if (other.a != element && other.b != element) continue;
+                const double way = other.a == element ? 1 : -1;
+                const JointReaction beside = reaction(k);
+                const double moment = way * (beside.bending * dot(other.normal, t) -
+                                             beside.torsion * dot({-other.normal.z, other.normal.x}, t));
+                sum += moment * dot(other.pivot - centre(element), t);
             }
+            load.across += one.length / 2 * sum / cut_.elements[static_cast<std::size_t>(element)].area;
         }
         return load;
     }
 
     /// The prism of an element with its joints, and their numbers.
     PressedElement prism(int element, double crushing_pressure, std::vector<std::size_t>& numbers) const {
-        PressedElement made{in_floe(static_cast<std::size_t>(element)), ice_.thickness, ice_.poisson_ratio,
-                            crushing_pressure};
+        PressedElement made{.corners = in_floe(static_cast<std::size_t>(element)),
+                            .area = cut_.elements[static_cast<std::size_t>(element)].area,
+                            .patch = cut_.squares ? square_patch : cell_patch,
+                            .thickness = ice_.thickness,
+                            .poisson_ratio = ice_.poisson_ratio,
+                            .crushing_pressure = crushing_pressure};
         for (std::size_t k = 0; k < cut_.joints.size(); ++k) {
             const CutJoint& joint = cut_.joints[k];
             if (joint.a != element && joint.b != element) continue;

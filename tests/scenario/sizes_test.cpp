@@ -62,6 +62,7 @@ TEST(Sizes, ListedSharesAreReachedToAFloe) {
 
 TEST(Sizes, AreWholeElementsThatFollowTheLaw) {
     Scenario scenario = mixed(SizeLaw::power_law);
+    scenario.elements.form = ElementForm::squares;
     scenario.sizes.largest_ratio = 2;
     scenario.floe.element = 0.01;  // hardly rounds
     const std::vector<FloeShape> shapes = floe_sizes(scenario);
@@ -119,6 +120,8 @@ TEST(Sizes, WhatCannotBeIsOneSentence) {
     scenario.sizes.list = {{0.4, 0.4, 0.5}, {0.6, 0.6, 0.4}};
     EXPECT_EQ(sentence(scenario), "the shares of sizes.list_m sum to 90 %; they are to sum to 100 %");
     scenario.sizes.list = {{0.4, 0.4, 0.5}, {0.61, 0.6, 0.5}};
+    EXPECT_EQ(sentence(scenario), "") << "cells need no whole sides";
+    scenario.elements.form = ElementForm::squares;
     EXPECT_EQ(sentence(scenario),
               "floe.element_m = 0.05 does not divide the side of 0.61 m in sizes.list_m; the nearest side that does is "
               "0.0508333, or take sizes.element = \"of_floe\"");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,21 +43,62 @@ Outline any_outline(int number) {
 }
 constexpr int all_outlines = 2 * polygons;
 
-TEST(Elements, OfARectangleAreSquares) {
-    const CutFloe floe = cut_into_elements(Outline{{-0.3, -0.2}, {0.3, -0.2}, {0.3, 0.2}, {-0.3, 0.2}}, 0.2);
-    ASSERT_EQ(floe.elements.size(), 6u);
-    for (const CutElement& one : floe.elements) {
-        EXPECT_NEAR(one.area, 0.04, 1e-15);
-        EXPECT_NEAR(one.xx, std::pow(0.2, 4) / 12, 1e-15);
-        EXPECT_EQ(one.corners.size(), 4u);
+/// Of the corners of elements in the floe, without the outline's own, degrees.
+double sharpest_corner(Corners outline, const CutFloe& floe) {
+    double sharpest = 180;
+    for (const CutElement& one : floe.elements)
+        for (std::size_t k = 0; k < one.corners.size(); ++k) {
+            const Corner at = one.centre + from_axes(one.corners, {}, one.axis)[k];
+            const auto is_own = [&](const Corner& corner) { return dot(corner - at, corner - at) < 1e-12; };
+            if (std::ranges::any_of(outline, is_own)) continue;
+            const std::size_t before = k > 0 ? k - 1 : one.corners.size() - 1;
+            const double turn = std::acos(dot(outward(one.corners, before), outward(one.corners, k)));
+            sharpest = std::min(sharpest, 180 - turn * 180 / std::numbers::pi);
+        }
+    return sharpest;
+}
+
+/// As many as squares would be, of much the same area, and none is a triangle.
+TEST(Elements, AreAlikeAndHaveNoSharpCorners) {
+    for (const Outline& outline : {corners_of(0.3, 0.3), corners_of(0.5, 0.3), polygon(3), polygon(8)})
+        for (std::uint32_t pattern = 0; pattern < 32; ++pattern) {
+            const CutFloe floe = cut_into_cells(outline, 0.2, pattern);
+            EXPECT_EQ(static_cast<long>(floe.elements.size()), std::lround(area_of(outline) / 0.04));
+            EXPECT_GT(sharpest_corner(outline, floe), 60) << pattern;
+            for (const CutElement& one : floe.elements) {
+                EXPECT_GT(one.area, 0.55 * 0.04);
+                EXPECT_LT(one.area, 1.6 * 0.04);
+            }
+        }
+}
+
+/// The share of stiffness along a direction, ∑ ℓ s n ⊗ n, is the same along all of them.
+TEST(Elements, HaveNoDirection) {
+    Measures sum;
+    double by_four = 0;
+    for (std::uint32_t pattern = 0; pattern < 64; ++pattern)
+        for (const CutJoint& one : cut_into_cells(corners_of(0.3, 0.3), 0.2, pattern).joints) {
+            const double weight = one.length * one.span;
+            const double along = 2 * one.normal.x * one.normal.x - 1;  // cos 2φ
+            sum.area += weight;
+            sum.xx += weight * along;
+            sum.xz += weight * 2 * one.normal.x * one.normal.z;
+            by_four += weight * (2 * along * along - 1);
+        }
+    EXPECT_NEAR(sum.xx / sum.area, 0, 0.05);
+    EXPECT_NEAR(sum.xz / sum.area, 0, 0.05);
+    EXPECT_NEAR(by_four / sum.area, 0.2, 0.2) << "a grid along the sides has 1, one at 45 degrees -1";
+}
+
+TEST(Elements, AreAPureFunctionOfOutlineAndPattern) {
+    const CutFloe one = cut_into_cells(polygon(4), 0.2, 7);
+    const CutFloe other = cut_into_cells(polygon(4), 0.2, 7);
+    const CutFloe third = cut_into_cells(polygon(4), 0.2, 8);
+    ASSERT_EQ(one.elements.size(), third.elements.size());
+    for (std::size_t i = 0; i < one.elements.size(); ++i) {
+        EXPECT_EQ(one.elements[i].corners, other.elements[i].corners);
+        EXPECT_NE(one.elements[i].corners, third.elements[i].corners);
     }
-    ASSERT_EQ(floe.joints.size(), 7u);
-    for (const CutJoint& one : floe.joints) {
-        EXPECT_NEAR(one.length, 0.2, 1e-14);
-        EXPECT_NEAR(one.span, 0.2, 1e-14);
-    }
-    EXPECT_NEAR(floe.elements[0].centre.x, -0.2, 1e-15);
-    EXPECT_NEAR(floe.elements[0].centre.z, -0.1, 1e-15);
 }
 
 TEST(Elements, KeepAreaCentreAndSecondMoments) {
@@ -64,7 +106,7 @@ TEST(Elements, KeepAreaCentreAndSecondMoments) {
         const Outline outline = any_outline(number);
         const Measures whole = measures_of(outline);
         Measures sum;
-        for (const CutElement& one : cut_into_elements(outline, 0.2).elements) {
+        for (const CutElement& one : cut_into_cells(outline, 0.2).elements) {
             const double c = one.axis.x * one.axis.x;
             const double s = one.axis.z * one.axis.z;
             sum.area += one.area;
@@ -72,17 +114,17 @@ TEST(Elements, KeepAreaCentreAndSecondMoments) {
             sum.xx += c * one.xx + s * one.zz + one.area * one.centre.x * one.centre.x;
             sum.zz += s * one.xx + c * one.zz + one.area * one.centre.z * one.centre.z;
         }
-        EXPECT_NEAR(sum.area, whole.area, 1e-9);
-        EXPECT_NEAR(sum.centroid.x, 0, 1e-9);
-        EXPECT_NEAR(sum.centroid.z, 0, 1e-9);
-        EXPECT_NEAR(sum.xx, whole.xx, 1e-9);
-        EXPECT_NEAR(sum.zz, whole.zz, 1e-9);
+        EXPECT_NEAR(sum.area, whole.area, 1e-8);
+        EXPECT_NEAR(sum.centroid.x, 0, 1e-8);
+        EXPECT_NEAR(sum.centroid.z, 0, 1e-8);
+        EXPECT_NEAR(sum.xx, whole.xx, 1e-8);
+        EXPECT_NEAR(sum.zz, whole.zz, 1e-8);
     }
 }
 
 TEST(Elements, AreConvexLargeEnoughAndConnected) {
     for (int number = 0; number < all_outlines; ++number) {
-        const CutFloe floe = cut_into_elements(any_outline(number), 0.2);
+        const CutFloe floe = cut_into_cells(any_outline(number), 0.2);
         Components pieces(floe.elements.size());
         for (const CutJoint& one : floe.joints) {
             pieces.connect(static_cast<std::size_t>(one.a), static_cast<std::size_t>(one.b));
@@ -93,16 +135,17 @@ TEST(Elements, AreConvexLargeEnoughAndConnected) {
         for (std::size_t i = 0; i < floe.elements.size(); ++i) {
             EXPECT_EQ(pieces.first(i), 0u);
             EXPECT_EQ(fault_of(floe.elements[i].corners), std::nullopt);
-            EXPECT_GT(floe.elements[i].area, (number < polygons ? 0.1 : 0.05) * 0.04) << number;
+            EXPECT_GT(floe.elements[i].area, (number < polygons ? 0.4 : 0.03) * 0.04) << number;
         }
     }
 }
 
-/// Every edge of an element lies on the rim or is shared with a neighbour, to its length.
+/// Every edge of an element lies on the rim or is shared with a neighbour, to its length, unless it is very short.
 TEST(Elements, EdgesAreRimOrJoint) {
+    constexpr double shortest = 0.05 * 0.2;
     for (int number = 0; number < all_outlines; ++number) {
         const Outline outline = any_outline(number);
-        const CutFloe floe = cut_into_elements(outline, 0.2);
+        const CutFloe floe = cut_into_cells(outline, 0.2);
         std::vector<double> held(floe.elements.size());
         double free = 0;
         for (std::size_t k = 0; k < outline.size(); ++k) free += edge_length(outline, k);
@@ -121,20 +164,9 @@ TEST(Elements, EdgesAreRimOrJoint) {
                 if ((one.rim >> k & 1U) == 0) inner += edge_length(one.corners, k);
             }
             if (number >= polygons) continue;  // an edge in line with one of a bay may be both
-            EXPECT_NEAR(inner, held[i], 1e-5) << "polygon " << number << ", element " << i;
+            EXPECT_NEAR(inner, held[i], shortest * static_cast<double>(one.corners.size())) << number << ", " << i;
         }
-        EXPECT_NEAR(sum, all, 1e-5) << "polygon " << number;
-    }
-}
-
-TEST(Elements, OfAnOutlineWithSquareBaysHaveJointsAlongTheGrid) {
-    for (int number = 0; number < 2; ++number) {
-        const Outline outline = with_bays(number);
-        EXPECT_FALSE(is_convex(outline));
-        const CutFloe floe = cut_into_elements(outline, 0.2);
-        EXPECT_EQ(static_cast<int>(floe.elements.size()), count_elements(outline, 0.2));
-        for (const CutJoint& one : floe.joints)
-            EXPECT_NEAR(std::max(std::abs(one.normal.x), std::abs(one.normal.z)), 1, 1e-9) << number;
+        EXPECT_NEAR(sum, all, 0.02 * all) << "polygon " << number;
     }
 }
 
@@ -145,7 +177,7 @@ TEST(Elements, OfACombInOneCellAreFoundAtOnce) {
     for (int k = teeth; k >= 0; --k) ring.push_back({0.24 * k / teeth, k % 2 == 0 ? 0.15 : 0.24});
     const Outline comb = in_axes(ring, measures_of(ring).centroid, {1, 0});
     double sum = 0;
-    for (const CutElement& one : cut_into_elements(comb, 0.2).elements) sum += one.area;
+    for (const CutElement& one : cut_into_cells(comb, 0.2).elements) sum += one.area;
     EXPECT_NEAR(sum, area_of(comb), 1e-9);
 }
 

@@ -58,19 +58,6 @@ TEST(Squares, AreJoinedAtEveryCommonEdgeOnceFromTheMiddleOutwards) {
     EXPECT_EQ(pairs.size(), 4u * 4u + 5u * 3u);
 }
 
-/// As the grid of a polygon has them, but for the order of the joints.
-TEST(Squares, AreThoseOfTheOutline) {
-    const CutFloe squares = cut_into_squares(3, 2, 0.2);
-    const CutFloe cut = cut_into_elements(corners_of(0.3, 0.2), 0.2);
-    ASSERT_EQ(cut.elements.size(), squares.elements.size());
-    ASSERT_EQ(cut.joints.size(), squares.joints.size());
-    for (std::size_t i = 0; i < cut.elements.size(); ++i) {
-        EXPECT_NEAR(cut.elements[i].centre.x, squares.elements[i].centre.x, 1e-12);
-        EXPECT_NEAR(cut.elements[i].centre.z, squares.elements[i].centre.z, 1e-12);
-        EXPECT_NEAR(cut.elements[i].area, squares.elements[i].area, 1e-12);
-    }
-}
-
 TEST(TurnedTo, LooksAlongItsAxis) {
     EXPECT_TRUE((turned_to({1, 0}) * Vec3::UnitX()).isApprox(Vec3::UnitX()));
     EXPECT_TRUE((turned_to({0, 1}) * Vec3::UnitX()).isApprox(Vec3::UnitZ()));

@@ -13,7 +13,7 @@ namespace polygon_water_test {
 
 CutFloe cut_square(double side, double element) {
     const double half = side / 2;
-    return cut_into_elements(Outline{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, element);
+    return cut_into_cells(Outline{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, element);
 }
 
 ElementState state_of(int number) {
@@ -58,7 +58,7 @@ TEST(PolygonWater, RightsATriangleAsItsWaterplaneDoes) {
     const Outline outline{{-0.1, -0.05}, {0.14, -0.05}, {-0.04, 0.1}};
     const Measures measures = measures_of(outline);
     const CutElement element =
-        cut_into_elements(in_axes(outline, measures.centroid, long_axis(measures)), 1).elements[0];
+        cut_into_cells(in_axes(outline, measures.centroid, long_axis(measures)), 1).elements[0];
     const WaterModel polygon(water, 9.81, element, 0.05, 1, 0, 0, Vec2::Zero());
     const double draught = 0.03;
     const double g = 9.81 * water.density;

@@ -37,7 +37,7 @@ WaterModel model_of_polygon(WaterFlow flow, int corners) {
         const double angle = 2 * std::numbers::pi * k / corners;
         outline.push_back({0.1 * std::cos(angle), 0.1 * std::sin(angle)});
     }
-    const CutElement element = cut_into_elements(outline, 1).elements.front();
+    const CutElement element = cut_into_cells(outline, 1).elements.front();
     return {water, 9.81, element, 0.033, 930 * 0.033 * element.area, 0.614, 0.07};
 }
 
