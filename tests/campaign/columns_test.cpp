@@ -38,8 +38,8 @@ TEST(Columns, GiveEachFloeItsOwnShapeAndIce) {
     const Scenario scenario = with_rows(header, two).cases.at(0).scenario;
     const FloeSet floes = floes_of(scenario);
     ASSERT_EQ(floes.size(), 2u);
-    EXPECT_EQ(floes.shape(0), (FloeShape{0.8, 0.4, 0.04, 0.2}));
-    EXPECT_EQ(floes.shape(1), (FloeShape{0.6, 0.6, 0.03, 0.2}));
+    EXPECT_EQ(floes.shape(0), (FloeShape{0.8, 0.4, 0.04, 0.2, {}, 0}));
+    EXPECT_EQ(floes.shape(1), (FloeShape{0.6, 0.6, 0.03, 0.2, {}, 1}));
     EXPECT_EQ(floes.material(0).ice.bending_strength, 50e3);
     EXPECT_EQ(floes.material(1).ice.bending_strength, 60e3);
     EXPECT_EQ(floes.material(1).ice.density, scenario.ice.density);
@@ -75,7 +75,7 @@ TEST(Columns, ArePropertiesOfFloesAndNothingElse) {
 TEST(Columns, HoldANumberInItsRangeForEachFloe) {
     EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m", "7.4,0,0,1\n7,0,0\n"), HasSubstr(":3"));
     EXPECT_THAT(message("x_m,z_m,yaw_deg,ice.thickness_m", "7.4,0,0,0.03\n18.6,1.5,0,-1\n"), HasSubstr("thickness_m"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m", "7.4,0,0,0.6\n18.6,1.5,0,0.7\n"),
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m", "7.4,0,0,0.6\n18.6,1.5,0,0.7\n", "[floe]\nelements = \"squares\"\n"),
                 HasSubstr("floe 1: floe.element_m = 0.2 does not divide floe.length_m = 0.7"));
     EXPECT_THAT(message("x_m,z_m,yaw_deg,ice.density_kg_m3", "7.4,0,0,900\n18.6,1.5,0,1100\n"), HasSubstr("sinks"));
 }

@@ -135,6 +135,8 @@ TEST(Digests, OfATextThatHasAnotherValueOfEveryKey) {
                                                 "arrangement.start",  // a key of then, without effect now
                                                 "general.tolerance_mm_s",
                                                 "joint.failure",
+                                                "floe.elements",
+                                                "floe.elements_draw",
                                                 "ice.fracture_energy_J_m2",
                                                 "water.heave_damping_from",
                                                 "water.added_mass_from",

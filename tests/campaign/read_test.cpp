@@ -235,10 +235,10 @@ TEST(ReadCampaign, EveryMessageIsOneSentence) {
         {"[[case]]\nname = \"a\"\njoint.cmf = 0.2\n",
          "configs/a.toml:3: joint.cmf = 0.2 is not a key; did you mean joint.cfm?"},
         {"[[case]]\nname = \"a\"\ncmf = 0.2\n", "configs/a.toml:3: cmf = 0.2 is not a key; did you mean cfm?"},
-        {"[floe]\nelement_m = 0.25\n",
+        {"[floe]\nelement_m = 0.25\nelements = \"squares\"\n",
          "configs/a.toml:2: floe.element_m = 0.25 does not divide floe.length_m = 0.6; the nearest side that does is "
          "0.3"},
-        {"[floe]\nlength_m = 0.5\n",
+        {"[floe]\nlength_m = 0.5\nelements = \"squares\"\n",
          "configs/a.toml:2: floe.element_m = 0.2 does not divide floe.length_m = 0.5; the nearest side that does is "
          "0.166667"},
         {cases + "floe.element_m = 0.25\n",

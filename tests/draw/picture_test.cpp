@@ -28,6 +28,7 @@ RecordingSubject subject() {
     made.campaign = "quiet";
     made.case_name = "one";
     made.scenario.field.floes = 1;
+    made.scenario.elements.form = ElementForm::squares;
     made.floes = floes_of(made.scenario);
     return made;
 }

@@ -198,6 +198,7 @@ TEST_F(Vtk, FloesAreBrokenFromTheStepInWhichAJointFails) {
 TEST_F(Vtk, ASeriesOfARecordHasEveryPartAtEveryTime) {
     RecordingSubject subject;
     subject.scenario.field.floes = 2;
+    subject.scenario.elements.form = ElementForm::squares;
     subject.floes = floes_of(subject.scenario);
     {
         RecordingWriter recording(folder / "recording.h5", subject);

@@ -79,7 +79,7 @@ TEST(PolygonWater, RightsATriangleAsItsWaterplaneDoes) {
 
 TEST(PolygonWater, IsSharedOutAmongSquaresAsAmongSquares) {
     const WaterBody water{1000, 9.81, 0.1};
-    const CutFloe floe = cut_square(0.6, 0.2);
+    const CutFloe floe = cut_into_squares(3, 3, 0.2);
     std::vector<const CutElement*> elements;
     std::vector<Vec2> centres;
     for (const CutElement& one : floe.elements) {
