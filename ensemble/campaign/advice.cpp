@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string_view>
 
@@ -275,6 +276,16 @@ std::string long_steps(const Case& one) {
         given(scenario, "general.time_step_s"), given(scenario, "structure.speed_m_s"), way);
 }
 
+std::string narrow_gap(const Case& one) {
+    constexpr double few = 2;
+    const std::optional<BankGap> gap = one.scenario.gap();
+    if (!gap || gap->floes >= few) return {};
+    return fmt::format(
+        "{} leaves {:.3g} m between the structure and the bank, {:.3g} sides of a floe; below two the load depends on "
+        "the gap (docs/sea_ice.md), and floes vary has a wider channel",
+        given(one.scenario, "field.half_width_m"), gap->breadth, gap->floes);
+}
+
 std::string light_structure(const Case& one) {
     constexpr double many = 100;
     const Scenario& scenario = one.scenario;
@@ -287,8 +298,9 @@ std::string light_structure(const Case& one) {
         given(scenario, "moorings.mass_t"), ratio, 100 / ratio);
 }
 
-constexpr std::array<Oddity, 8> oddities{large_elements,      thick_elements, little_ice, odd_strength,
-                                         soft_in_compression, few_sweeps,     long_steps, light_structure};
+constexpr std::array<Oddity, 9> oddities{large_elements, thick_elements,      little_ice,
+                                         odd_strength,   soft_in_compression, few_sweeps,
+                                         long_steps,     narrow_gap,          light_structure};
 
 }  // namespace
 

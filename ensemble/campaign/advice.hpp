@@ -17,7 +17,8 @@ std::vector<std::string> floe_words(const Campaign& campaign);
 /// A sentence for each oddity, which names the first case that has it and counts the others:
 /// elements no smaller than the characteristic length l_c = (E T³ / (12 (1 - ν²) ρ_w g))^(1/4) of the ice, within which
 /// it bends and breaks (the paper's advice, with ν = 0.3); elements thicker than wide; hardly any ice; a strength that
-/// no ice has; ice that crushes more easily than it bends; few sweeps; and long steps.
+/// no ice has; ice that crushes more easily than it bends; few sweeps; long steps; a gap between structure and bank of
+/// less than two floes; and a structure that is hardly heavier than a floe.
 std::vector<std::string> advice(const Campaign& campaign);
 
 }  // namespace floes

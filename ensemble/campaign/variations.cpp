@@ -4,73 +4,137 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <ranges>
 
 #include "campaign/campaign_keys.hpp"
+#include "core/units.hpp"
 #include "keys/key.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/validate.hpp"
 
 namespace floes {
 namespace {
 
 constexpr std::string_view base_name = "base";
 
+/// Rounded to so many significant digits.
+double to_digits(double value, int digits) {
+    return std::stod(fmt::format("{:.{}g}", value, digits));
+}
+
+bool in_range(const Key& key) {
+    if (const auto* number = std::get_if<NumberField>(&key.field))
+        return number->range.contains(number->get() / number->unit);
+    if (const auto* whole = std::get_if<IntegerField>(&key.field))
+        return whole->low <= whole->get() && whole->get() <= whole->high;
+    return true;
+}
+
+/// A profile and the slope of a part of it.
+struct TurnedWall {
+    std::vector<std::vector<double>> rows;  ///< of heights and radii, m
+    double slope = 0;                       ///< from the horizontal, degrees
+};
+
+/// The profile with the highest sloped part below the waterline turned by so many degrees about that part's upper end,
+/// so that the waterline stays; what lies below moves along. None where no part slopes or a radius would fall below 0.
+std::optional<TurnedWall> turned_wall(const Shape& shape, double degrees) {
+    if (shape.kind() != HullKind::profile) return {};
+    std::vector<std::vector<double>> rows = shape.rows();
+    auto above = std::ranges::find_if(rows, [](const std::vector<double>& row) { return row[0] > 0; });
+    if (const std::vector<double>& below = *(above - 1); below[0] < 0) {
+        const double slope = ((*above)[1] - below[1]) / ((*above)[0] - below[0]);
+        above = rows.insert(above, std::vector{0.0, to_digits(below[1] - slope * below[0], 7)});
+        ++above;
+    }
+    for (auto upper = above - 1; upper != rows.begin(); --upper) {
+        const double rise = (*upper)[0] - (*(upper - 1))[0];
+        const double run = (*upper)[1] - (*(upper - 1))[1];
+        constexpr double vertical = 1e-6;  // in proportion: what rounding leaves of a run
+        if (rise == 0 || std::abs(run) < vertical * rise) continue;
+        const double slope = std::atan2(rise, std::abs(run)) + degrees * unit::degree;
+        if (slope <= 0) return {};
+        const double shift = run - std::copysign(1, run) * rise / std::tan(slope);
+        for (std::vector<double>& row : std::ranges::subrange(rows.begin(), upper))
+            if (row[1] > 0) row[1] = to_digits(row[1] + shift, 4);  // what is on the axis stays there
+        if (std::ranges::any_of(rows, [](const std::vector<double>& row) { return row[1] < 0; })) return {};
+        return TurnedWall{std::move(rows), slope / unit::degree};
+    }
+    return {};
+}
+
 /// Collects variations of one scenario.
 class Open {
   public:
     explicit Open(const Scenario& scenario) : scenario_(scenario), keys_(describe(scenario_)) {}
 
-    /// The key's number times each factor.
-    void times(const char* path, std::initializer_list<double> factors, const char* why) {
-        const double here = number(path);
-        for (const double factor : factors) to(path, rounded(factor * here), why);
+    /// The keys in which `change` makes the scenario differ. Left out where none has an effect, or what comes out could
+    /// not be run.
+    void vary(std::string name, const char* why, const std::function<void(Scenario&)>& change) {
+        Scenario other = scenario_;
+        change(other);
+        const Keys keys = describe(other);
+        Variation found{std::move(name), why, {}};
+        for (const std::string& path : differing_keys(scenario_, other)) {
+            const Key& key = *find_key(keys, path);
+            if (!in_range(key)) return;
+            found.sets.emplace_back(path, literal(key));
+        }
+        if (!found.sets.empty() && find_contradictions(other).empty()) found_.push_back(std::move(found));
     }
 
-    /// The key's number set to each of these that differs from what it is.
+    /// The key's number set to each of these.
     void at(const char* path, std::initializer_list<double> values, const char* why) {
         for (const double value : values)
-            if (value != number(path)) to(path, value, why);
+            vary(fmt::format("{}_{}", find_key(keys_, path)->name(), number_literal(value)), why, [&](Scenario& other) {
+                const Keys keys = describe(other);
+                const NumberField& field = number(keys, path);
+                field.set(value * field.unit);
+            });
     }
 
-    void word(const char* path, const char* word, const char* why) {
-        const std::string text = text_literal(word);
-        if (in_force(path) && literal(*find_key(keys_, path)) != text)
-            found_.push_back({fmt::format("{}_{}", name(path), word), why, {{path, text}}});
+    /// The key's number times each factor, to four digits: what is varied by a factor is not known better.
+    void times(const char* path, std::initializer_list<double> factors, const char* why) {
+        const NumberField& field = number(keys_, path);
+        for (const double factor : factors) at(path, {to_digits(factor * (field.get() / field.unit), 4)}, why);
     }
 
-    void order(int sweeps, const char* why) {
-        const char* path = "arrangement.ordering_sweeps";
-        const std::string text = fmt::format("{}", sweeps);
-        found_.push_back({fmt::format("{}_{}", name(path), text), why, {{path, text}}});
+    /// A channel of another width with floes in proportion, so that the field keeps its length.
+    void width(double factor, const char* why) {
+        const double half_width = to_digits(factor * scenario_.field.half_width, 4);
+        vary(fmt::format("half_width_{}_m", number_literal(half_width)), why, [&](Scenario& other) {
+            other.field.half_width = half_width;
+            other.field.floes = static_cast<int>(std::lround(factor * scenario_.field.floes));
+        });
     }
 
-    /// Channels of other widths with floes in proportion, so that the field keeps its length.
-    void widths(std::initializer_list<double> factors, const char* why) {
-        for (const double factor : factors) {
-            const int floes = static_cast<int>(std::lround(factor * scenario_.field.floes));
-            const std::string width = number_literal(rounded(factor * number("field.half_width_m")));
-            found_.push_back({fmt::format("half_width_{}_m", width),
-                              why,
-                              {{"field.floes", fmt::format("{}", floes)}, {"field.half_width_m", width}}});
-        }
+    /// A tow of another speed over the same distances. A faster one has shorter steps, so that the structure goes no
+    /// further in one; times stay whole steps.
+    void speed(double factor, const char* why) {
+        const double speed = factor * scenario_.structure.speed;
+        vary(fmt::format("speed_m_s_{}", number_literal(speed)), why, [&](Scenario& other) {
+            other.structure.speed = speed;
+            other.analysis.steady_start /= factor;
+            other.analysis.window /= factor;
+            if (factor > 1) other.general.time_step /= factor;
+        });
+    }
+
+    /// A wall below the waterline that is steeper by so many degrees.
+    void wall(double degrees, const char* why) {
+        const std::optional<TurnedWall> turned = turned_wall(scenario_.structure.shape, degrees);
+        if (!turned) return;
+        vary(fmt::format("wall_deg_{:.1f}", turned->slope), why,
+             [&](Scenario& other) { other.structure.shape.set_profile(turned->rows); });
     }
 
     std::vector<Variation> found() && { return std::move(found_); }
 
   private:
-    static std::string_view name(std::string_view path) { return path.substr(path.find('.') + 1); }
-    /// To four digits: what is varied by a factor is not known better.
-    static double rounded(double value) { return std::stod(fmt::format("{:.4g}", value)); }
-    bool in_force(const char* path) const { return !find_key(keys_, path)->idle(); }
-    double number(const char* path) const {
-        const auto& field = std::get<NumberField>(find_key(keys_, path)->field);
-        return field.get() / field.unit;
-    }
-
-    void to(const char* path, double value, const char* why) {
-        const auto& field = std::get<NumberField>(find_key(keys_, path)->field);
-        if (!in_force(path) || !field.range.contains(value)) return;
-        const std::string text = number_literal(value);
-        found_.push_back({fmt::format("{}_{}", name(path), text), why, {{path, text}}});
+    static const NumberField& number(const Keys& keys, const char* path) {
+        return std::get<NumberField>(find_key(keys, path)->field);
     }
 
     Scenario scenario_;
@@ -81,9 +145,8 @@ class Open {
 /// Fracture energy, J/m², at which the energy of a crack decides and no longer the strength (docs/fracture.md).
 double tough(const Scenario& scenario) {
     const Ice& ice = scenario.ice;
-    const double energy =
-        1.4 * ice.bending_strength * ice.bending_strength * scenario.floe.thickness / ice.elastic_modulus;
-    return std::stod(fmt::format("{:.2g}", energy));
+    return to_digits(1.4 * ice.bending_strength * ice.bending_strength * scenario.floe.thickness / ice.elastic_modulus,
+                     2);
 }
 
 /// The keys that are not as by default, without comments. `base`: the case whose variations all others are; may be
@@ -131,14 +194,19 @@ std::vector<Variation> variations_of(const Scenario& scenario) {
     open.at("ice.fracture_energy_J_m2", {tough(scenario)}, "ice so tough that cracks wait for their energy");
     open.times("contact.ice_ice_friction", {0.5, 2}, "0.02 to 0.7 in the sources of the paper");
     open.times("contact.ice_structure_friction", {0.75, 1.25}, "of a hull whose friction was measured");
-    open.word("water.flow", "still", "the flow past the structure is that of a cylinder");
+    open.vary("flow_still", "the flow past the structure is that of a cylinder",
+              [](Scenario& other) { other.water.flow = WaterFlow::still; });
     open.at("water.form_drag", {0.5, 1.5}, "0.5 to 1.5 in the sources of docs/configuration.md");
     open.at("water.heave_drag", {1.2}, "1.0 to 1.2 of plates and discs");
     open.at("water.added_mass_in_plane", {0.0, 0.2}, "0.04 of fast and 0.18 of slow motion");
     const ArrangementRule& rule = scenario.arrangement;
     if (rule.method == ArrangementMethod::scattered && rule.ordering_sweeps == 0 && !scenario.field.endless())
-        open.order(1000, "floes that have drifted lie in some order");
-    if (!scenario.arrangement.given()) open.widths({1.5}, "ice at sea has no walls");
+        open.vary("ordering_sweeps_1000", "floes that have drifted lie in some order",
+                  [](Scenario& other) { other.arrangement.ordering_sweeps = 1000; });
+    if (!scenario.arrangement.given()) open.width(1.5, "ice at sea has no walls");
+    for (const double degrees : {-2.0, 2.0}) open.wall(degrees, "the load depends on it strongly: docs/validation.md");
+    if (scenario.towed_straight())
+        for (const double factor : {0.5, 2.0}) open.speed(factor, "the load depends on it strongly: docs/sea_ice.md");
     return std::move(open).found();
 }
 

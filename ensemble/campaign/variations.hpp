@@ -16,8 +16,9 @@ struct Variation {
     std::vector<std::pair<std::string, std::string>> sets;  ///< keys and their values as text
 };
 
-/// In the order in which the configuration has its tables. Inputs that have no effect in the scenario are left out, and
-/// so is what the user chose rather than measured: the hull, the tow, the floes' sizes, the far end.
+/// What is rarely measured, then what the load depends on strongly: channel, slope of the wall, speed. Inputs that have
+/// no effect in the scenario are left out, variations that could not be run, and what the user chose rather than
+/// measured: the kind of hull, the floes' sizes, the far end.
 std::vector<Variation> variations_of(const Scenario& scenario);
 
 /// The case as a configuration: the keys that differ from their defaults, the case `base`, and a case for each

@@ -78,6 +78,7 @@ CaseRow case_row(const Case& one) {
             scenario.general.time_step,
             scenario.field,
             scenario.field_length(),
+            scenario.gap(),
             scenario.water.current_velocity(),
             scenario.wind,
             scenario.joint};

@@ -37,8 +37,9 @@ struct CaseRow {
     Analysis analysis;     ///< when the load was measured; its levels are those of CampaignTable
     double time_step = 0;  ///< Δt, s
     Field field = {};
-    double field_length = 0;      ///< m; 0: unknown
-    Vec2 current = Vec2::Zero();  ///< along x and z, m/s
+    double field_length = 0;          ///< m; 0: unknown
+    std::optional<BankGap> gap = {};  ///< Scenario::gap()
+    Vec2 current = Vec2::Zero();      ///< along x and z, m/s
     Wind wind = {};
     Joint joint = {};
 

@@ -104,12 +104,13 @@ int vary(const VaryOptions& options) {
 
 void add_vary(CommandLine& line) {
     auto options = std::make_shared<VaryOptions>();
-    Verb verb = line.verb("vary", "Write a study of what the model leaves open: friction, strength, water, channel");
+    Verb verb =
+        line.verb("vary", "Write a study of what the model leaves open: friction, strength, water, channel, speed");
     verb.option("config", options->file, "The configuration (CONFIG.toml)").required();
     verb.option("--case", options->case_name, "The case to vary, if there are several");
     verb.option("--set", options->overrides, "key=value: override a key of the file; may be repeated");
     verb.footer(
-        "The study goes to standard output. It has the case as it is and some fifteen others, each with one input\n"
+        "The study goes to standard output. It has the case as it is and some twenty others, each with one input\n"
         "changed as far as it is usually unknown; edit it as you know better. Eight arrangements and more say "
         "something.\n\n"
         "  floes vary my.toml --set campaign.arrangements=12 > varied.toml\n"

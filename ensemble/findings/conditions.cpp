@@ -98,6 +98,12 @@ std::string channel_words(const CaseRow& row) {
     return words;
 }
 
+std::string gap_words(const CaseRow& row) {
+    if (!row.gap) return "none, as the sides are open or the structure goes along a path";
+    return fmt::format("{:.3g} m between the structure and the bank, {:.3g} sides of a floe", row.gap->breadth,
+                       row.gap->floes);
+}
+
 std::string direction_words(double speed, double direction) {
     return fmt::format("{:.3g} m/s towards {:.0f}°", speed, direction / unit::degree);
 }
@@ -162,6 +168,8 @@ std::vector<std::string> condition_lines(const Summary& summary) {
         summary, "Structure wall", [](const CaseRow& row) { return row.shape.words(); }, lines);
     if (std::ranges::all_of(summary.cases, [](const CaseSummary& row) { return row.about.field_length > 0; }))
         add_condition(summary, "Channel", channel_words, lines);
+    if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return row.about.gap.has_value(); }))
+        add_condition(summary, "Gap", gap_words, lines);
     add_condition(
         summary, "Far end", [](const CaseRow& row) { return far_end_words(row.far_end); }, lines);
     if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return drift_words(row.about) != "none"; }))
@@ -179,6 +187,8 @@ std::vector<std::string> condition_lines(const Summary& summary) {
 std::vector<Condition> conditions() {
     using Row = const CaseRow&;
     return {{"structure_wall", [](Row row) { return Datum(row.shape.words()); }},
+            {"gap", [](Row row) { return row.gap ? Datum(row.gap->breadth) : Datum(Absent{}); }},
+            {"gap_floes", [](Row row) { return row.gap ? Datum(row.gap->floes) : Datum(Absent{}); }},
             {"far_end", [](Row row) { return Datum(far_end_key(row.far_end)); }},
             {"contact_erp", [](Row row) { return Datum(row.contact.erp); }},
             {"friction", [](Row row) { return Datum(word(friction_words, row.contact.friction)); }},

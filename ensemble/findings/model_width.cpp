@@ -51,6 +51,13 @@ LoadChange change_between(const std::map<int, double>& base, const std::map<int,
     return {{found.difference, found.interval.low, found.interval.high}, found.standard_error, false};
 }
 
+/// Paths of the keys that differ, without a time step that follows another key: of a faster tow.
+std::string input_of(const Scenario& base, const Scenario& other) {
+    std::vector<std::string> keys = differing_keys(base, other);
+    if (keys.size() > 1) std::erase(keys, "general.time_step_s");
+    return fmt::format("{}", fmt::join(keys, ", "));
+}
+
 /// One load over all inputs: down (sign -1) or up (sign 1).
 double together(const std::vector<VariationRow>& rows, std::size_t load, double sign) {
     std::map<std::string, const LoadChange*> largest;
@@ -111,9 +118,8 @@ std::optional<ModelWidth> find_model_width(const Evidence& evidence) {
     std::set<std::string> inputs;
     for (std::size_t k = 0; k < cases.size(); ++k) {
         if (k == *base || evidence.sample.done(k).size() < 2) continue;
-        const auto keys = differing_keys(cases[*base].scenario, cases[k].scenario);
         VariationRow& row =
-            width.variations.emplace_back(VariationRow{k, fmt::format("{}", fmt::join(keys, ", ")), {}});
+            width.variations.emplace_back(VariationRow{k, input_of(cases[*base].scenario, cases[k].scenario), {}});
         for (std::size_t load = 0; load < of_base.size(); ++load)
             row.changes.push_back(
                 change_between(of_base[load], values_of(evidence.sample, k, width.widths[load].quantity)));

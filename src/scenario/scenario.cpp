@@ -150,4 +150,10 @@ double Scenario::field_end() const {
     return field.begin + field_length();
 }
 
+std::optional<BankGap> Scenario::gap() const {
+    if (field.sides == FieldSides::open || path.any()) return {};
+    const double breadth = field.half_width - structure.shape.waterline_radius();
+    return BankGap{breadth, breadth / std::sqrt(area_of_floes(*this) / field.floes)};
+}
+
 }  // namespace floes

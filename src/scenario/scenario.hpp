@@ -5,6 +5,7 @@
 #include <compare>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -361,6 +362,12 @@ struct Analysis {
     double peak_separation = 5;                     ///< s, between peaks of the averaged load that count as two
 };
 
+/// What is open to ice between the structure and the bank, the ice sheet on either side of it.
+struct BankGap {
+    double breadth = 0;  ///< m, at the waterline
+    double floes = 0;    ///< the same in sides of a floe: of the square of their mean area
+};
+
 struct Scenario {
     General general;
     Ice ice;
@@ -387,6 +394,8 @@ struct Scenario {
     double window_behind() const;  ///< likewise field.behind
     double closing_speed() const;  ///< of the field, or that of the tow, m/s
     bool towed_straight() const { return !path.any() && !moorings.give_way(); }
+    /// Where the structure starts; none where the sides are open, or a path takes it elsewhere.
+    std::optional<BankGap> gap() const;
     std::vector<PathPlace> places() const;  ///< of a path, places_of() it; empty without one
     double reach() const;                   ///< m, how far ahead of its start it comes, without its moorings
     double towed() const;                   ///< m, how far the structure goes in a run, along its path

@@ -32,8 +32,24 @@ TEST(Advice, SaysWhatIsOdd) {
         {"ice.compressive_strength_kPa = 30", "ice is several times stronger in compression"},
         {"general.iterations = 1", "general.iterations = 1 leaves contacts unsolved"},
         {"general.time_step_s = 0.1", "structure.speed_m_s = 0.07 take the structure 0.007 m on in each step"},
+        {"field.half_width_m = 1.25",
+         "case E60: field.half_width_m = 1.25 leaves 0.636 m between the structure and the bank, 1.06 sides of a "
+         "floe; below two the load depends on the gap (docs/sea_ice.md), and floes vary has a wider channel."},
     };
     for (const auto& [text, sentence] : odd) EXPECT_THAT(advice_for(text), ElementsAre(HasSubstr(sentence))) << text;
+}
+
+// 0.636 m beside the structure, and floes whose mean area is that of squares of 0.6 m or of 0.3 m.
+TEST(Advice, OfTheGapIsAboutStraightTowsBetweenBanks) {
+    const std::string narrow = "field.half_width_m = 1.25\n";
+    EXPECT_THAT(advice_for(narrow + "[sizes]\nlaw = \"list\"\nlist_m = [[0.9, 0.4, 100]]\n"
+                                    "[floe]\nelement_m = 0.1\n"),
+                ElementsAre(HasSubstr("1.06 sides of a floe")));
+    EXPECT_THAT(advice_for(narrow + "floe.length_m = 0.3\nfloe.breadth_m = 0.3\nfloe.element_m = 0.1\n"
+                                    "analysis.steady_start_s = 30\nanalysis.window_s = 30\n"),
+                IsEmpty());
+    EXPECT_THAT(advice_for(narrow + "field.sides = \"open\"\n"), IsEmpty());
+    EXPECT_THAT(advice_for(narrow + "path.legs = [[0.0, 0.07, 270.0, 0.01]]\n"), IsEmpty());
 }
 
 TEST(Advice, NamesTheOtherCasesOfOneOddity) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "campaign/read.hpp"
 #include "core/error.hpp"
@@ -15,7 +16,9 @@
 namespace floes {
 namespace variations_test {
 
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 Campaign of(const Scenario& scenario) {
     Campaign campaign;
@@ -35,6 +38,18 @@ Scenario mine() {
     return scenario;
 }
 
+Scenario case_of(const Campaign& campaign, const std::string& name) {
+    const auto found = std::ranges::find(campaign.cases, name, &Case::name);
+    if (found == campaign.cases.end()) throw InputError("no case is " + name);
+    return found->scenario;
+}
+
+std::vector<std::string> names_of(const Scenario& scenario) {
+    std::vector<std::string> names;
+    for (const Variation& one : variations_of(scenario)) names.push_back(one.name);
+    return names;
+}
+
 TEST(Variations, TextHasTheCaseAsItIsAndOneChangeInEachOther) {
     const Campaign campaign = of(mine());
     const Campaign read =
@@ -45,27 +60,81 @@ TEST(Variations, TextHasTheCaseAsItIsAndOneChangeInEachOther) {
     ASSERT_EQ(base_case(read), 0U);
     EXPECT_EQ(differences(read.cases[0].scenario, campaign.cases[0].scenario), std::vector<std::string>{});
     EXPECT_GE(read.cases.size(), 15U);
+    // What follows another key.
+    const std::map<std::string, std::size_t> several{
+        {"half_width_3.6_m", 2}, {"speed_m_s_0.035", 3}, {"speed_m_s_0.14", 4}};
     for (std::size_t k = 1; k < read.cases.size(); ++k) {
+        const auto found = several.find(read.cases[k].name);
         const std::size_t changed = differences(read.cases[0].scenario, read.cases[k].scenario).size();
-        EXPECT_EQ(changed, read.cases[k].name.starts_with("half_width") ? 2U : 1U) << read.cases[k].name;
+        EXPECT_EQ(changed, found == several.end() ? 1U : found->second) << read.cases[k].name;
     }
-    const auto rough = std::ranges::find(read.cases, "ice_ice_friction_0.4", &Case::name);
-    ASSERT_NE(rough, read.cases.end());
-    EXPECT_EQ(rough->scenario.contact.ice_ice_friction, 0.4);
-    const auto wide = std::ranges::find(read.cases, "half_width_3.6_m", &Case::name);
-    ASSERT_NE(wide, read.cases.end());
-    EXPECT_EQ(wide->scenario.field.floes, 225);
-    EXPECT_NEAR(wide->scenario.field_length(), mine().field_length(), 1e-9);
+    EXPECT_EQ(case_of(read, "ice_ice_friction_0.4").contact.ice_ice_friction, 0.4);
+    const Scenario wide = case_of(read, "half_width_3.6_m");
+    EXPECT_EQ(wide.field.floes, 225);
+    EXPECT_NEAR(wide.field_length(), mine().field_length(), 1e-9);
+}
+
+TEST(Variations, OfTheSpeedCoverTheSameDistances) {
+    const Campaign campaign = of(mine());
+    const Campaign read =
+        read_campaign({variations_text(campaign, campaign.cases[0]), "varied.toml", {}, true}, nullptr);
+    const double way = mine().structure.speed * mine().general.time_step;
+    for (const char* name : {"speed_m_s_0.035", "speed_m_s_0.14"}) {
+        const Scenario other = case_of(read, name);
+        EXPECT_NEAR(other.towed(), mine().towed(), 1e-12) << name;
+        EXPECT_NEAR(other.structure.speed * other.analysis.window, 0.07 * 60, 1e-12) << name;
+        EXPECT_LE(other.structure.speed * other.general.time_step, way) << name;
+    }
+    Scenario turning = mine();
+    turning.path.legs = {{.heading = 0, .speed = 0.07, .time = 300, .turn = 0.001}};
+    EXPECT_THAT(names_of(turning), Not(Contains(HasSubstr("speed")))) << "the speed is the path's";
+}
+
+/// Radii of the variation's profile.
+std::vector<std::vector<double>> profile_of(const Scenario& scenario, const std::string& name) {
+    const Campaign campaign = of(scenario);
+    return case_of(read_campaign({variations_text(campaign, campaign.cases[0]), "varied.toml", {}, true}, nullptr),
+                   name)
+        .structure.shape.rows();
+}
+
+TEST(Variations, OfTheWallTurnItBelowTheWaterline) {
+    using Rows = std::vector<std::vector<double>>;
+    // The default: atan(0.443/0.169) = 69.12°, so the radius is 0.614 - 0.443/tan(67.12°), and with 71.12°.
+    EXPECT_EQ(profile_of(mine(), "wall_deg_67.1"), (Rows{{-0.443, 0.427}, {0, 0.614}, {0.122, 0.736}}));
+    EXPECT_EQ(profile_of(mine(), "wall_deg_71.1"), (Rows{{-0.443, 0.4625}, {0, 0.614}, {0.122, 0.736}}));
+    Scenario straight = mine();  // the wall above the waterline stays
+    straight.structure.shape = Shape({{-0.4, 0.2}, {0.2, 0.8}});
+    EXPECT_EQ(profile_of(straight, "wall_deg_43.0"), (Rows{{-0.4, 0.1711}, {0, 0.6}, {0.2, 0.8}}));
+    Scenario up = mine();  // steeper is steeper for a cone that narrows upwards, too
+    up.structure.shape = Shape({{-0.4, 1.0}, {0, 0.6}, {0.2, 0.4}});
+    EXPECT_EQ(profile_of(up, "wall_deg_43.0"), (Rows{{-0.4, 1.029}, {0, 0.6}, {0.2, 0.4}}));
+    Scenario skirt = mine();  // a vertical wall above a sloped one, and a flat bottom
+    skirt.structure.shape = Shape({{-0.6, 0}, {-0.6, 0.2}, {-0.5, 0.2}, {-0.1, 0.6}, {0.2, 0.6}});
+    EXPECT_EQ(profile_of(skirt, "wall_deg_43.0").front(), (std::vector<double>{-0.6, 0}));
+    EXPECT_EQ(profile_of(skirt, "wall_deg_43.0").at(2), (std::vector<double>{-0.5, 0.1711}));
+    Scenario vertical = mine();
+    vertical.structure.shape = Shape({{-0.4, 0.6}, {0, 0.6}, {0.1, 0.7}});
+    Scenario cylinder = mine();
+    cylinder.structure.shape = Shape(HullKind::cylinder, {.diameter = 1.2, .draught = 0.4, .freeboard = 0.1});
+    for (const Scenario& scenario : {vertical, cylinder})
+        EXPECT_THAT(names_of(scenario), Not(Contains(HasSubstr("wall"))));
+}
+
+TEST(Variations, LeaveOutWhatCouldNotBeRun) {
+    Scenario scenario = mine();
+    scenario.analysis.averaging = {15};  // longer than a segment of the window of a tow of twice the speed
+    EXPECT_THAT(names_of(scenario),
+                testing::AllOf(Contains("speed_m_s_0.035"), Not(Contains("speed_m_s_0.14")), Contains("flow_still")));
 }
 
 TEST(Variations, LeaveOutWhatHasNoEffect) {
-    for (const Variation& one : variations_of(sweeping_scenario())) {
-        EXPECT_THAT(one.name, testing::Not(HasSubstr("added_mass"))) << "shares have none in the plane";
-        EXPECT_THAT(one.name, testing::Not(HasSubstr("elastic_modulus"))) << "follows Σ";
-    }
+    EXPECT_THAT(names_of(sweeping_scenario()), Not(Contains(HasSubstr("added_mass"))))
+        << "shares have none in the plane";
+    EXPECT_THAT(names_of(sweeping_scenario()), Not(Contains(HasSubstr("elastic_modulus")))) << "follows Σ";
     Scenario still;
     still.water.flow = WaterFlow::still;
-    for (const Variation& one : variations_of(still)) EXPECT_THAT(one.name, testing::Not(HasSubstr("flow")));
+    EXPECT_THAT(names_of(still), testing::AllOf(Contains("heave_drag_1.2"), Not(Contains(HasSubstr("flow")))));
 }
 
 // Whatever is varied, what comes out can be run.

@@ -243,7 +243,22 @@ TEST(Conditions, SayWhatHoldsAndDrivesTheIce) {
     EXPECT_THAT(lines,
                 testing::Contains("Channel: 2.5 m wide (2.5 times the hull at the waterline), field 4.61 m long, "
                                   "between ice sheets; its sheets press with 20 N/m (E200)."));
+    EXPECT_THAT(lines, Not(testing::Contains(testing::StartsWith("Gap"))));
     EXPECT_THAT(lines, testing::Contains("Drift: current 0.1 m/s towards 90°, wind 5 m/s towards 0° (E200)."));
+}
+
+TEST(Conditions, HaveTheGapBesideTheStructure) {
+    CampaignTable table = example::campaign();
+    for (CaseRow& row : table.cases) row.gap = BankGap{0.636, 1.06};
+    EXPECT_THAT(condition_lines(summarise(table)),
+                testing::Contains("Gap: 0.636 m between the structure and the bank, 1.06 sides of a floe."));
+    table.cases[2].gap.reset();
+    EXPECT_THAT(condition_lines(summarise(table)),
+                testing::Contains("Gap: none, as the sides are open or the structure goes along a path (E200)."));
+    const json cases = json::parse(summary_json(summarise(table))).at("cases");
+    EXPECT_EQ(cases.at(0).at("gap"), 0.636);
+    EXPECT_EQ(cases.at(0).at("gap_floes"), 1.06);
+    EXPECT_FALSE(cases.at(2).contains("gap"));
 }
 
 TEST(Conditions, SayWhichCasesDiffer) {

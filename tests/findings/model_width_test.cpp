@@ -90,6 +90,23 @@ TEST(ModelWidth, ComparesOtherFloesWithoutPairs) {
     EXPECT_NEAR(still->changes.front().standard_error, std::sqrt(2 * 6.0 / 8), 1e-12);  // variance of 0 to 7 is 6
 }
 
+TEST(ModelWidth, TakesAFasterTowInShorterStepsForTheInputOfASlowerOne) {
+    Evidence evidence = varied({30, 27, 34, 33}, 0);
+    evidence.campaign.cases[1].scenario = evidence.campaign.cases[2].scenario = {};
+    evidence.campaign.cases[1].scenario.structure.speed = 0.035;
+    evidence.campaign.cases[1].scenario.analysis.window = 300;
+    evidence.campaign.cases[2].scenario.structure.speed = 0.14;
+    evidence.campaign.cases[2].scenario.analysis.window = 75;
+    evidence.campaign.cases[2].scenario.general.time_step = 0.01;
+    const std::optional<ModelWidth> width = find_model_width(evidence);
+    ASSERT_TRUE(width);
+    EXPECT_EQ(width->inputs, 2U);
+    EXPECT_EQ(width->variations.front().input, "structure.speed_m_s, analysis.window_s");
+    evidence.campaign.cases[2].scenario = {};
+    evidence.campaign.cases[2].scenario.general.time_step = 0.01;
+    EXPECT_EQ(find_model_width(evidence)->variations.front().input, "general.time_step_s") << "by itself it is one";
+}
+
 TEST(ModelWidth, SaysWhichIsLarger) {
     Evidence evidence = varied({30, 27, 34, 33}, 0);
     EXPECT_EQ(width_sentence(find_model_width(evidence), {}),
