@@ -44,7 +44,7 @@ std::optional<TurnedWall> turned_wall(const Shape& shape, double degrees) {
     if (shape.kind() != HullKind::profile) return {};
     std::vector<std::vector<double>> rows = shape.rows();
     auto above = std::ranges::find_if(rows, [](const std::vector<double>& row) { return row[0] > 0; });
-    if (const std::vector<double>& below = *(above - 1); below[0] < 0) {
+    if (const std::vector<double>& below = *(above - 1); below[0] < 0 && below[1] != (*above)[1]) {
         const double slope = ((*above)[1] - below[1]) / ((*above)[0] - below[0]);
         above = rows.insert(above, std::vector{0.0, to_digits(below[1] - slope * below[0], 7)});
         ++above;
@@ -114,7 +114,7 @@ class Open {
     /// further in one; times stay whole steps.
     void speed(double factor, const char* why) {
         const double speed = factor * scenario_.structure.speed;
-        vary(fmt::format("speed_m_s_{}", number_literal(speed)), why, [&](Scenario& other) {
+        vary(fmt::format("speed_m_s_{:.4g}", speed), why, [&](Scenario& other) {
             other.structure.speed = speed;
             other.analysis.steady_start /= factor;
             other.analysis.window /= factor;

@@ -104,8 +104,7 @@ int vary(const VaryOptions& options) {
 
 void add_vary(CommandLine& line) {
     auto options = std::make_shared<VaryOptions>();
-    Verb verb =
-        line.verb("vary", "Write a study of what the model leaves open: friction, strength, water, channel, speed");
+    Verb verb = line.verb("vary", "Write a study of what the model leaves open: friction, strength, water, channel");
     verb.option("config", options->file, "The configuration (CONFIG.toml)").required();
     verb.option("--case", options->case_name, "The case to vary, if there are several");
     verb.option("--set", options->overrides, "key=value: override a key of the file; may be repeated");

@@ -19,7 +19,7 @@ struct LoadChange {
 
 struct VariationRow {
     std::size_t of_case = 0;
-    std::string input;                ///< paths of the keys that differ: variations of one input share it
+    std::string input;                ///< keys that differ, but for a step that follows; its variations share it
     std::vector<LoadChange> changes;  ///< by load
 };
 

@@ -19,6 +19,9 @@ TEST(Scenario, DefaultsAreThePapersField) {
     EXPECT_NEAR(scenario.field_end(), 24.9, 1e-12);
     EXPECT_EQ(scenario.step_count(), 13500);
     EXPECT_EQ(scenario.first_window_step(), 6000);
+    ASSERT_TRUE(scenario.gap());
+    EXPECT_NEAR(scenario.gap()->breadth, 2.4 - 0.614, 1e-12);
+    EXPECT_NEAR(scenario.gap()->floes, (2.4 - 0.614) / 0.6, 1e-12);
 }
 
 TEST(ScenarioKeys, PathsAreUniqueAndNamed) {
