@@ -73,6 +73,7 @@ Campaign with_case(const Campaign& whole, int case_index, const CaseRow& stored)
     campaign.cases = {std::move(one)};
     campaign.design = {};
     campaign.stop = {};
+    campaign.run.base_case.clear();  // of the whole
     return campaign;
 }
 
