@@ -34,7 +34,7 @@ Section convergence_section(Evidence& evidence);
 /// Failed joints over time as means over arrangements, for each mode in which some joint failed.
 Section failures_section(Evidence& evidence);
 
-/// How often each joint of a floe failed, and in which modes, in the most loaded cases, except those whose floes differ
+/// Where the joints of a floe failed, how often and in which modes, in the most loaded cases, except those whose floes differ
 /// in shape. Empty where no joint failed.
 Section joint_failures_section(Evidence& evidence);
 

@@ -50,20 +50,22 @@ std::string mode_name(int mode) {
                : failure_mode_names.at(static_cast<std::size_t>(mode));
 }
 
-/// How often joints failed in one floe of one member of a case, 0 to 1, by where they are: in fields of half an element,
-/// row after row.
+/// How often joints failed in one floe of one member of a case, 0 to 1, by where they are: in fields of half an
+/// element, row after row.
 struct CaseFailures {
     std::string name;
     FloeShape floe;
     int floes;
     int columns, rows;
-    std::vector<double> joints;          ///< in each field, of all floes
-    std::vector<double> failed;          ///< of them, in a member
-    std::map<int, double> of_mode{};     ///< sum over the joints of a floe
+    std::vector<double> joints;       ///< in each field, of all floes
+    std::vector<double> failed;       ///< of them, in a member
+    std::map<int, double> of_mode{};  ///< sum over the joints of a floe
     double total = 0;
 
     std::size_t field_of(const Corner& at) const {
-        const auto place = [](double share, int count) { return std::clamp(static_cast<int>(share * count), 0, count - 1); };
+        const auto place = [](double share, int count) {
+            return std::clamp(static_cast<int>(share * count), 0, count - 1);
+        };
         return static_cast<std::size_t>(place(0.5 + at.x / floe.length, columns) +
                                         columns * place(0.5 + at.z / floe.breadth, rows));
     }
@@ -78,9 +80,16 @@ std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case)
     if (!floes.alike() || (scenario.shapes.any() && !scenario.shapes.from_file())) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = floes.shapes.front();
-    const auto count = [&](double extent) { return std::max(1, static_cast<int>(std::lround(2 * extent / floe.element))); };
-    CaseFailures found{evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), count(floe.length),
-                       count(floe.breadth), {}, {}};
+    const auto count = [&](double extent) {
+        return std::max(1, static_cast<int>(std::lround(2 * extent / floe.element)));
+    };
+    CaseFailures found{evidence.summary.label_of(of_case),
+                       floe,
+                       static_cast<int>(floes.size()),
+                       count(floe.length),
+                       count(floe.breadth),
+                       {},
+                       {}};
     found.joints.resize(static_cast<std::size_t>(found.columns) * static_cast<std::size_t>(found.rows), 0.0);
     found.failed = found.joints;
     std::vector<std::vector<std::size_t>> fields;  // of the joints of each shape
@@ -136,11 +145,12 @@ Figure panel(const CaseFailures& found, double largest) {
     for (std::size_t field = 0; field < found.joints.size(); ++field) {
         if (found.joints[field] == 0) continue;
         const double x = -floe.length / 2 + wide * static_cast<double>(field % static_cast<std::size_t>(found.columns));
-        const double z = -floe.breadth / 2 + high * static_cast<double>(field / static_cast<std::size_t>(found.columns));
+        const double z =
+            -floe.breadth / 2 + high * static_cast<double>(field / static_cast<std::size_t>(found.columns));
         figure.cell(x + 0.04 * wide, z + 0.04 * high, 0.92 * wide, 0.92 * high, found.share(field) / largest, "heat");
         if (found.joints.size() <= most_numbers)
-            figure.text(x + wide / 2, z + 0.44 * high, fmt::format("{:.1f}", found.share(field) / unit::percent), "middle",
-                        "key");
+            figure.text(x + wide / 2, z + 0.44 * high, fmt::format("{:.1f}", found.share(field) / unit::percent),
+                        "middle", "key");
     }
     return figure;
 }
@@ -195,7 +205,8 @@ Section joint_failures_section(Evidence& evidence) {
         if (found.total > 0) section.notes.push_back(sentence(found));
     }
     section.figures.back().caption =
-        "How often joints failed by where they are in the floe, % of the joints there of all floes of all members; floes "
+        "How often joints failed by where they are in the floe, % of the joints there of all floes of all members; "
+        "floes "
         "lie at every angle to the tow. All cases have the same colours." +
         undrawn_text(evidence.summary);
     return section;

@@ -101,10 +101,10 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                      .piece = static_cast<int>(first),
                      .crushing_pressure = pressure});
         if (by_stress_)
-            stress_.put_element(first + index, elements_[first + index].body, one.axis,
-                                {from_axes(one.corners, {}, one.axis), one.area,
-                                 cut->squares ? square_patch : cell_patch, shape.thickness,
-                                 material.ice.poisson_ratio, crushing});
+            stress_.put_element(
+                first + index, elements_[first + index].body, one.axis,
+                {from_axes(one.corners, {}, one.axis), one.area, cut->squares ? square_patch : cell_patch,
+                 shape.thickness, material.ice.poisson_ratio, crushing});
     }
     for (std::size_t number = 0; number < cut->joints.size(); ++number) {
         const CutJoint& joint = cut->joints[number];
@@ -384,8 +384,7 @@ std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
     const Turned now = turned(world, joint);
     const double smooth = fibre_tension(smoothed(load), strength.section).stress / strength.section.flexural_strength;
     const double energy = strength.crack_energy * fibre_tension(load, strength.section).facing;
-    const double over =
-        cracking(used.share, smooth, strength.stiffness, now.angle, energy, strength.length_over_span);
+    const double over = cracking(used.share, smooth, strength.stiffness, now.angle, energy, strength.length_over_span);
     if (!(over > 1)) return std::nullopt;
     floes_[static_cast<std::size_t>(joint.floe)].cracked = true;
     joint.crack.emplace(cohesive_law(strength.stiffness, now.angle / over, energy));

@@ -23,8 +23,7 @@ JointSpring beam_joint(const ElasticIce& ice, double width, double span) {
     const double square = span * span;
     const double shear_flexibility =
         12 * ice.flexural_rigidity() / (5.0 / 6.0 * shear_modulus * ice.thickness * square);
-    return {.force = {stretching, 12 * bending / (square * (1 + shear_flexibility)),
-                      stretching},
+    return {.force = {stretching, 12 * bending / (square * (1 + shear_flexibility)), stretching},
             .moment = {bending, stretching * width * width / 12, bending},
             .damping_ratio = ice.damping_ratio};
 }
@@ -100,14 +99,14 @@ bool may_fail(const JointReaction& r, double across, double by_contacts, const I
     const double shear = thresholds.shear * rounding;
     return !(fibre < section.flexural_strength * rounding &&
              r.shear_vertical * r.shear_vertical + r.shear_in_plane * r.shear_in_plane < shear * shear &&
-             -r.axial < thresholds.compression * rounding &&
-             in_plane < section.tensile_strength * rounding &&
+             -r.axial < thresholds.compression * rounding && in_plane < section.tensile_strength * rounding &&
              std::abs(r.torsion) < thresholds.torsion * rounding &&
              std::abs(r.in_plane_bending) < thresholds.in_plane_bending * rounding);
 }
 
 Utilisation utilisation(const JointLoad& load, const IceSection& section, const Thresholds& thresholds) {
-    Utilisation worst{std::max(0.0, fibre_tension(load, section).stress / section.flexural_strength), FailureMode::bending};
+    Utilisation worst{std::max(0.0, fibre_tension(load, section).stress / section.flexural_strength),
+                      FailureMode::bending};
     const auto meet = [&](double share, FailureMode mode) {
         if (share > worst.share) worst = {share, mode};
     };

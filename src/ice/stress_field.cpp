@@ -119,9 +119,9 @@ double most_contact_stress(const PressedElement& element) {
                                        interior_stress_per_decade(1, element.thickness, element.poisson_ratio));
     // A tension s along a rim is s cos² φ along the normal with a shear of s cos φ sin φ, together at most:
     const double with_shear = 0.5 * (1 + std::numbers::sqrt2);
-    return with_shear * per_decade * decades(felt_radius(0, element.thickness),
-                                              std::max(element.patch.inside.share, element.patch.at_edge.share) *
-                                                  std::sqrt(element.area));
+    return with_shear * per_decade *
+           decades(felt_radius(0, element.thickness),
+                   std::max(element.patch.inside.share, element.patch.at_edge.share) * std::sqrt(element.area));
 }
 
 namespace {

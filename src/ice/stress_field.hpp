@@ -6,8 +6,8 @@
 //   Δσ = C log10(b_L / b₀),   C = stress per decade, at an edge or inside
 //
 // b_L is the radius of the circle below which the formula has the stress that the joint shows: a constant times the
-// element's size, less the nearer the contact is to the joint (docs/fracture.md). Near a second free edge, a corner, the
-// logarithm ends at the distance to it.
+// element's size, less the nearer the contact is to the joint (docs/fracture.md). Near a second free edge, a corner,
+// the logarithm ends at the distance to it.
 
 #include <cmath>
 #include <cstdint>
@@ -84,8 +84,8 @@ struct PressedElement {
     std::vector<ElementJoint> joints{};
 };
 
-/// What a contact adds at a joint of its element; nothing if another joint within 45 degrees of its direction is nearer,
-/// since one crack forms below a contact. `press`: in the axes of the floe from the centroid.
+/// What a contact adds at a joint of its element; nothing if another joint within 45 degrees of its direction is
+/// nearer, since one crack forms below a contact. `press`: in the axes of the floe from the centroid.
 std::optional<LocalStress> contact_stress(const PressedElement& element, const Press& press, std::size_t joint);
 
 /// The most that a force of 1 N can add at any of the joints, its shear included, wherever it acts, Pa.

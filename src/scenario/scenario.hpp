@@ -216,9 +216,9 @@ struct FloeShape {
 
     static constexpr int squares = -1;
 
-    int elements_long() const;                                                             ///< squares along x, at least 1
-    int elements_broad() const;                                                            ///< along z, at least 1
-    double elements() const;                                                               ///< of the whole floe
+    int elements_long() const;   ///< squares along x, at least 1
+    int elements_broad() const;  ///< along z, at least 1
+    double elements() const;     ///< of the whole floe
     double area() const { return outline.empty() ? length * breadth : area_of(outline); }  ///< m²
     bool is_polygon() const { return !outline.empty(); }
     bool has_squares() const { return pattern == squares && !is_polygon(); }

@@ -84,10 +84,10 @@ void add_floe(Keys& keys, FloeShape& floe) {
         number_key("floe.length_m", floe.length, unit::one, size, "Table 1", "Length of a floe along its own x."));
     keys.push_back(
         number_key("floe.breadth_m", floe.breadth, unit::one, size, "Table 1", "Breadth of a floe along its own z."));
-    keys.push_back(number_key(
-        "floe.element_m", floe.element, unit::one, size, "Table 1",
-        "Side of a square of the area of an element. Floes break only between elements, so it is the least size of their "
-        "pieces. Squares have to divide length and breadth."));
+    keys.push_back(number_key("floe.element_m", floe.element, unit::one, size, "Table 1",
+                              "Side of a square of the area of an element. Floes break only between elements, so it is "
+                              "the least size of their "
+                              "pieces. Squares have to divide length and breadth."));
 }
 
 void add_elements(Keys& keys, Elements& elements, const Joint& joint) {
@@ -97,12 +97,14 @@ void add_elements(Keys& keys, Elements& elements, const Joint& joint) {
     };
     keys.push_back(with_beams(word_key(
         "floe.elements", elements.form, {"squares", "cells"}, "no load knows their direction; docs/fracture.md",
-        "What floes are cut into. cells: of a centroidal Voronoi diagram, which have no direction. squares: a grid along "
+        "What floes are cut into. cells: of a centroidal Voronoi diagram, which have no direction. squares: a grid "
+        "along "
         "the floe's sides, as in the paper; polygons have cells all the same. With joint.model = \"cfm\" they are "
         "squares.")));
-    keys.push_back(with_beams(integer_key("floe.elements_draw", elements.draw, 0, 1'000'000, "the first",
-                                          "Number of the draw of the cells. Cases that differ in it alone have the same "
-                                          "floes cut in another way: what of the scatter is the cells'.")));
+    keys.push_back(
+        with_beams(integer_key("floe.elements_draw", elements.draw, 0, 1'000'000, "the first",
+                               "Number of the draw of the cells. Cases that differ in it alone have the same "
+                               "floes cut in another way: what of the scatter is the cells'.")));
 }
 
 void add_joint(Keys& keys, Joint& joint) {

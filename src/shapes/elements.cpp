@@ -164,7 +164,9 @@ class Cutter {
             const double share = area_of(cell) / mean;
             if (share < least_area_share || share > most_area_share) return false;
             for (std::size_t k = 0; k < cell.size(); ++k) {
-                const auto is_own = [&](const Corner& one) { return dot(one - cell[k], one - cell[k]) < least_ * least_; };
+                const auto is_own = [&](const Corner& one) {
+                    return dot(one - cell[k], one - cell[k]) < least_ * least_;
+                };
                 const std::size_t before = k > 0 ? k - 1 : cell.size() - 1;
                 if (dot(outward(cell, before), outward(cell, k)) < cosine_of_most_turn &&
                     std::ranges::none_of(outline, is_own))

@@ -2,10 +2,10 @@
 // A floe cut into convex elements that joints hold together.
 //
 // An outline, which may have bays, is cut into the cells of a Voronoi diagram of points that were thrown into it and
-// relaxed until no cell has a sharp corner. Such cells have no direction, so neither has the ice (docs/fracture.md). A cell in which the
-// outline bends inwards is cut there, along an edge of the bay, until its pieces are convex. What keeps little of a cell
-// becomes part of the neighbour with which it shares the longest edge, where the two are convex; so no ice is lost. The
-// paper's floes are rectangles cut into squares.
+// relaxed until no cell has a sharp corner. Such cells have no direction, so neither has the ice (docs/fracture.md). A
+// cell in which the outline bends inwards is cut there, along an edge of the bay, until its pieces are convex. What
+// keeps little of a cell becomes part of the neighbour with which it shares the longest edge, where the two are convex;
+// so no ice is lost. The paper's floes are rectangles cut into squares.
 
 #include <cstdint>
 #include <vector>
@@ -66,8 +66,8 @@ inline constexpr std::size_t most_bayed_corners = 2 * most_outline_corners;
 /// Cells keep at least this share of their area, or are merged.
 inline constexpr double least_element_share = 0.3;
 
-/// The elements of an outline about its centroid: as many cells as its area over that of a square of `side`, m, rounded.
-/// `pattern`: which draw of the points from which they come.
+/// The elements of an outline about its centroid: as many cells as its area over that of a square of `side`, m,
+/// rounded. `pattern`: which draw of the points from which they come.
 CutFloe cut_into_cells(Corners outline, double side, std::uint32_t pattern = 0);
 
 /// How many elements that makes.

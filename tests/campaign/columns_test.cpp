@@ -75,8 +75,9 @@ TEST(Columns, ArePropertiesOfFloesAndNothingElse) {
 TEST(Columns, HoldANumberInItsRangeForEachFloe) {
     EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m", "7.4,0,0,1\n7,0,0\n"), HasSubstr(":3"));
     EXPECT_THAT(message("x_m,z_m,yaw_deg,ice.thickness_m", "7.4,0,0,0.03\n18.6,1.5,0,-1\n"), HasSubstr("thickness_m"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m", "7.4,0,0,0.6\n18.6,1.5,0,0.7\n", "[floe]\nelements = \"squares\"\n"),
-                HasSubstr("floe 1: floe.element_m = 0.2 does not divide floe.length_m = 0.7"));
+    EXPECT_THAT(
+        message("x_m,z_m,yaw_deg,floe.length_m", "7.4,0,0,0.6\n18.6,1.5,0,0.7\n", "[floe]\nelements = \"squares\"\n"),
+        HasSubstr("floe 1: floe.element_m = 0.2 does not divide floe.length_m = 0.7"));
     EXPECT_THAT(message("x_m,z_m,yaw_deg,ice.density_kg_m3", "7.4,0,0,900\n18.6,1.5,0,1100\n"), HasSubstr("sinks"));
 }
 

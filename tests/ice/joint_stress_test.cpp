@@ -25,7 +25,8 @@ Thresholds no_others() {
 
 TEST(FibreStress, OfABeamIsThatOfItsMomentWithTheThrust) {
     EXPECT_NEAR(fibre_tension({{.bending = bending_strength}}, section).stress, 36.4e3, 1e-6);
-    EXPECT_NEAR(fibre_tension({{.bending = -bending_strength}}, section).stress, 36.4e3, 1e-6) << "hogging pulls the upper one";
+    EXPECT_NEAR(fibre_tension({{.bending = -bending_strength}}, section).stress, 36.4e3, 1e-6)
+        << "hogging pulls the upper one";
     EXPECT_NEAR(fibre_tension({{.axial = -area * 10e3, .bending = bending_strength}}, section).stress, 26.4e3, 1e-6);
     EXPECT_NEAR(fibre_tension({{.axial = area * 10e3}}, section).stress, 10e3, 1e-6);
 }
@@ -37,7 +38,8 @@ TEST(FibreStress, OfATwistIsAtFortyFiveDegrees) {
 
 TEST(FibreStress, BelongsToTheJointAlongWhichItPulls) {
     const JointLoad across{.reaction = {}, .across = bending_strength};
-    EXPECT_NEAR(fibre_tension(across, section).stress, 0.3 * 36.4e3, 1e-6) << "the joints beside it crack, not this one";
+    EXPECT_NEAR(fibre_tension(across, section).stress, 0.3 * 36.4e3, 1e-6)
+        << "the joints beside it crack, not this one";
     const JointLoad both{.reaction = {.bending = bending_strength}, .across = bending_strength};
     EXPECT_NEAR(fibre_tension(both, section).stress, 1.3 * 36.4e3, 1e-6) << "a bowl: D (1 + ν) κ";
 }

@@ -58,7 +58,8 @@ Bent bent(const Strip& strip) {
     const CutFloe& cut = ice.cut(0);
     const auto area_at = [&](double end) {
         double area = 0;
-        for (const CutElement& one : cut.elements) area += (end > 0 ? 1 : -1) * strip.place(one) > half - 0.4 ? one.area : 0;
+        for (const CutElement& one : cut.elements)
+            area += (end > 0 ? 1 : -1) * strip.place(one) > half - 0.4 ? one.area : 0;
         return area;
     };
     const Vec3 about = Vec3(-strip.along().z, 0, strip.along().x);
@@ -112,7 +113,8 @@ TEST_P(Strips, HaveTheStressOfABeamAtAnyAngle) {
     EXPECT_LT(std::ranges::max(used) / expected, 1.2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ice, Strips, testing::Values(0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0, 150.0, 165.0));
+INSTANTIATE_TEST_SUITE_P(Ice, Strips,
+                         testing::Values(0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0, 105.0, 120.0, 135.0, 150.0, 165.0));
 
 class PolygonsThatPart : public testing::TestWithParam<Outline> {};
 
@@ -131,7 +133,8 @@ TEST_P(PolygonsThatPart, LoseTheEnergyOfTheCrack) {
     FloeSet floes = alone(scenario, outline, side);
     FloeShape& shape = floes.shapes.front();
     const auto is_oblique = [&](int pattern) {
-        const double towards = std::abs(cut_into_cells(shape.outline, side, static_cast<std::uint32_t>(pattern)).joints[0].normal.x);
+        const double towards =
+            std::abs(cut_into_cells(shape.outline, side, static_cast<std::uint32_t>(pattern)).joints[0].normal.x);
         return towards > 0.75 && towards < 0.97;
     };
     shape.pattern = 0;

@@ -87,7 +87,7 @@ def main(floes, config):
         figures = looked_at(folder / "report.html")
     if len(figures) < 12:
         sys.exit(f"only {len(figures)} figures: {[figure['name'] for figure in figures]}")
-    check(figures, ("by angle and height", "by height on", "along the tow", "seen from above", "each joint of a floe"),
+    check(figures, ("by angle and height", "by height on", "along the tow", "seen from above", "the joints of a floe"),
           250, 120, labels=True)
 
 

@@ -39,8 +39,7 @@ TEST(Shapes, PolygonsHaveTheAreasOfTheirRectangles) {
         EXPECT_TRUE(std::abs(shape.area() - 0.16) < 1e-6 || std::abs(shape.area() - 0.72) < 1e-6);
         EXPECT_NEAR(measures_of(shape.outline).centroid.x, 0, 1e-6);
         EXPECT_NEAR(size_of(shape.outline).x, shape.length, 1e-12);
-        EXPECT_EQ(shape.elements(),
-                  static_cast<double>(cut_into_cells(shape.outline, shape.element).elements.size()));
+        EXPECT_EQ(shape.elements(), static_cast<double>(cut_into_cells(shape.outline, shape.element).elements.size()));
     }
     EXPECT_EQ(small, 15);
 }

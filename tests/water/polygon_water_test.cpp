@@ -57,8 +57,7 @@ TEST(PolygonWater, RightsATriangleAsItsWaterplaneDoes) {
     water.form_drag = water.skin_drag = water.heave_drag = 0;
     const Outline outline{{-0.1, -0.05}, {0.14, -0.05}, {-0.04, 0.1}};
     const Measures measures = measures_of(outline);
-    const CutElement element =
-        cut_into_cells(in_axes(outline, measures.centroid, long_axis(measures)), 1).elements[0];
+    const CutElement element = cut_into_cells(in_axes(outline, measures.centroid, long_axis(measures)), 1).elements[0];
     const WaterModel polygon(water, 9.81, element, 0.05, 1, 0, 0, Vec2::Zero());
     const double draught = 0.03;
     const double g = 9.81 * water.density;
