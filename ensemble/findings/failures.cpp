@@ -73,11 +73,13 @@ struct CaseFailures {
 };
 
 /// None where floes differ in more than their elements, from each other or from one arrangement to the next: their
-/// places are not the same.
+/// places are not the same. Nor in a field without end if they differ in these: floes are numbered as they enter it,
+/// and not as they are drawn.
 std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case) {
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
     const FloeSet floes = floes_of(scenario);
     if (!floes.alike() || (scenario.shapes.any() && !scenario.shapes.from_file())) return std::nullopt;
+    if (scenario.field.endless() && floes.shapes.size() > 1) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = floes.shapes.front();
     const auto count = [&](double extent) {
@@ -206,8 +208,7 @@ Section joint_failures_section(Evidence& evidence) {
     }
     section.figures.back().caption =
         "How often joints failed by where they are in the floe, % of the joints there of all floes of all members; "
-        "floes "
-        "lie at every angle to the tow. All cases have the same colours." +
+        "floes lie at every angle to the tow. All cases have the same colours." +
         undrawn_text(evidence.summary);
     return section;
 }

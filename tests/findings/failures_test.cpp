@@ -54,6 +54,16 @@ TEST(Failures, AreNamedByTheirModes) {
                 ElementsAre("E30: 1.0 joints failed in a member: in-plane bending 75 %, tension 25 %."));
 }
 
+/// Where floes are numbered as they enter, a number does not tell which cells a floe has.
+TEST(Failures, OfCellsInAFieldWithoutEndHaveNoPlaces) {
+    Evidence of = evidence({{0, 20, 0, 0, tension}, {0, 30, 190, 15, tension}});
+    for (Case& one : of.campaign.cases) one.scenario.field.far_end = FarEnd::never;
+    EXPECT_THAT(joint_failures_section(of).figures, IsEmpty());
+    for (Case& one : of.campaign.cases) one.scenario.elements.form = ElementForm::squares;
+    of.breaks->back().joint = 11;
+    EXPECT_THAT(joint_failures_section(of).figures, testing::Not(IsEmpty()));
+}
+
 TEST(Failures, MayBeNone) {
     Evidence of = evidence({});
     EXPECT_EQ(failures_section(of).before, "No joint failed in any member.\n");
