@@ -50,6 +50,7 @@ void check_whole_steps(const Scenario& scenario, double time, const std::string&
 }  // namespace
 
 void check_sides(const Scenario& scenario, Contradictions& found) {
+    if (scenario.has_cells()) return;
     check_side(scenario, scenario.floe.length, "floe.length_m", found);
     if (scenario.floe.breadth != scenario.floe.length)
         check_side(scenario, scenario.floe.breadth, "floe.breadth_m", found);
@@ -57,7 +58,7 @@ void check_sides(const Scenario& scenario, Contradictions& found) {
 
 void check_elements(const Scenario& scenario, Contradictions& found) {
     if (scenario.sizes.law != SizeLaw::one || scenario.shapes.from_file()) return;  // others have looked at those
-    if (!scenario.shapes.any() && !scenario.has_cells()) check_sides(scenario, found);
+    if (!scenario.shapes.any()) check_sides(scenario, found);
     if (!scenario.arrangement.columns.empty()) return;  // check_given_floes() counts those
     check_element_count(scenario, scenario.floe.elements() * scenario.field.floes, found);
 }

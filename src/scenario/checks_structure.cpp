@@ -434,7 +434,7 @@ void check_given_floes(const Scenario& scenario, Contradictions& found) {
             alike.ice = floes.material(i).ice;
             alike.joint = floes.material(i).joint;
             Contradictions of_floe;
-            if (!scenario.has_cells()) check_sides(alike, of_floe);
+            check_sides(alike, of_floe);
             check_floating(alike, of_floe);
             check_proportions(alike, of_floe);
             for (Contradiction& one : of_floe) {

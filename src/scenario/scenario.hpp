@@ -209,7 +209,7 @@ struct FloeShape {
     double length = 0.6;       ///< L_i along the floe's own x, m
     double breadth = 0.6;      ///< B_i along the floe's own z, m
     double thickness = 0.033;  ///< T_i = T_e, m
-    double element = 0.2;      ///< L_e, m; divides length and breadth
+    double element = 0.2;      ///< L_e, m; squares divide length and breadth
     /// About its centroid, in the floe's own axes; length and breadth are its extents then. Empty: a rectangle.
     Outline outline{};
     int pattern = squares;  ///< which draw of cells it is cut into; rectangles alone may be cut into squares

@@ -29,8 +29,8 @@ void check_sizes(const Scenario& scenario, Contradictions& found);   ///< laws o
 void check_traced(const Scenario& scenario, Contradictions& found);  ///< outlines of a file are floes
 void check_shapes(const Scenario& scenario, Contradictions& found);  ///< nothing that polygons cannot do yet
 void check_spread(const Scenario& scenario, Contradictions& found);  ///< laws of the ice give ice that can be computed
-void check_elements(const Scenario& scenario, Contradictions& found);  ///< floes are whole elements, not too many
-void check_sides(const Scenario& scenario, Contradictions& found);     ///< floes are whole elements
+void check_elements(const Scenario& scenario, Contradictions& found);  ///< floes are whole squares, not too many
+void check_sides(const Scenario& scenario, Contradictions& found);     ///< floes are whole squares
 void check_element_count(const Scenario& scenario, double elements, Contradictions& found);  ///< of all floes
 void check_proportions(const Scenario& scenario, Contradictions& found);  ///< sheets that bend a little, and a field
 void check_solver(const Scenario& scenario, Contradictions& found);       ///< it refuses nothing that it is to do
