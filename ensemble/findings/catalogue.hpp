@@ -34,8 +34,8 @@ Section convergence_section(Evidence& evidence);
 /// Failed joints over time as means over arrangements, for each mode in which some joint failed.
 Section failures_section(Evidence& evidence);
 
-/// Where the joints of a floe failed, how often and in which modes, in the most loaded cases, except those whose floes differ
-/// in shape. Empty where no joint failed.
+/// Where the joints of a floe failed, how often and in which modes, in the most loaded cases, except those whose floes
+/// differ in shape. Empty where no joint failed.
 Section joint_failures_section(Evidence& evidence);
 
 /// How the floes of the member with the largest load lay at the start, and which of them broke. Empty where no member
