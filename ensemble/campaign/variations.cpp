@@ -207,6 +207,8 @@ std::vector<Variation> variations_of(const Scenario& scenario) {
     for (const double degrees : {-2.0, 2.0}) open.wall(degrees, "the load depends on it strongly: docs/validation.md");
     if (scenario.towed_straight())
         for (const double factor : {0.5, 2.0}) open.speed(factor, "the load depends on it strongly: docs/sea_ice.md");
+    if (scenario.joint.fails_by_stress())
+        open.times("general.time_step_s", {0.5}, "how a floe answers a blow takes short steps: docs/fracture.md");
     return std::move(open).found();
 }
 

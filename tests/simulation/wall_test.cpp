@@ -79,6 +79,46 @@ TEST(Wall, IsLoadedByAFloeThatIsPushedUnderAsStaticsHasIt) {
     }
 }
 
+// A blow on a floe that lies free: without friction the wall pushes along its normal n, r from the floe's centre, and the
+// rim takes up the wall's speed along n. The floe and the water that moves with it resist with the mass
+// 1/m_n = 1/m + (r x n)²/I, so the impulse is m_n V sin α along n: the load of floes that are struck as often for each
+// metre of the tow grows with V².
+TEST(Wall, IsStruckByAFloeAndTheWaterThatItMoves) {
+    const double angle = std::atan2(0.443, 0.614 - 0.445);
+    const double carried = 1 + 4.4;
+    const double mass = carried * 930 * 0.6 * 0.6 * 0.033;
+    const double inertia = mass * (0.6 * 0.6 + 0.033 * 0.033) / 12;
+    const double arm = 0.3 * std::cos(angle) - 0.5 * 0.033 * std::sin(angle);
+    const double struck = 1 / (1 / mass + arm * arm / inertia);
+    for (const double speed : {0.05, 0.1, 0.2, 0.4}) {
+        Scenario scenario = pushed_under(0);
+        scenario.structure.shape = Shape({{-0.443, 0.445}, {0.122, 0.445 + 0.565 / std::tan(angle)}});
+        scenario.structure.speed = speed;
+        scenario.general.time_step = 5e-4 / speed;
+        scenario.floe.element = 0.6;
+        scenario.field.far_end = FarEnd::open;
+        scenario.field.concentration = 0.05;
+        scenario.contact.normal = NormalLaw::rigid;
+        scenario.contact.split_impulse = false;
+        scenario.water.added_mass_from = WaterFrom::share;
+        scenario.water.added_mass = carried - 1;
+        scenario.analysis.window = 10;
+        Simulation simulation(scenario, floes_at(scenario, std::vector<PlanarPose>{{2.302, 0, 0}}));
+        double surge = 0;
+        double heave = 0;
+        for (int steps = 0; steps < 3;) {
+            simulation.step();
+            surge += simulation.loads().surge.back() * scenario.general.time_step;
+            heave += simulation.loads().heave.back() * scenario.general.time_step;
+            if (surge > 0) ++steps;
+            ASSERT_LT(simulation.time(), 0.05 / speed + 2);
+        }
+        const double impulse = struck * speed * std::sin(angle);
+        EXPECT_NEAR(surge, impulse * std::sin(angle), 0.03 * impulse) << speed;
+        EXPECT_NEAR(heave, impulse * std::cos(angle), 0.03 * impulse) << speed;
+    }
+}
+
 double mean_of(const std::vector<double>& values, int first) {
     double sum = 0;
     for (std::size_t i = static_cast<std::size_t>(first); i < values.size(); ++i) sum += values[i];
