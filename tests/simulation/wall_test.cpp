@@ -79,10 +79,10 @@ TEST(Wall, IsLoadedByAFloeThatIsPushedUnderAsStaticsHasIt) {
     }
 }
 
-// A blow on a floe that lies free: without friction the wall pushes along its normal n, r from the floe's centre, and the
-// rim takes up the wall's speed along n. The floe and the water that moves with it resist with the mass
-// 1/m_n = 1/m + (r x n)²/I, so the impulse is m_n V sin α along n: the load of floes that are struck as often for each
-// metre of the tow grows with V².
+// A blow on a floe that lies free: without friction the wall pushes along its normal n, r from the floe's centre, and
+// the rim takes up the wall's speed along n. The floe and the water that moves with it resist with the mass 1/m_n = 1/m
+// + (r x n)²/I, so the impulse is m_n V sin α along n: the load of floes that are struck as often for each metre of the
+// tow grows with V².
 TEST(Wall, IsStruckByAFloeAndTheWaterThatItMoves) {
     const double angle = std::atan2(0.443, 0.614 - 0.445);
     const double carried = 1 + 4.4;
