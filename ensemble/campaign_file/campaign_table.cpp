@@ -1,4 +1,5 @@
 #include "campaign_file/campaign_table.hpp"
+#include "campaign/case_words.hpp"
 #include "core/undefined.hpp"
 
 #include <algorithm>
@@ -81,7 +82,9 @@ CaseRow case_row(const Case& one) {
             scenario.gap(),
             scenario.water.current_velocity(),
             scenario.wind,
-            scenario.joint};
+            scenario.joint,
+            floe_words(scenario),
+            motion_words(scenario)};
 }
 
 CampaignTable table_without_members(const Campaign& campaign) {

@@ -42,6 +42,8 @@ struct CaseRow {
     Vec2 current = Vec2::Zero();      ///< along x and z, m/s
     Wind wind = {};
     Joint joint = {};
+    std::string floes = {};   ///< floe_words()
+    std::string motion = {};  ///< motion_words()
 
     double window_steps() const { return analysis.window / time_step; }
 };

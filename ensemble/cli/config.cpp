@@ -19,6 +19,7 @@
 
 #include "campaign/advice.hpp"
 #include "campaign/campaign_keys.hpp"
+#include "campaign/case_words.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
@@ -106,7 +107,7 @@ std::string check_line(const Campaign& campaign) {
     std::string text = fmt::format("ok: {} x {} = {}{}\n", counted(std::ssize(campaign.cases), "case"),
                                    counted(campaign.arrangements, "arrangement"),
                                    counted(member_count(campaign), "member"), calibrated);
-    for (const std::string& sentence : floe_words(campaign)) text += sentence + "\n";
+    for (const std::string& sentence : case_words(campaign)) text += sentence + "\n";
     for (const std::string& sentence : advice(campaign)) text += "but " + sentence + "\n";
     return text;
 }

@@ -109,8 +109,7 @@ std::vector<std::string> load_sentences(const Evidence& evidence, const DesignLo
 }
 
 std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignLoads& designs) {
-    std::vector<std::string> sentences{"Brackets are 95 % confidence intervals over arrangements.",
-                                       field_words(evidence.campaign)};
+    std::vector<std::string> sentences{"Brackets are 95 % confidence intervals over arrangements."};
     Summary stated = evidence.summary;
     if (const std::optional<std::size_t> base = base_case(evidence.campaign)) {
         stated.cases = {stated.cases[*base]};

@@ -164,6 +164,12 @@ std::string far_end_key(FarEnd far_end) {
 
 std::vector<std::string> condition_lines(const Summary& summary) {
     std::vector<std::string> lines;
+    if (std::ranges::none_of(summary.cases, [](const CaseSummary& row) { return row.about.floes.empty(); })) {
+        add_condition(
+            summary, "Ice", [](const CaseRow& row) { return row.floes; }, lines);
+        add_condition(
+            summary, "Structure", [](const CaseRow& row) { return row.motion; }, lines);
+    }
     add_condition(
         summary, "Structure wall", [](const CaseRow& row) { return row.shape.words(); }, lines);
     if (std::ranges::all_of(summary.cases, [](const CaseSummary& row) { return row.about.field_length > 0; }))
@@ -206,38 +212,6 @@ std::vector<Condition> conditions() {
 }
 
 namespace {
-
-const char* placing_words(ArrangementMethod method) {
-    switch (method) {
-        case ArrangementMethod::monte_carlo:
-            return "in equilibrium";
-        case ArrangementMethod::lattice:
-            return "on a jittered lattice";
-        case ArrangementMethod::file:
-            return "as given in a file";
-        case ArrangementMethod::traced:
-            return "as traced";
-        case ArrangementMethod::scattered:
-            break;
-    }
-    return "scattered at random";
-}
-
-template <class Of>
-std::string range_over(const Campaign& campaign, const Of& of) {
-    std::vector<double> values;
-    for (const Case& one : campaign.cases) values.push_back(of(one.scenario));
-    return range_text(values);
-}
-
-std::string placing_over(const Campaign& campaign) {
-    std::vector<std::string> words;
-    for (const Case& one : campaign.cases) {
-        const std::string own = placing_words(one.scenario.arrangement.method);
-        if (std::ranges::find(words, own) == words.end()) words.push_back(own);
-    }
-    return fmt::format("{}", fmt::join(words, " or "));
-}
 
 /// Values of a key, each with the names of its cases, in order of appearance.
 using Values = std::vector<std::pair<std::string, std::vector<std::string>>>;
@@ -302,17 +276,6 @@ std::string design_line(const Campaign& campaign) {
 std::string range_text(const std::vector<double>& values) {
     const auto [least, most] = std::ranges::minmax(values);
     return least == most ? fmt::format("{:.4g}", least) : fmt::format("{:.4g} to {:.4g}", least, most);
-}
-
-std::string field_words(const Campaign& campaign) {
-    using S = const Scenario&;
-    const std::string floes = range_over(campaign, [](S s) { return static_cast<double>(s.field.floes); });
-    return fmt::format("{} {} of {} m x {} m x {} m at {} %, {}; structure towed at {} m/s.", floes,
-                       floes == "1" ? "floe" : "floes", range_over(campaign, [](S s) { return s.floe.length; }),
-                       range_over(campaign, [](S s) { return s.floe.breadth; }),
-                       range_over(campaign, [](S s) { return s.floe.thickness; }),
-                       range_over(campaign, [](S s) { return s.field.concentration / unit::percent; }),
-                       placing_over(campaign), range_over(campaign, [](S s) { return s.structure.speed; }));
 }
 
 std::vector<std::string> variation_lines(const Campaign& campaign, const Summary& summary) {
@@ -401,8 +364,7 @@ Section what_was_run(Evidence& evidence) {
     return {.before = fmt::format("{}, each over up to {}: {} done, {} set aside as failed, {} not computed.\n",
                                   counted(std::ssize(evidence.summary.cases), "case"),
                                   counted(evidence.campaign.arrangements, "random arrangement"),
-                                  counted(done, "simulation"), failed, missing) +
-                      field_words(evidence.campaign) + "\n",
+                                  counted(done, "simulation"), failed, missing),
             .figures = std::move(figures)};
 }
 

@@ -58,9 +58,6 @@ std::vector<Condition> conditions();
 /// "0.02", "0.02 to 0.04": the least and the largest of the values.
 std::string range_text(const std::vector<double>& values);
 
-/// "24 floes of 0.6 m x 0.6 m x 0.02 to 0.04 m at 75 %, scattered at random; structure towed at 0.1 m/s."
-std::string field_words(const Campaign& campaign);
-
 /// A sentence for each key in which the cases differ, "Varies: thickness 0.02 m (soft), 0.03 m (stiff, open)."; of a
 /// design one for its axes. At most a handful, and then how many more.
 std::vector<std::string> variation_lines(const Campaign& campaign, const Summary& summary);

@@ -240,15 +240,6 @@ double ConvexSolid::volume() const {
     return std::get<Polyhedron>(form).volume();
 }
 
-double ConvexSolid::volume_below(double height) const {
-    const double level = height - place.y();
-    const auto* round = std::get_if<Frustum>(&form);
-    if (round == nullptr) return std::get<Polyhedron>(form).cut({Vec3::UnitY(), level}).volume();
-    if (level <= round->bottom_height) return 0;
-    if (level >= round->top_height) return volume();
-    return frustum_volume(level - round->bottom_height, round->bottom_radius, round->radius_at(level));
-}
-
 std::vector<Vec2> ConvexSolid::section(double height, int sides) const {
     const double level = height - place.y();
     std::vector<Vec2> outline;

@@ -113,7 +113,6 @@ struct ConvexSolid {
     int part_at(const Vec3& point) const;
 
     double volume() const;                                      ///< m³
-    double volume_below(double height) const;                   ///< of what lies below the height, m³
     std::vector<Vec2> section(double height, int sides) const;  ///< outline in (x, z); round ones as regular polygons
     /// Points whose hull it is, round ones with regular polygons of `sides` sides round them.
     std::vector<Vec3> corners(int sides) const;

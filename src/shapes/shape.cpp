@@ -139,7 +139,8 @@ std::optional<std::string> Shape::fault_of_pieces() const {
     const std::set<std::string> names(given.begin(), given.end());
     if (names.size() < given.size() || names.contains("")) return "has parts without a name of their own";
     if (!(bottom() < 0 && top() > 0)) return "does not reach above and below the water; set hull.waterline_m";
-    if (!(waterplane_area() > 0)) return "cuts nothing out of the water";
+    const auto has_area = [](const ConvexSolid& one) { return area_of(one.section(0, round_sides)) > 0; };
+    if (std::ranges::none_of(file_solids_, has_area)) return "cuts nothing out of the water";
     return std::nullopt;
 }
 
@@ -321,30 +322,6 @@ double union_volume(std::span<const ConvexSolid> solids) {
 
 double Shape::volume() const {
     return union_volume(solids());
-}
-
-double Shape::displacement() const {
-    double volume = 0;
-    for (const ConvexSolid& solid : solids()) volume += solid.volume_below(0);
-    return volume;
-}
-
-double Shape::waterplane_area() const {
-    if (is_of_revolution()) {
-        const double radius = waterline_radius();
-        return std::numbers::pi * radius * radius;
-    }
-    double area = 0;
-    for (const ConvexSolid& solid : pieces().solids) {
-        const auto* round = std::get_if<Frustum>(&solid.form);
-        if (round != nullptr) {
-            const double radius = round->radius_at(-solid.place.y());
-            area += std::numbers::pi * radius * radius;
-        } else {
-            area += area_of(solid.section(0, round_sides));
-        }
-    }
-    return area;
 }
 
 std::vector<std::vector<Vec2>> Shape::waterlines() const {

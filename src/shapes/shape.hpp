@@ -129,9 +129,7 @@ class Shape {
     double top() const;                           ///< height of the upper end, m
     double draught() const { return -bottom(); }  ///< m
 
-    double volume() const;           ///< m³; where pieces overlap it counts once
-    double displacement() const;     ///< of what is below the water, m³; sums up pieces
-    double waterplane_area() const;  ///< m²; likewise
+    double volume() const;  ///< m³; where pieces overlap it counts once
 
     /// What it cuts out of the water, an outline for each piece, m in (x, z).
     std::vector<std::vector<Vec2>> waterlines() const;

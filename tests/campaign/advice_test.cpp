@@ -52,6 +52,17 @@ TEST(Advice, OfTheGapIsAboutStraightTowsBetweenBanks) {
     EXPECT_THAT(advice_for(narrow + "path.legs = [[0.0, 0.07, 270.0, 0.01]]\n"), IsEmpty());
 }
 
+// A cylinder of 1.228 m with a draught of 0.443 m displaces 0.5247 t.
+TEST(Advice, OfAMassIsAboutTheWaterThatTheHullDisplaces) {
+    const std::string moored =
+        "[structure]\nprofile_m = [[-0.443, 0.614], [0.122, 0.614]]\n[moorings]\ngyration_m = 0.44\nsurge_kN_m = "
+        "0.8\nsway_kN_m = 0.7\nyaw_kN_m_rad = 0.1\n";
+    EXPECT_THAT(advice_for(moored + "mass_t = 0.3\n"),
+                testing::Contains(HasSubstr("moorings.mass_t = 0.3 is 57.2 % of the 0.5247 t of water that the hull "
+                                            "displaces, and a hull that floats weighs as much")));
+    EXPECT_THAT(advice_for(moored + "mass_t = 0.5\n"), testing::Not(testing::Contains(HasSubstr("displaces"))));
+}
+
 TEST(Advice, NamesTheOtherCasesOfOneOddity) {
     EXPECT_THAT(advice_for("general.iterations = 5\n[[case]]\nname = \"a\"\n[[case]]\nname = \"b\"\n"
                            "general.iterations = 20\n[[case]]\nname = \"c\"\n"),

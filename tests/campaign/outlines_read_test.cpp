@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "arrangement/arrangement.hpp"
-#include "campaign/advice.hpp"
+#include "campaign/case_words.hpp"
 #include "campaign/campaign.hpp"
 #include "campaign/identity.hpp"
 #include "campaign/read.hpp"
@@ -92,16 +92,16 @@ TEST(ReadOutlines, MayBeOfOneCaseOnly) {
 }
 
 TEST(ReadOutlines, SaysWhatItRead) {
-    const std::vector<std::string> words = floe_words(read(of_file));
+    const std::vector<std::string> words = case_words(read(of_file));
     ASSERT_EQ(words.size(), 1u);
     EXPECT_THAT(words[0], HasSubstr("2 outlines of 0.75 to 1 m², 1.75 m² together"));
     EXPECT_THAT(words[0], HasSubstr("each is that of 4 floes"));
     EXPECT_THAT(words[0], HasSubstr("in arrangement 0 8 traced floes of 3.5 corners on average"));
-    const std::vector<std::string> bay = floe_words(read("kind = \"file\"\nfile = \"bay.csv\"\n"));
+    const std::vector<std::string> bay = case_words(read("kind = \"file\"\nfile = \"bay.csv\"\n"));
     EXPECT_THAT(bay.at(0), HasSubstr("cover 0 % more"));
     EXPECT_THAT(bay.at(0), HasSubstr("each is that of 2 or 3 floes"));
     const std::vector<std::string> holed =
-        floe_words(read("kind = \"file\"\nfile = \"holed.geojson\"\nmost_added_percent = 30\n"));
+        case_words(read("kind = \"file\"\nfile = \"holed.geojson\"\nmost_added_percent = 30\n"));
     EXPECT_THAT(holed.at(0), HasSubstr("at most 25 % (outline 1 \"C\")"));
 }
 
@@ -110,7 +110,7 @@ TEST(ReadOutlines, LieAsTracedOrAreRefusedWithTheFloes) {
         "field.floes = 2\narrangement.method = \"traced\"\nfield.concentration_percent = 10\n";
     const Campaign campaign = read(of_file, as_traced);
     EXPECT_EQ(places(campaign, 0), places(campaign, 9));
-    EXPECT_THAT(floe_words(campaign).at(0), HasSubstr("every arrangement is the same"));
+    EXPECT_THAT(case_words(campaign).at(0), HasSubstr("every arrangement is the same"));
     const std::string dense = "field.floes = 2\narrangement.method = \"traced\"\nfield.concentration_percent = 30\n";
     EXPECT_THAT(message(of_file, dense), HasSubstr("the outlines reach over 3 m x 1 m, for which "
                                                    "field.concentration_percent is at most 18.2 and field.half_width_m "

@@ -247,6 +247,20 @@ TEST(Conditions, SayWhatHoldsAndDrivesTheIce) {
     EXPECT_THAT(lines, testing::Contains("Drift: current 0.1 m/s towards 90°, wind 5 m/s towards 0° (E200)."));
 }
 
+TEST(Conditions, BeginWithTheIceAndHowTheStructureMoves) {
+    CampaignTable table = example::campaign();
+    for (CaseRow& row : table.cases) {
+        row.floes = "24 floes of 0.6 m x 0.6 m, 0.033 m thick";
+        row.motion = "towed at 0.1 m/s";
+    }
+    table.cases[2].motion = "led along a path";
+    const auto lines = condition_lines(summarise(table));
+    ASSERT_GE(lines.size(), 3U);
+    EXPECT_EQ(lines[0], "Ice: 24 floes of 0.6 m x 0.6 m, 0.033 m thick.");
+    EXPECT_EQ(lines[1], "Structure: towed at 0.1 m/s (E30, E60).");
+    EXPECT_EQ(lines[2], "Structure: led along a path (E200).");
+}
+
 TEST(Conditions, HaveTheGapBesideTheStructure) {
     CampaignTable table = example::campaign();
     for (CaseRow& row : table.cases) row.gap = BankGap{0.636, 1.06};

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/units.hpp"
+#include "shapes/hydrostatics.hpp"
 #include "shapes/shape.hpp"
 
 namespace floes {
@@ -36,9 +37,9 @@ TEST(BuiltInHull, ABargeIsAsItsFormula) {
     const HullSizes s = ship_sizes();
     const Shape barge(HullKind::barge, s);
     ASSERT_FALSE(barge.fault());
-    EXPECT_NEAR(barge.waterplane_area(), 100 * 20, 1e-6);
-    EXPECT_NEAR(barge.displacement(), integral(100, 2 * cot(60), 20, 2 * cot(75), 6), 1e-4);
-    EXPECT_NEAR(barge.volume() - barge.displacement(), integral(100, -2 * cot(60), 20, -2 * cot(75), 4), 1e-4);
+    EXPECT_NEAR(hydrostatics(barge).waterplane, 100 * 20, 1e-6);
+    EXPECT_NEAR(hydrostatics(barge).volume, integral(100, 2 * cot(60), 20, 2 * cot(75), 6), 1e-4);
+    EXPECT_NEAR(barge.volume() - hydrostatics(barge).volume, integral(100, -2 * cot(60), 20, -2 * cot(75), 4), 1e-4);
     EXPECT_NEAR(barge.draught(), 6, 1e-9);
     EXPECT_NEAR(barge.top(), 4, 1e-9);
     EXPECT_NEAR(barge.waterline_radius(), 10, 1e-9);
@@ -53,19 +54,19 @@ TEST(BuiltInHull, AWedgeIsAsItsFormula) {
     const Shape ship(HullKind::wedge_bow, s);
     ASSERT_FALSE(ship.fault());
     const double wedge = integral(10, cot(75), 10, cot(75), 6) * cot(30);
-    EXPECT_NEAR(ship.waterplane_area(), 100 * 20 - 10 * 10 * cot(30), 1e-6);
-    EXPECT_NEAR(ship.displacement(), integral(100, cot(60), 20, 2 * cot(75), 6) - wedge, 1e-4);
+    EXPECT_NEAR(hydrostatics(ship).waterplane, 100 * 20 - 10 * 10 * cot(30), 1e-6);
+    EXPECT_NEAR(hydrostatics(ship).volume, integral(100, cot(60), 20, 2 * cot(75), 6) - wedge, 1e-4);
     const Shape drillship(HullKind::drillship, s);
-    EXPECT_NEAR(drillship.waterplane_area(), 100 * 20 - 2 * 10 * 10 * cot(30), 1e-6);
-    EXPECT_NEAR(drillship.displacement(), integral(100, 2 * cot(60), 20, 2 * cot(75), 6) - 2 * wedge, 1e-4);
+    EXPECT_NEAR(hydrostatics(drillship).waterplane, 100 * 20 - 2 * 10 * 10 * cot(30), 1e-6);
+    EXPECT_NEAR(hydrostatics(drillship).volume, integral(100, 2 * cot(60), 20, 2 * cot(75), 6) - 2 * wedge, 1e-4);
 }
 
 TEST(BuiltInHull, LegsAndCylindersAreRound) {
     const HullSizes s{.diameter = 8, .spacing = 30, .draught = 12, .freeboard = 5};
     const Shape legs(HullKind::four_legs, s);
     ASSERT_FALSE(legs.fault());
-    EXPECT_NEAR(legs.displacement(), 4 * 16 * pi * 12, 1e-9);
-    EXPECT_NEAR(legs.waterplane_area(), 4 * 16 * pi, 1e-9);
+    EXPECT_NEAR(hydrostatics(legs).volume, 4 * 16 * pi * 12, 1e-8);
+    EXPECT_NEAR(hydrostatics(legs).waterplane, 4 * 16 * pi, 1e-9);
     EXPECT_NEAR(legs.volume(), 4 * 16 * pi * 17, 1e-9);
     EXPECT_NEAR(legs.waterline_radius(), 19, 1e-9);
     EXPECT_NEAR(legs.largest_radius(), std::hypot(15, 15) + 4, 1e-2);
@@ -82,8 +83,8 @@ TEST(BuiltInHull, ConesNarrowAndFlare) {
     const Shape up(HullKind::cone_up, s);
     EXPECT_NEAR(down.wall_angle_above_water(), 45 * unit::degree, 1e-9);
     EXPECT_NEAR(up.wall_angle_above_water(), 135 * unit::degree, 1e-9);
-    EXPECT_NEAR(down.displacement(), pi / 3 * 6 * (14 * 14 + 14 * 20 + 20 * 20), 1e-6);
-    EXPECT_NEAR(up.displacement(), pi / 3 * 6 * (26 * 26 + 26 * 20 + 20 * 20), 1e-6);
+    EXPECT_NEAR(hydrostatics(down).volume, pi / 3 * 6 * (14 * 14 + 14 * 20 + 20 * 20), 1e-6);
+    EXPECT_NEAR(hydrostatics(up).volume, pi / 3 * 6 * (26 * 26 + 26 * 20 + 20 * 20), 1e-6);
     EXPECT_TRUE(down.is_of_revolution());
 }
 
