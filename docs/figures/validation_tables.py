@@ -309,7 +309,7 @@ def vary_says():
     return (f"Sampling leaves the channel's {mean.base:.1f} N open by ± {mean.sampling:.1f} N, the {own.input.nunique()} inputs "
             f"together by {mean.all_down:+.1f} to {mean.all_up:+.1f} N, which is\n{100 * down:+.0f} to {100 * up:+.0f} %. "
             f"If the tank is as sensitive, its {tank:.1f} N are {low:.0f} to {high:.0f} N, and the {EXPERIMENT['mean_load']} N of the "
-            f"test lie {inside}.\n")
+            f"test lie {inside}. The wall\nis not among these inputs: [above](#the-tank-test-and-the-wall).\n")
 
 
 BLOCKS = {"answer": answer, "vary": vary, "vary_says": vary_says, "table3": lambda: table3("table3"), "experiment": experiment,

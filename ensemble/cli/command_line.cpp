@@ -14,6 +14,31 @@
 namespace floes {
 namespace {
 
+/// "did you mean --threads?" or, if nothing is near, all that there is.
+std::string hint(const std::string& word, const std::vector<std::string>& known, const char* all) {
+    const auto distance = [&](const std::string& one) { return edit_distance(one, word); };
+    const std::string nearest = *std::ranges::min_element(known, {}, distance);
+    return distance(nearest) <= 1 + nearest.size() / 3 ? fmt::format("did you mean {}?", nearest)
+                                                       : fmt::format("{} {}", all, fmt::join(known, ", "));
+}
+
+/// Throws CommandLineEnd for the first of these words that looks like an option and is none of `app`.
+void refuse_unknown_options(const CLI::App& app, const std::vector<std::string>& words) {
+    std::vector<std::string> known;
+    for (const CLI::Option* one : app.get_options()) {
+        for (const std::string& name : one->get_lnames()) known.push_back("--" + name);
+        for (const std::string& name : one->get_snames()) known.push_back("-" + name);
+    }
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (!name.starts_with('-') || std::ranges::find(known, name) != known.end()) continue;
+        const std::string verb = app.get_parent() == nullptr ? "" : " " + app.get_name();
+        throw CommandLineEnd(
+            2, {},
+            fmt::format("floes{}: there is no option {}; {}\n", verb, name, hint(name, known, "the options are")));
+    }
+}
+
 /// The verb below `app`; nullptr if there is none.
 CLI::App* inner_of(CLI::App& app, const std::string& verb) {
     const auto named = app.get_subcommands([&](const CLI::App* one) { return one->get_name() == verb; });
@@ -74,6 +99,17 @@ Option& Option::last_wins() {
 
 Option& Option::shows_default() {
     option_->capture_default_str();
+    return *this;
+}
+
+Option& Option::file_ending(const std::vector<std::string>& endings) {
+    const auto check = [endings](const std::string& name) {
+        const bool meant = std::ranges::any_of(endings, [&](const std::string& one) { return name.ends_with(one); });
+        return meant ? std::string()
+                     : fmt::format("{} would not be what its name says; give it a name that ends with {}", name,
+                                   fmt::join(endings, " or "));
+    };
+    option_->check(CLI::Validator(check, "", ""));
     return *this;
 }
 
@@ -184,18 +220,18 @@ CLI::App* CommandLine::find(const std::vector<std::string>& verb) const {
     return app;
 }
 
-void CommandLine::refuse_unknown(const std::string& verb) const {
-    if (verb.empty() || verb.front() == '-' || inner_of(*app_, verb) != nullptr) return;
+void CommandLine::refuse_unknown(const std::string& word) const {
+    if (word.empty() || inner_of(*app_, word) != nullptr) return;
+    if (word.front() == '-') {
+        refuse_unknown_options(*app_, {word});
+        return;
+    }
     std::vector<std::string> verbs;
     for (const CLI::App* one : app_->get_subcommands({}))
         if (!one->get_group().empty()) verbs.push_back(one->get_name());
     if (verbs.empty()) return;
-    const auto distance = [&](const std::string& one) { return edit_distance(one, verb); };
-    const std::string nearest = *std::ranges::min_element(verbs, {}, distance);
-    const std::string hint = distance(nearest) <= 1 + nearest.size() / 3
-                                 ? fmt::format("did you mean {}?", nearest)
-                                 : fmt::format("the verbs are {}", fmt::join(verbs, ", "));
-    throw CommandLineEnd(2, {}, fmt::format("floes: there is no verb {}; {}\n", verb, hint));
+    throw CommandLineEnd(2, {},
+                         fmt::format("floes: there is no verb {}; {}\n", word, hint(word, verbs, "the verbs are")));
 }
 
 void CommandLine::footer(const std::string& text) {
@@ -207,6 +243,9 @@ int CommandLine::run_parsed(const Parse& parse) {
     try {
         parse();
     } catch (const CLI::ParseError& error) {
+        const CLI::App* asked = app_.get();
+        while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().front();
+        refuse_unknown_options(*asked, asked->remaining());
         std::ostringstream output;
         std::ostringstream errors;
         const int status = app_->exit(error, output, errors) == 0 ? 0 : 2;
@@ -216,9 +255,10 @@ int CommandLine::run_parsed(const Parse& parse) {
 }
 
 int CommandLine::run(std::span<char* const> words) {
-    if (words.size() > 1) refuse_unknown(words[1]);
     if (!words.empty()) app_->name(words[0]);
     whole_help_ = app_->help();
+    if (words.size() == 1) throw CommandLineEnd(0, whole_help_, {});
+    if (words.size() > 1) refuse_unknown(words[1]);
     return run_parsed([&] { app_->parse(static_cast<int>(words.size()), words.data()); });
 }
 

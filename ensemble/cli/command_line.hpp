@@ -53,6 +53,7 @@ class Option {
     Option& one_each();  ///< one value each time it is given; the next word is an argument of the verb
     Option& last_wins();
     Option& shows_default();
+    Option& file_ending(const std::vector<std::string>& endings);  ///< of the file that it names, as ".html"
     Option& value_name(const std::string& name);
     Option& needs(const Option& other);
     Option& excludes(const Option& other);
@@ -133,7 +134,7 @@ class CommandLine {
 
   private:
     CLI::App* find(const std::vector<std::string>& verb) const;
-    void refuse_unknown(const std::string& verb) const;
+    void refuse_unknown(const std::string& word) const;
 
     template <class Parse>
     int run_parsed(const Parse& parse);

@@ -268,6 +268,12 @@ struct DesignOptions {
 struct Answer {
     std::vector<Section> sections;
     Units units;
+    bool given = false;  ///< of some case
+
+    Answer(std::vector<Section> found, const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request)
+        : sections(std::move(found)),
+          units(design_units(designs, request)),
+          given(std::ranges::any_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); })) {}
 };
 
 /// Design mooring forces instead of loads, and what they come from.
@@ -279,7 +285,7 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request, peaks);
     std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
     sections.push_back(moored_section(evidence.summary, found, asked));
-    return {std::move(sections), design_units(designs, request)};
+    return {std::move(sections), designs, request};
 }
 
 /// Design mooring forces of structures that gave way in the simulation, and how those moved.
@@ -290,24 +296,26 @@ Answer simulated(const Evidence& evidence, DesignLoadRequest request) {
     std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
     sections.front().before = mooring_notes(evidence) + sections.front().before;
     if (std::optional<Section> moved = moored_runs_section(evidence)) sections.push_back(std::move(*moved));
-    return {std::move(sections), design_units(designs, request)};
+    return {std::move(sections), designs, request};
 }
 
 Answer sections_of(const DesignOptions& options, const Evidence& evidence, const DesignLoadRequest& request) {
     if (options.of == "mooring_force") return simulated(evidence, request);
     if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
-    return {design_load_sections(evidence.summary, designs, request), design_units(designs, request)};
+    return {design_load_sections(evidence.summary, designs, request), designs, request};
 }
 
-std::string answer(const DesignOptions& options) {
+int answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
     expect_campaign_file(options.file);
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
-    auto [sections, units] = sections_of(options, evidence, request);
-    sections.front().before = warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
-    return written(sections, options.format, units);
+    Answer found = sections_of(options, evidence, request);
+    std::string& before = found.sections.front().before;
+    before = warning_lines(warnings_of(evidence.table, evidence.summary)) + before;
+    std::fputs(written(found.sections, options.format, found.units).c_str(), stdout);
+    return found.given ? 0 : 1;
 }
 
 void answer_of_year(const DesignOptions& options, const std::string& program) {
@@ -374,7 +382,9 @@ void add_design(CommandLine& line) {
     add_format(verb, options->format);
     verb.footer(
         "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"
-        "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md).\n\n"
+        "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md). Exit "
+        "status\n"
+        "1: no case has a design load.\n\n"
         "  floes design table3_physical.h5\n"
         "  floes design table3_physical.h5 --exposure-h 10 --quantile 0.5,0.9,0.99 --averaging-s 2\n"
         "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale\n"
@@ -386,8 +396,7 @@ void add_design(CommandLine& line) {
             answer_of_year(*options, line.program_name());
             return 0;
         }
-        std::fputs(answer(*options).c_str(), stdout);
-        return 0;
+        return answer(*options);
     });
 }
 

@@ -80,6 +80,17 @@ void expect_campaign_file(const fs::path& path) {
     if (kind != GivenFile::hdf5) throw InputError(what_it_is(path, kind));
 }
 
+void expect_no_other_file(const fs::path& path) {
+    const GivenFile kind = given_file(path);
+    if (kind == GivenFile::nothing || kind == GivenFile::hdf5 || fs::is_empty(path)) return;
+    throw InputError(fmt::format("{} is {} and stays as it is; -o names another file for the campaign, as {}.",
+                                 path.string(),
+                                 kind == GivenFile::folder    ? "a folder"
+                                 : kind == GivenFile::journal ? "a journal"
+                                                              : "no campaign file",
+                                 fs::path(path).replace_extension(".h5").string()));
+}
+
 void write_page(const std::filesystem::path& path, const std::string& page) {
     const std::filesystem::path aside = path.string() + ".tmp";
     const auto refuse = [&](const std::string& reason) {

@@ -15,6 +15,9 @@ GivenFile given_file(const std::filesystem::path& path);
 /// journal beside a missing campaign file has its results.
 void expect_campaign_file(const std::filesystem::path& path);
 
+/// Throws InputError, with what to do, where a campaign file would replace something else.
+void expect_no_other_file(const std::filesystem::path& path);
+
 // Writes a page that a browser may be reading at the same time.
 
 /// Writes a temporary file and renames it, so that a reader finds either the old page or the new one. Throws RunError

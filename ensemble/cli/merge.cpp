@@ -11,6 +11,7 @@
 
 #include "campaign_file/read.hpp"
 #include "cli/commands.hpp"
+#include "cli/files.hpp"
 #include "cli/terminal.hpp"
 #include "cli/verify.hpp"
 #include "core/text.hpp"
@@ -35,6 +36,7 @@ void tell_damage(const std::filesystem::path& journal, const JournalContents& co
 }
 
 int merge(const MergeOptions& options) {
+    expect_no_other_file(options.output);
     const std::vector<std::filesystem::path> parts(options.parts.begin(), options.parts.end());
     merge_campaigns(parts, options.output, options.overwrite, tell_damage);
     const CampaignTable table = read_campaign_file(CampaignFile(options.output));

@@ -114,7 +114,8 @@ void add_report(CommandLine& line) {
     auto options = std::make_shared<ReportOptions>();
     Verb verb = line.verb("report", "Write one self-contained HTML page with the tables and figures of a campaign");
     verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
-    verb.option("-o,--output", options->output, "The page; default: CAMPAIGN.html in this folder");
+    verb.option("-o,--output", options->output, "The page; default: CAMPAIGN.html in this folder")
+        .file_ending({".html", ".htm"});
     verb.flag("--no-plate-tests", options->skip_plate_tests,
               "Omit the E-Σ curve of this ice, whose plate tests take some seconds");
     verb.option("--pictures", options->pictures,

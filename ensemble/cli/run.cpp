@@ -95,6 +95,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
                        .threads = verb.threads,
                        .resume_command = resume_command(verb, program, link.size()),
                        .walltime = walltime};
+    expect_no_other_file(options.places.campaign_file);
     int status = 0;
     {
         Progress progress(std::cerr, style_of_standard_error());

@@ -161,6 +161,7 @@ void add_status(CommandLine& line) {
     verb.option("--html", options->page,
                 "Write one HTML page instead, with the report's first section as far as members are done; with "
                 "--watch anew every 30 s, and the page loads itself again")
+        .file_ending({".html", ".htm"})
         .excludes(format);
     verb.flag("--watch", options->watch, "Repeat every few seconds until no run is active");
     verb.runs([options] {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -169,13 +170,16 @@ void write(const SummarizeOptions& options, Evidence& evidence, const std::strin
 }
 
 int answer(SummarizeOptions options, const std::string& program) {
-    const bool workbook = options.output.ends_with(".xlsx");
-    if (options.format == "xlsx" && !workbook)
+    if (options.format == "xlsx" && options.output.empty())
         throw InputError("A workbook is a file: give its name, which ends with .xlsx, with -o.");
-    if (workbook && options.format == "table") options.format = "xlsx";
-    if (workbook && options.format != "xlsx")
-        throw InputError(fmt::format("{} would be a workbook, and --format {} is a text; give another name.",
-                                     options.output, options.format));
+    if (!options.output.empty()) {
+        std::string by_ending = std::filesystem::path(options.output).extension().string().substr(1);
+        if (by_ending == "txt") by_ending = "table";
+        if (options.format != "table" && options.format != by_ending)
+            throw InputError(fmt::format("{} would hold --format {}, which its name denies; give another name.",
+                                         options.output, options.format));
+        options.format = by_ending;
+    }
     if (options.long_lines) options.parts = {"long"};
     const std::optional<Oscillator> hull = options.mooring.hull();
     if (hull && options.parts.empty()) options.parts = {"moored"};
@@ -212,7 +216,9 @@ void add_summarize(CommandLine& line) {
                 "table, json, csv, or xlsx: a workbook with sheets for cases, members, pairs and the design, with -o")
         .one_of({"table", "json", "csv", "xlsx"})
         .shows_default();
-    verb.option("-o,--output", options->output, "Write a file instead; a name that ends with .xlsx makes a workbook");
+    verb.option("-o,--output", options->output,
+                "Write a file instead, by its ending: .txt a table, .csv, .json, or .xlsx, a workbook")
+        .file_ending({".txt", ".csv", ".json", ".xlsx"});
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
     Option parts =
         verb.option("--parts", options->parts,

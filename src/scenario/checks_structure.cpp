@@ -377,6 +377,24 @@ void check_wake(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+namespace {
+
+/// A floe of a law or an outline that fits into the channel in no direction.
+void check_widest(const Scenario& scenario, Contradictions& found) {
+    const FloeSet floes = floes_of(scenario);
+    double widest = 0;
+    for (std::size_t i = 0; i < floes.size(); ++i)
+        widest = std::max(widest, std::min(floes.shape(i).length, floes.shape(i).breadth));
+    const double room = 2 * (scenario.field.half_width - scenario.arrangement.clearance);
+    if (widest <= room) return;
+    refuse(found, {"field.half_width_m", "sizes.law", "shapes.file"},
+           fmt::format("{} leaves {:.4g} m for floes, and one is {:.4g} m wide where it is narrowest; widen the field "
+                       "or take smaller floes",
+                       given(scenario, "field.half_width_m"), room, widest));
+}
+
+}  // namespace
+
 void check_lattice(const Scenario& scenario, Contradictions& found) {
     if (scenario.arrangement.given()) return;
     const double clearance = scenario.arrangement.clearance;
@@ -385,6 +403,7 @@ void check_lattice(const Scenario& scenario, Contradictions& found) {
     };
     FloeShape cell = scenario.floe;
     if (sizes_may_differ(scenario)) {
+        if (found.empty()) check_widest(scenario, found);
         if (scenario.arrangement.method != ArrangementMethod::lattice) return;  // such floes need no lattice
         cell.length = cell.breadth = 0;
         for (const FloeShape& shape : floe_sizes(scenario)) {

@@ -49,9 +49,8 @@ Campaign campaign_of(const std::string& text) {
 TEST(CaseWords, SayWhatTheFloesAre) {
     EXPECT_EQ(floe_words(scenario_of(campaign_of("field.floes = 189\n"))),
               "189 floes of 0.6 m x 0.6 m, 0.033 m thick, in cells of 0.2 m, at 75 %, scattered at random");
-    EXPECT_EQ(floe_words(
-                  scenario_of(campaign_of("field.far_end = \"open\"\nfield.floes = 1\nfloe.elements = \"squares\"\n"))),
-              "1 floe of 0.6 m x 0.6 m, 0.033 m thick, in squares of 0.2 m, at 75 %, scattered at random");
+    EXPECT_EQ(floe_words(scenario_of(campaign_of("floe.elements = \"squares\"\n"))),
+              "189 floes of 0.6 m x 0.6 m, 0.033 m thick, in squares of 0.2 m, at 75 %, scattered at random");
     EXPECT_EQ(
         floe_words(scenario_of(campaign_of("shapes.kind = \"polygon\"\nspread.thickness = \"normal\"\n"))),
         "189 polygons of 6 corners of 0.36 m² each on average, 0.033 m thick on average, in cells of 0.2 m, at 75 "
@@ -97,6 +96,9 @@ TEST(CaseWords, AreNotReachedByBadInput) {
     };
     EXPECT_EQ(refusal("[sizes]\nlaw = \"list\"\nlist_m = [[0.4, 0.4, 60.0], [0.8, 0.8, 33.0]]\n"),
               "a.toml:3: the shares of sizes.list_m sum to 93 %; they are to sum to 100 %");
+    EXPECT_EQ(refusal("[sizes]\nlaw = \"list\"\nlist_m = [[0.6, 0.6, 96.0], [5.0, 6.0, 4.0]]\n"),
+              "a.toml:2: field.half_width_m = 2.4 leaves 4.796 m for floes, and one is 5 m wide where it is narrowest; "
+              "widen the field or take smaller floes");
     EXPECT_EQ(refusal("[sizes]\nexponent = 2.0\n"),
               "a.toml:2: sizes.exponent = 2.0 has no effect: it needs sizes.law = \"power_law\". Add that, or leave "
               "sizes.exponent out.");

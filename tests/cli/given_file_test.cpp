@@ -48,6 +48,15 @@ TEST_F(GivenFiles, OfWhichOnlyTheJournalIsThereCanBeMade) {
                 HasSubstr("is the journal of a campaign; give its campaign file, " + path("my.h5")));
 }
 
+TEST_F(GivenFiles, ThatAreNoCampaignAreNotReplacedByOne) {
+    std::ofstream(path("my.toml")) << "[campaign]\nseed = 1\n";
+    EXPECT_THAT(refusal([&] { verb_output(add_merge, "merge a.h5 --overwrite -o " + path("my.toml")); }),
+                HasSubstr("is no campaign file and stays as it is; -o names another file for the campaign, as " +
+                          path("my.h5")));
+    EXPECT_THAT(refusal([&] { expect_no_other_file(path(".")); }), HasSubstr("is a folder and stays as it is"));
+    EXPECT_NO_THROW(expect_no_other_file(path("none.h5")));
+}
+
 TEST_F(GivenFiles, ThatAreNoCampaignAreCalledWhatTheyAre) {
     std::ofstream(path("my.toml")) << "[campaign]\nseed = 1\n";
     std::ofstream(path("my.csv")) << "case,mean\n";

@@ -41,6 +41,28 @@ TEST(Version, IsAskedForWithOrWithoutAVerbAndEndsWell) {
     }
 }
 
+TEST(UnknownOptions, AreAnsweredWithTheNearest) {
+    EXPECT_STREQ(end_of({"run", "a.toml", "--thread", "2"}).what(),
+                 "floes run: there is no option --thread; did you mean --threads?\n");
+    EXPECT_STREQ(end_of({"run", "a.toml", "--thread=2"}).what(),
+                 "floes run: there is no option --thread; did you mean --threads?\n");
+    EXPECT_STREQ(end_of({"--hlep"}).what(), "floes: there is no option --hlep; did you mean --help?\n");
+    EXPECT_EQ(end_of({"--hlep"}).status(), 2);
+    EXPECT_THAT(end_of({"report", "a.h5", "--zzzzzzzzz"}).what(),
+                HasSubstr("the options are --help, -h, --output, -o"));
+}
+
+// What an ending promises is written, or refused before anything is read.
+TEST(OutputFiles, AreWhatTheirNamesSay) {
+    for (const auto& words : {std::vector<std::string>{"report", "a.h5", "-o", "a.pdf"},
+                              std::vector<std::string>{"status", "a.h5", "--html", "a.txt"},
+                              std::vector<std::string>{"summarize", "a.h5", "-o", "a.docx"}}) {
+        const CommandLineEnd end = end_of(words);
+        EXPECT_EQ(end.status(), 2);
+        EXPECT_THAT(end.what(), HasSubstr("would not be what its name says; give it a name that ends with "));
+    }
+}
+
 TEST(Help, IsThatOfTheVerb) {
     const CommandLineEnd asked = end_of({"help", "summarize"});
     EXPECT_EQ(asked.status(), 0);
