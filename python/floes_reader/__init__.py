@@ -15,6 +15,8 @@ from .stored import CampaignError, LAYOUT, NewerLayoutWarning
 
 __all__ = ["Campaign", "CampaignError", "LAYOUT", "NewerLayoutWarning", "open"]
 
+__version__ = "2.0.0"  # of floes
+
 
 def open(path: str | os.PathLike) -> Campaign:
     """Opens a campaign file for reading, as a context manager or until close().

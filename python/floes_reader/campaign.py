@@ -110,7 +110,9 @@ class Campaign:
 
     def history(self, member: int) -> xarray.Dataset:
         """`surge_load`, `sway_load` and `heave_load`, N, of a done member over `time`, s since the tow began, to the
-        end of the window. Attributes: `case`, `arrangement`, and `steady_start`, where the window begins, s."""
+        end of the window; of a structure that gives way or goes along a path its motion and what holds it as well
+        (`surge_offset`, `surge_mooring` and others of /history). Attributes: `case`, `arrangement`, and
+        `steady_start`, where the window begins, s."""
         if member not in self._members.index:
             raise CampaignError(f"There is no member {member}; {self.path} has {len(self._members)}, from 0.")
         row = self._members.loc[member]

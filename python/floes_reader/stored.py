@@ -121,6 +121,10 @@ class Stored:
             scales.update(self._scales(f"{name}/{column}"))
         coordinates = {dimension: self.array(scale) for dimension, scale in scales.items()}
         columns = {column: array for column, array in columns.items() if column not in coordinates}
+        for name in _same_times(coordinates):
+            del coordinates[name]
+            columns = {column: array.rename({name: "time"}) if name in array.dims else array
+                       for column, array in columns.items()}
         with self.reading(f"/{name}"):
             return xarray.Dataset(columns, coords=coordinates, attrs=self.attributes_of(name))
 
@@ -160,6 +164,15 @@ class Stored:
                           + (f"; new are {', '.join(unknown)}" if unknown else "") + ". group(NAME) reads any group.",
                           NewerLayoutWarning, stacklevel=5)
         return major, minor
+
+
+def _same_times(coordinates: dict[str, xarray.DataArray]) -> list[str]:
+    """Which of them are /time under other names, so that what lies along them goes with what lies along it."""
+    time = coordinates.get("time")
+    if time is None:
+        return []
+    return [name for name, one in coordinates.items() if name.endswith("_time") and one.attrs == time.attrs | {
+        "long_name": one.attrs.get("long_name")} and numpy.array_equal(one.values, time.values)]
 
 
 def _opened(path: pathlib.Path) -> h5py.File:

@@ -73,14 +73,17 @@ def members(stored: Stored, cases: list[str], known: pandas.DataFrame) -> pandas
 
 
 def histories(stored: Stored, numbers: list[int], time_step: float, stride: int) -> xarray.Dataset:
-    """Load histories of done members of one case, over `member` and `time`."""
-    loads = {name: stored.array(f"history/{name}", numbers) for name in LOADS}
-    kept = numpy.flatnonzero(numpy.isfinite(loads["surge_load"].values).any(axis=0))
+    """Histories of done members of one case, over `member` and `time`: loads, and what else these members have."""
+    found = {name: stored.array(f"history/{name}", numbers) for name in stored.names("history")}
+    found = {name: array for name, array in found.items() if name in LOADS or numpy.isfinite(array.values).any()}
+    kept = numpy.flatnonzero(numpy.isfinite(found["surge_load"].values).any(axis=0))
     if numbers and not len(kept):
         raise CampaignError(f"{stored.path} has no history of these members: analysis.history_steps was 0.")
     length = kept[-1] + 1 if len(kept) else 0
+    # Motions have an axis of their own in the file, which ends with the longest case that moves. Steps are the same.
+    found = {name: array.rename({array.dims[1]: "time"}).isel(time=slice(length)) for name, array in found.items()}
     time = stored.array("time")[:length]
     if time.attrs["units"] != "s":  # cases differ in their steps, so the file numbers the values
         time = time * (time_step * stride)
     time = time.assign_attrs(units="s", long_name="time since the tow began")
-    return xarray.Dataset(loads).isel(time=slice(length)).assign_coords(member=numbers, time=time)
+    return xarray.Dataset(found).assign_coords(member=numbers, time=time)

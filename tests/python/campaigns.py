@@ -49,6 +49,8 @@ def compute():
     run(WRITER, FULL)
     run(WRITER, EMPTY, "none")
     run(FLOES, "run", smoke, "-o", SMOKE)
+    run(FLOES, "run", PROJECT / "configs/gallery/moored.toml", "-o", MOORED, "--set", "campaign.arrangements=2", "--set",
+        "analysis.steady_start_s=4", "--set", "analysis.window_s=3")
     axes.write_text(smoke.read_text().split("[[case]]")[0] + AXES)
     run(FLOES, "run", axes, "-o", DESIGN, *(word for change in CHANGES for word in ("--set", change)))
 
@@ -57,7 +59,8 @@ _folder = tempfile.TemporaryDirectory()
 atexit.register(_folder.cleanup)
 FOLDER = pathlib.Path(_folder.name)
 SITE = FOLDER / "site"
-FULL, EMPTY, SMOKE, DESIGN = (FOLDER / name for name in ("full.h5", "empty.h5", "smoke.h5", "design.h5"))
+FULL, EMPTY, SMOKE, DESIGN, MOORED = (
+    FOLDER / name for name in ("full.h5", "empty.h5", "smoke.h5", "design.h5", "moored.h5"))
 install()
 compute()
 sys.path.insert(0, str(SITE))

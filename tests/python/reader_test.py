@@ -12,7 +12,7 @@ import unittest
 import h5py
 import numpy
 import pandas
-from campaigns import DESIGN, EMPTY, FLOES, FULL, PROJECT, SMOKE, run
+from campaigns import DESIGN, EMPTY, FLOES, FULL, MOORED, PROJECT, SMOKE, run
 from figures import Figures  # noqa: F401
 from refusals import Refusals  # noqa: F401
 from scipy import stats
@@ -147,6 +147,18 @@ class Tables(unittest.TestCase):
         numpy.testing.assert_array_equal(of_case.sway_load[1], self.full.history(10).sway_load)
         with floes_reader.open(EMPTY) as empty:
             self.assertEqual(empty.histories("open").sizes, {"member": 0, "time": 0})
+
+    def test_histories_of_a_moored_structure_share_their_time(self):
+        with floes_reader.open(MOORED) as moored, h5py.File(MOORED) as file:
+            history, group = moored.history(1), moored.group("history")
+            self.assertEqual(history.sizes, {"time": 350})
+            for name in ("surge_mooring", "sway_offset", "structure_yaw"):
+                numpy.testing.assert_array_equal(history[name], file["history"][name][1])
+            for found in (history.surge_load - history.surge_mooring, (group.surge_load - group.surge_mooring)[1]):
+                numpy.testing.assert_array_equal(found, file["history/surge_load"][1] - file["history/surge_mooring"][1])
+            self.assertEqual(history.surge_offset.attrs["units"], "m")
+        self.assertEqual(set(self.full.history(3)), {"surge_load", "sway_load", "heave_load"})
+        self.assertRegex(floes_reader.__version__, r"^\d+\.\d+\.\d+$")
 
     def test_times_of_cases_that_differ_in_their_steps(self):
         for case, about in self.designed.cases.iterrows():

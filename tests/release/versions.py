@@ -15,7 +15,7 @@ PLACES = [
     ("CITATION.cff", r"^version: (\S+)$"),
     ("packaging/spack/package.py", r'^    version\("([^"]+)"\)$'),
     ("packaging/conda/recipe/meta.yaml", r'^  version: "([^"]+)"$'),
-    ("python/pyproject.toml", r'^version = "([^"]+)"$'),
+    ("python/floes_reader/__init__.py", r'^__version__ = "([^"]+)"  # of floes$'),
     ("README.md", r"floes_([0-9.]+)_amd64\.deb"),
     ("docs/install.md", r"floes_([0-9.]+)_amd64\.deb"),
 ]
