@@ -251,7 +251,7 @@ std::string kind_words(const Scenario& scenario) {
     if (shapes.kind == ShapeKind::polygon) return fmt::format("polygons of {} corners", shapes.corners);
     if (shapes.kind == ShapeKind::voronoi) return "Voronoi cells";
     if (shapes.from_file()) return fmt::format("floes of {}", counted(std::ssize(shapes.traced.outlines), "outline"));
-    if (scenario.sizes.law != SizeLaw::one) return "rectangles";
+    if (sizes_may_differ(scenario)) return "rectangles";
     return scenario.field.floes == 1 ? "floe" : "floes";
 }
 
@@ -259,14 +259,15 @@ std::string kind_words(const Scenario& scenario) {
 
 std::string floe_words(const Scenario& scenario) {
     const FloeShape& floe = scenario.floe;
-    const bool sized = scenario.sizes.law != SizeLaw::one;
-    const std::string size = sized || scenario.shapes.from_file() ? side_words(scenario)
+    const bool sized = sizes_may_differ(scenario);
+    const std::string size = sized ? side_words(scenario)
                              : scenario.shapes.any()
                                  ? fmt::format("of {:.4g} m² each on average", floe.length * floe.breadth)
                                  : fmt::format("of {:.4g} m x {:.4g} m", floe.length, floe.breadth);
     const bool own_elements = sized && scenario.sizes.element != ElementSide::given;
-    return fmt::format("{} {} {}, {:.4g} m thick{}, in {} of {}, at {:.4g} %, {}", scenario.field.floes,
-                       kind_words(scenario), size, floe.thickness, scenario.spread.thickness.any() ? " on average" : "",
+    return fmt::format("{}{} {} {}, {:.4g} m thick{}, in {} of {}, at {:.4g} %, {}",
+                       scenario.field.endless() ? "parts of " : "", scenario.field.floes, kind_words(scenario), size,
+                       floe.thickness, scenario.spread.thickness.any() ? " on average" : "",
                        scenario.has_cells() ? "cells" : "squares",
                        own_elements ? "a size that follows the floe" : fmt::format("{:.4g} m", floe.element),
                        scenario.field.concentration / unit::percent, placing_words(scenario.arrangement.method));

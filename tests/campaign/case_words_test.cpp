@@ -1,5 +1,6 @@
 #include "campaign/case_words.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "campaign/read.hpp"
@@ -60,6 +61,13 @@ TEST(CaseWords, SayWhatTheFloesAre) {
             scenario_of(campaign_of("[sizes]\nlaw = \"list\"\nlist_m = [[0.4, 0.4, 66.6667], [0.8, 0.8, 33.3333]]\n"))),
         "189 rectangles with sides of 0.4 to 0.8 m, mean 0.5333 m (squares of their area), 0.033 m thick, in cells "
         "of 0.2 m, at 75 %, scattered at random");
+}
+
+TEST(CaseWords, OfAFieldWithoutEndAreOfItsParts) {
+    const Campaign given =
+        campaign_of("[field]\nfloes = 24\nhalf_width_m = 1.25\nfar_end = \"never\"\n[shapes]\nkind = \"polygon\"\n");
+    EXPECT_THAT(floe_words(scenario_of(given)),
+                testing::StartsWith("parts of 24 polygons of 6 corners of 0.36 m² each"));
 }
 
 TEST(CaseWords, SayHowTheStructureMovesAndWhatHoldsIt) {
