@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "arrangement/arrangement.hpp"
-#include "campaign/case_words.hpp"
 #include "campaign/campaign.hpp"
+#include "campaign/case_words.hpp"
 #include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
