@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -197,16 +198,15 @@ std::vector<std::string> case_words(const Campaign& campaign) {
     std::set<std::string> said;
     for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
         const Scenario& scenario = campaign.cases[k].scenario;
-        std::string words;
-        if (scenario.sizes.law != SizeLaw::one) words = size_words(scenario);
-        if (scenario.shapes.any())
-            words +=
-                (words.empty() ? "" : "; ") + shape_words(scenario, arrangement_seed(campaign, static_cast<int>(k)));
-        if (scenario.spread.any() || scenario.brine.salinity > 0)
-            words += (words.empty() ? "" : "; ") + ice_words(scenario, arrangement_seed(campaign, static_cast<int>(k)));
-        if (scenario.field.endless()) words += (words.empty() ? "" : "; ") + endless_words(scenario);
+        const std::uint64_t seed = arrangement_seed(campaign, static_cast<int>(k));
+        std::vector<std::string> parts;
+        if (scenario.sizes.law != SizeLaw::one) parts.push_back(size_words(scenario));
+        if (scenario.shapes.any()) parts.push_back(shape_words(scenario, seed));
+        if (scenario.spread.any() || scenario.brine.salinity > 0) parts.push_back(ice_words(scenario, seed));
+        if (scenario.field.endless()) parts.push_back(endless_words(scenario));
         if (scenario.moorings.give_way() || scenario.structure.shape.kind() != HullKind::profile)
-            words += (words.empty() ? "" : "; ") + hull_words(scenario);
+            parts.push_back(hull_words(scenario));
+        const std::string words = fmt::format("{}", fmt::join(parts, "; "));
         if (words.empty() || !said.insert(words).second) continue;
         sentences.push_back(fmt::format("case {}: {}.", campaign.cases[k].name, words));
     }
@@ -280,16 +280,16 @@ std::string motion_words(const Scenario& scenario) {
         return fmt::format("towed at {:.4g} m/s", scenario.structure.speed);
     }
     constexpr std::array<const char*, 3> free{"surge", "surge and sway", "surge, sway and yaw"};
-    std::string held;
-    const auto also = [&](const std::string& what) { held += (held.empty() ? "" : ", ") + what; };
+    std::vector<std::string> holds;
     if (moorings.surge + moorings.sway + moorings.yaw > 0)
-        also(fmt::format("springs of {:.4g} kN/m in surge and {:.4g} in sway", moorings.surge / unit::kilonewton,
-                         moorings.sway / unit::kilonewton));
-    if (!moorings.lines.empty()) also(counted(std::ssize(moorings.lines), "line"));
-    if (!moorings.turret_curve.empty()) also("a turret");
-    if (moorings.thrusters.any()) also("thrusters");
+        holds.push_back(fmt::format("springs of {:.4g} kN/m in surge and {:.4g} in sway",
+                                    moorings.surge / unit::kilonewton, moorings.sway / unit::kilonewton));
+    if (!moorings.lines.empty()) holds.push_back(counted(std::ssize(moorings.lines), "line"));
+    if (!moorings.turret_curve.empty()) holds.emplace_back("a turret");
+    if (moorings.thrusters.any()) holds.emplace_back("thrusters");
     return fmt::format("{:.4g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
-                       free.at(static_cast<std::size_t>(moorings.free)), held, scenario.closing_speed());
+                       free.at(static_cast<std::size_t>(moorings.free)), fmt::join(holds, ", "),
+                       scenario.closing_speed());
 }
 
 }  // namespace floes

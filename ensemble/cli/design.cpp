@@ -382,9 +382,8 @@ void add_design(CommandLine& line) {
     add_format(verb, options->format);
     verb.footer(
         "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"
-        "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md). Exit "
-        "status\n"
-        "1: no case has a design load.\n\n"
+        "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md).\n"
+        "Exit status 1: no case has a design load.\n\n"
         "  floes design table3_physical.h5\n"
         "  floes design table3_physical.h5 --exposure-h 10 --quantile 0.5,0.9,0.99 --averaging-s 2\n"
         "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale\n"

@@ -82,7 +82,9 @@ void expect_campaign_file(const fs::path& path) {
 
 void expect_no_other_file(const fs::path& path) {
     const GivenFile kind = given_file(path);
-    if (kind == GivenFile::nothing || kind == GivenFile::hdf5 || fs::is_empty(path)) return;
+    std::error_code unknown;
+    const bool empty_file = fs::is_regular_file(path, unknown) && fs::is_empty(path, unknown);
+    if (kind == GivenFile::nothing || kind == GivenFile::hdf5 || empty_file) return;
     throw InputError(fmt::format("{} is {} and stays as it is; -o names another file for the campaign, as {}.",
                                  path.string(),
                                  kind == GivenFile::folder    ? "a folder"

@@ -171,8 +171,9 @@ def _same_times(coordinates: dict[str, xarray.DataArray]) -> list[str]:
     time = coordinates.get("time")
     if time is None:
         return []
-    return [name for name, one in coordinates.items() if name.endswith("_time") and one.attrs == time.attrs | {
-        "long_name": one.attrs.get("long_name")} and numpy.array_equal(one.values, time.values)]
+    return [name for name, one in coordinates.items()
+            if name.endswith("_time") and one.attrs.get("units") == time.attrs.get("units")
+            and numpy.array_equal(one.values, time.values)]
 
 
 def _opened(path: pathlib.Path) -> h5py.File:

@@ -54,6 +54,8 @@ TEST_F(GivenFiles, ThatAreNoCampaignAreNotReplacedByOne) {
                 HasSubstr("is no campaign file and stays as it is; -o names another file for the campaign, as " +
                           path("my.h5")));
     EXPECT_THAT(refusal([&] { expect_no_other_file(path(".")); }), HasSubstr("is a folder and stays as it is"));
+    std::filesystem::create_directory(path("empty"));
+    EXPECT_THAT(refusal([&] { expect_no_other_file(path("empty")); }), HasSubstr("is a folder and stays as it is"));
     EXPECT_NO_THROW(expect_no_other_file(path("none.h5")));
 }
 
