@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "shapes/hull_sizes.hpp"
+#include "shapes/polygon.hpp"
 
 namespace floes {
 
@@ -26,24 +27,6 @@ Polyhedron polyhedron_of(const ConvexSolid& solid) {
     return convex_hull(corners);
 }
 
-/// Area, first and second moments of polygons in a plane, in its coordinates (u, v).
-struct PlaneMoments {
-    double area = 0, u = 0, v = 0, uu = 0, vv = 0;
-
-    void add(const std::vector<Vec2>& corners) {
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Vec2& a = corners[i];
-            const Vec2& b = corners[(i + 1) % corners.size()];
-            const double twice = a.x() * b.y() - b.x() * a.y();
-            area += twice / 2;
-            u += twice * (a.x() + b.x()) / 6;
-            v += twice * (a.y() + b.y()) / 6;
-            uu += twice * (a.x() * a.x() + a.x() * b.x() + b.x() * b.x()) / 12;
-            vv += twice * (a.y() * a.y() + a.y() * b.y() + b.y() * b.y()) / 12;
-        }
-    }
-};
-
 }  // namespace
 
 Hydrostatics hydrostatics(const Shape& shape, const Plane& water) {
@@ -52,7 +35,7 @@ Hydrostatics hydrostatics(const Shape& shape, const Plane& water) {
     const Vec3 across = along.cross(water.normal);
     const Vec3 origin = water.offset * water.normal;
     Hydrostatics found;
-    PlaneMoments cut_out;
+    std::vector<Measures> cut_out;  // in u across and v along the hull, within the water's surface
     std::vector<ConvexSolid> wet;
     for (const ConvexSolid& solid : shape.solids()) {
         Polyhedron below = polyhedron_of(solid).cut(water);
@@ -69,21 +52,27 @@ Hydrostatics hydrostatics(const Shape& shape, const Plane& water) {
         const auto& body = std::get<Polyhedron>(solid.form);
         for (std::size_t face = 0; face < body.faces.size(); ++face) {
             if (!same_plane(body.planes[face], water, slack)) continue;
-            std::vector<Vec2> corners;
+            Outline corners;
             for (const int corner : body.faces[face]) {
                 const Vec3 from = body.corners[static_cast<std::size_t>(corner)] - origin;
-                corners.emplace_back(from.dot(across), from.dot(along));
+                corners.push_back({from.dot(across), from.dot(along)});
             }
-            cut_out.add(corners);
+            cut_out.push_back(measures_of(corners));
         }
     }
-    found.waterplane = cut_out.area;
-    if (!(cut_out.area > 0)) return found;
-    const double u = cut_out.u / cut_out.area;
-    const double v = cut_out.v / cut_out.area;
-    found.flotation = origin + u * across + v * along;
-    found.about_length = cut_out.uu - cut_out.area * u * u;
-    found.about_breadth = cut_out.vv - cut_out.area * v * v;
+    Corner centre;
+    for (const Measures& one : cut_out) {
+        found.waterplane += one.area;
+        centre = centre + one.area * one.centroid;
+    }
+    if (!(found.waterplane > 0)) return found;
+    centre = 1 / found.waterplane * centre;
+    found.flotation = origin + centre.x * across + centre.z * along;
+    for (const Measures& one : cut_out) {
+        const Corner away = one.centroid - centre;
+        found.about_length += one.xx + one.area * away.x * away.x;
+        found.about_breadth += one.zz + one.area * away.z * away.z;
+    }
     return found;
 }
 
