@@ -42,7 +42,7 @@ constexpr std::size_t no_element = ~std::size_t{0};
 }  // namespace
 
 IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
-    : by_stress_(scenario.joint.fails_by_stress()), time_step_(scenario.general.time_step) {
+    : time_step_(scenario.general.time_step) {
     std::vector<std::shared_ptr<const CutFloe>> cuts;
     for (const FloeShape& shape : floes.shapes) cuts.push_back(std::make_shared<const CutFloe>(shape.cut()));
     std::size_t elements = 0;
@@ -53,7 +53,7 @@ IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     }
     elements_.reserve(elements);
     joints_.reserve(joints);
-    if (by_stress_) stress_.reserve(elements);
+    if (scenario.joint.fails_by_stress()) stress_.emplace(static_cast<std::size_t>(scenario.stress_steps()), elements);
     for (std::size_t i = 0; i < floes.size(); ++i) {
         const Floe& floe = floes.floes[i];
         add_floe(world, scenario, {floe.pose, floes.shape(i), floes.material(i)}, cuts[floe.shape]);
@@ -100,8 +100,8 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                      .pose = {middle + yaw * flat(one.centre), yaw * turned_to(one.axis)},
                      .piece = static_cast<int>(first),
                      .crushing_pressure = pressure});
-        if (by_stress_)
-            stress_.put_element(
+        if (stress_)
+            stress_->put_element(
                 first + index, elements_[first + index].body, one.axis,
                 {from_axes(one.corners, {}, one.axis), one.area, cut->squares ? square_patch : cell_patch,
                  shape.thickness, material.ice.poisson_ratio, crushing});
@@ -118,7 +118,7 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                                                  .spring = joint_spring(shape, material, joint.length, joint.span)});
         sheet.joints.push_back(at);
         joints_.push_back({joint_ids_[at], static_cast<int>(place), static_cast<int>(number), joint.a, joint.b, at});
-        if (by_stress_) feel(joints_.back(), first);
+        if (stress_) feel(joints_.back(), first);
     }
 }
 
@@ -129,8 +129,8 @@ void IceField::feel(const Joint& joint, std::size_t first) {
         const Corner& centre = floe_of(joint).cut->elements[static_cast<std::size_t>(element)].centre;
         return ElementJoint{way * cut.normal, cut.pivot - centre, cut.length, cut.span, edge};
     };
-    stress_.put_joint(joint.place, joint.id, first + static_cast<std::size_t>(cut.a), of(cut.a, 1, cut.edge_a),
-                      first + static_cast<std::size_t>(cut.b), of(cut.b, -1, cut.edge_b));
+    stress_->put_joint(joint.place, joint.id, first + static_cast<std::size_t>(cut.a), of(cut.a, 1, cut.edge_a),
+                       first + static_cast<std::size_t>(cut.b), of(cut.b, -1, cut.edge_b));
 }
 
 /// At the end, or in place of an element that has left.
@@ -171,7 +171,7 @@ std::optional<std::size_t> IceField::element_of(BodyId body) const {
 int IceField::break_joints(World& world, double time) {
     const std::size_t before = breaks_.size();
     auto kept = joints_.begin();
-    if (by_stress_) stress_.read(world);
+    if (stress_) stress_->read(world);
     for (Joint& joint : joints_) {
         const std::optional<FailureMode> mode = floe_of(joint).rests ? std::nullopt : failing(world, joint);
         if (!mode) {
@@ -223,7 +223,7 @@ void IceField::repeat_breaks(World& world, std::span<const BreakEvent> breaks) {
 
 void IceField::fail(World& world, const Joint& joint, const BreakEvent& event) {
     world.remove_joint(joint.id);
-    if (by_stress_) failed_.push_back(joint.place);
+    if (stress_) failed_.push_back(joint.place);
     Sheet& sheet = floes_[static_cast<std::size_t>(joint.floe)];
     sheet.cracked = sheet.broken = true;
     expose_edges(joint);
@@ -231,7 +231,7 @@ void IceField::fail(World& world, const Joint& joint, const BreakEvent& event) {
 }
 
 void IceField::split_broken(World& world, std::size_t first_break) {
-    for (const std::size_t joint : failed_) stress_.remove_joint(joint);
+    for (const std::size_t joint : failed_) stress_->remove_joint(joint);
     failed_.clear();
     for (std::size_t i = first_break; i < breaks_.size(); ++i) {
         if (i == first_break || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, place_of(breaks_[i].floe));
@@ -281,7 +281,7 @@ void IceField::leave(World& world, int place) {
     for (const Joint& joint : joints_) {
         if (joint.floe != place) continue;
         world.remove_joint(joint.id);
-        if (by_stress_) stress_.remove_joint(joint.place);
+        if (stress_) stress_->remove_joint(joint.place);
     }
     std::erase_if(joints_, [&](const Joint& joint) { return joint.floe == place; });
     free_joints_.insert(free_joints_.end(), sheet.joints.begin(), sheet.joints.end());
@@ -367,17 +367,17 @@ IceField::Turned IceField::turned(const World& world, const Joint& joint) const 
 
 std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
     const JointStrength& strength = strength_of(joint);
-    if (!by_stress_) {
+    if (!stress_) {
         const JointReaction reaction = world.reaction(joint.id);
         peaks_ = raised(peaks_, reaction);
         return failure(reaction, strength.thresholds);
     }
-    peaks_ = raised(peaks_, stress_.reaction(joint.place));
+    peaks_ = raised(peaks_, stress_->reaction(joint.place));
     if (joint.crack) return crack_on(world, joint);
-    if (!may_fail(stress_.reaction(joint.place), stress_.across(joint.place), stress_.most_by_contacts(joint.place),
+    if (!may_fail(stress_->reaction(joint.place), stress_->across(joint.place), stress_->most_by_contacts(joint.place),
                   strength.section, strength.thresholds))
         return std::nullopt;
-    const JointLoad load = stress_.load(world, joint.place);
+    const JointLoad load = stress_->load(joint.place);
     const Utilisation used = utilisation(load, strength.section, strength.thresholds);
     if (!(used.share > 1)) return std::nullopt;
     if (used.mode != FailureMode::bending) return used.mode;
@@ -401,7 +401,7 @@ std::optional<FailureMode> IceField::crack_on(World& world, Joint& joint) {
     if (crack.is_open()) return FailureMode::bending;
     if (crack.sound() < sound) world.soften_joint(joint.id, crack.sound());
     // Cracked ice still shears off, and a thrust still crushes it.
-    return failure(without_bending(stress_.reaction(joint.place)), strength_of(joint).thresholds);
+    return failure(without_bending(stress_->reaction(joint.place)), strength_of(joint).thresholds);
 }
 
 void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {
@@ -409,14 +409,13 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
     for (const Joint& joint : joints_) {
         const Sheet& sheet = floe_of(joint);
         double used = 0;
-        if (!by_stress_)
+        if (!stress_)
             used = utilisation(world.reaction(joint.id), strength_of(joint).thresholds);
         else if (joint.crack)
             used = 2 - joint.crack->sound();
         else
-            used =
-                utilisation(stress_.load(world, joint.place), strength_of(joint).section, strength_of(joint).thresholds)
-                    .share;
+            used = utilisation(stress_->load(joint.place), strength_of(joint).section, strength_of(joint).thresholds)
+                       .share;
         const auto first = static_cast<std::size_t>(sheet.first);
         for (const int index : {joint.a, joint.b}) {
             double& element = worst[first + static_cast<std::size_t>(index)];

@@ -220,10 +220,9 @@ class IceField {
     std::vector<Joint> joints_;  // live, in order of creation
     std::vector<BreakEvent> breaks_;
     PeakReactions peaks_;
-    bool by_stress_;
     double time_step_;
-    StressField stress_;               // empty unless joints fail by stress
-    std::vector<std::size_t> failed_;  // in this step, still in stress_
+    std::optional<StressField> stress_;  // where joints fail by stress
+    std::vector<std::size_t> failed_;    // in this step, still in stress_
     double fracture_work_ = 0;
 };
 

@@ -92,6 +92,12 @@ struct LocalStress {
     double across = 0;  ///< and across it
     double shear = 0;   ///< of both, by the joint's x and z
 
+    void add(double share, const LocalStress& other) {
+        along += share * other.along;
+        across += share * other.across;
+        shear += share * other.shear;
+    }
+
     friend bool operator==(const LocalStress&, const LocalStress&) = default;
 };
 

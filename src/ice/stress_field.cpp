@@ -136,10 +136,13 @@ Corner by_axes(const Corner& x_axis, double x, double z) {
 
 }  // namespace
 
-void StressField::reserve(std::size_t elements) {
+StressField::StressField(std::size_t steps, std::size_t elements) : steps_(steps) {
+    FLOES_EXPECTS(steps >= 1);
     contacts_.reserve(usual_contacts * elements);
-    touches_.reserve(2 * usual_contacts * elements);
-    touched_.reserve(elements);
+    for (Step& step : steps_) {
+        step.touches.reserve(2 * usual_contacts * elements);
+        step.touched.reserve(elements);
+    }
 }
 
 void StressField::put_element(std::size_t number, BodyId body, const Corner& axis, PressedElement element) {
@@ -147,8 +150,10 @@ void StressField::put_element(std::size_t number, BodyId body, const Corner& axi
     Element made{.ice = std::move(element), .body = body, .axis = axis};
     if (number < elements_.size()) {
         elements_[number] = std::move(made);
+        for (Step& step : steps_) step.elements[number] = {};
         return;
     }
+    for (Step& step : steps_) step.elements.emplace_back();
     element_of_body_.resize(std::max(element_of_body_.size(), body.index() + 1), none);
     element_of_body_[body.index()] = number;
     elements_.push_back(std::move(made));
@@ -166,6 +171,7 @@ void StressField::put_joint(std::size_t number, JointId id, std::size_t a, const
     joints_.push_back(joint);
     live_.push_back(true);
     reactions_.emplace_back();
+    for (Step& step : steps_) step.reactions.emplace_back();
 }
 
 /// The joint's number among those of the element.
@@ -182,6 +188,7 @@ void StressField::remove_joint(std::size_t joint) {
     const Joint& gone = joints_[joint];
     live_[joint] = false;
     reactions_[joint] = {};
+    for (Step& step : steps_) step.reactions[joint] = {};
     for (const auto& [number, on] : {std::pair(gone.a, gone.on_a), std::pair(gone.b, gone.on_b)}) {
         elements_[number].ice.joints[on].live = false;
         --elements_[number].live;
@@ -203,50 +210,66 @@ void StressField::spread(const Joint& joint, const JointReaction& reaction) {
 }
 
 void StressField::read(const World& world) {
+    last_ = (last_ + 1) % steps_.size();
+    Step& step = steps_[last_];
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (live_[i]) step.reactions[i] = world.reaction(joints_[i].id);
+    average();
     for (Element& element : elements_) element.moment = element.force = {};
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-        if (!live_[i]) continue;
-        reactions_[i] = world.reaction(joints_[i].id);
-        spread(joints_[i], reactions_[i]);
-    }
-    for (const std::size_t i : touched_) {
-        elements_[i].first = elements_[i].last = no_touch;
-        elements_[i].largest_force = 0;
-    }
-    touched_.clear();
-    touches_.clear();
+    for (std::size_t i = 0; i < joints_.size(); ++i)
+        if (live_[i]) spread(joints_[i], reactions_[i]);
+    for (const std::size_t i : step.touched) step.elements[i] = {};
+    step.touched.clear();
+    step.touches.clear();
     world.read_contacts(contacts_);
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        touch(contacts_[i].a, i, true);
-        touch(contacts_[i].b, i, false);
+    for (const ContactForce& contact : contacts_) {
+        touch(step, world, contact.a, contact, true);
+        touch(step, world, contact.b, contact, false);
     }
 }
 
-void StressField::touch(BodyId body, std::size_t contact, bool on_a) {
+void StressField::average() {
+    const double share = 1.0 / static_cast<double>(steps_.size());
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        JointReaction sum{};
+        for (const Step& step : steps_) {
+            const JointReaction& one = step.reactions[i];
+            sum.axial += one.axial;
+            sum.shear_vertical += one.shear_vertical;
+            sum.shear_in_plane += one.shear_in_plane;
+            sum.torsion += one.torsion;
+            sum.in_plane_bending += one.in_plane_bending;
+            sum.bending += one.bending;
+        }
+        reactions_[i] = {.axial = share * sum.axial,
+                         .shear_vertical = share * sum.shear_vertical,
+                         .shear_in_plane = share * sum.shear_in_plane,
+                         .torsion = share * sum.torsion,
+                         .in_plane_bending = share * sum.in_plane_bending,
+                         .bending = share * sum.bending};
+    }
+}
+
+void StressField::touch(Step& step, const World& world, BodyId body, const ContactForce& contact, bool on_a) const {
     if (body.index() >= element_of_body_.size()) return;
     const std::size_t number = element_of_body_[body.index()];
     if (number == none || elements_[number].live == 0) return;
-    Element& element = elements_[number];
-    const auto place = static_cast<std::uint32_t>(touches_.size());
-    touches_.push_back({contact, on_a});
-    if (element.first == no_touch) {
-        element.first = place;
-        touched_.push_back(number);
-    } else {
-        touches_[element.last].next = place;
-    }
-    element.last = place;
-    const double force = (contacts_[contact].normal + contacts_[contact].friction).norm();
-    element.largest_force = std::max(element.largest_force, force);
-}
-
-StressField::Push StressField::push(const World& world, const Element& element, const Touch& touch) const {
-    const ContactForce& contact = contacts_[touch.contact];
-    const Vec3 on_a = contact.normal + contact.friction;
-    const BodyState state = world.state(element.body);
+    const BodyState state = world.state(body);
+    const Vec3 on = contact.normal + contact.friction;
     const Vec3 at = state.rotation.transpose() * (contact.point - state.position);
-    const Vec3 force = state.rotation.transpose() * (touch.on_a ? on_a : -on_a);
-    return {by_axes(element.axis, at.x(), at.z()), by_axes(element.axis, force.x(), force.z()), -force.y()};
+    const Vec3 force = state.rotation.transpose() * (on_a ? on : -on);
+    const Corner& axis = elements_[number].axis;
+    const auto place = static_cast<std::uint32_t>(step.touches.size());
+    step.touches.push_back({by_axes(axis, at.x(), at.z()), by_axes(axis, force.x(), force.z()), -force.y()});
+    Touched& touched = step.elements[number];
+    if (touched.first == no_touch) {
+        touched.first = place;
+        step.touched.push_back(number);
+    } else {
+        step.touches[touched.last].next = place;
+    }
+    touched.last = place;
+    touched.largest_force = std::max(touched.largest_force, on.norm());
 }
 
 double StressField::across(std::size_t joint) const {
@@ -259,30 +282,42 @@ double StressField::across(std::size_t joint) const {
 }
 
 double StressField::most_by_contacts(std::size_t joint) const {
-    const Element& a = elements_[joints_[joint].a];
-    const Element& b = elements_[joints_[joint].b];
-    return std::max(a.most_stress * a.largest_force, b.most_stress * b.largest_force);
+    double sum = 0;
+    for (const Step& step : steps_) {
+        const auto most = [&](std::size_t i) { return elements_[i].most_stress * step.elements[i].largest_force; };
+        sum += std::max(most(joints_[joint].a), most(joints_[joint].b));
+    }
+    return sum / static_cast<double>(steps_.size());
 }
 
-JointLoad StressField::load(const World& world, std::size_t joint) const {
+JointLoad StressField::load(std::size_t joint) const {
     const Joint& one = joints_[joint];
     const ElementJoint& own = elements_[one.a].ice.joints[one.on_a];
     const Corner t{-own.outward.z, own.outward.x};
+    const double share = 1.0 / static_cast<double>(steps_.size());
     JointLoad load{.reaction = reactions_[joint], .across = across(joint)};
-    for (const bool at_b : {false, true}) {
-        const Element& element = elements_[at_b ? one.b : one.a];
-        Tensor force = element.force;
-        for (std::uint32_t i = element.first; i != no_touch; i = touches_[i].next) {
-            const Push push = this->push(world, element, touches_[i]);
-            force.add(push.force, push.at);
-            const std::optional<LocalStress> local =
-                contact_stress(element.ice, {push.at.x, push.at.z, push.down}, at_b ? one.on_b : one.on_a);
-            if (!local) continue;
-            if (local->along > load.sagging.along) load.sagging = *local;
-            if (local->along < load.hogging.along) load.hogging = *local;
+    Tensor force_a = elements_[one.a].force;
+    Tensor force_b = elements_[one.b].force;
+    for (const Step& step : steps_) {
+        LocalStress sagging;
+        LocalStress hogging;
+        for (const bool at_b : {false, true}) {
+            const std::size_t number = at_b ? one.b : one.a;
+            for (std::uint32_t i = step.elements[number].first; i != no_touch; i = step.touches[i].next) {
+                const Touch& touch = step.touches[i];
+                (at_b ? force_b : force_a).add(share * touch.force, touch.at);
+                const std::optional<LocalStress> local = contact_stress(
+                    elements_[number].ice, {touch.at.x, touch.at.z, touch.down}, at_b ? one.on_b : one.on_a);
+                if (!local) continue;
+                if (local->along > sagging.along) sagging = *local;
+                if (local->along < hogging.along) hogging = *local;
+            }
         }
-        load.pulled_across += own.length / 2 * force.along(t) / element.ice.area;
+        load.sagging.add(share, sagging);
+        load.hogging.add(share, hogging);
     }
+    load.pulled_across =
+        own.length / 2 * (force_a.along(t) / elements_[one.a].ice.area + force_b.along(t) / elements_[one.b].ice.area);
     return load;
 }
 

@@ -91,14 +91,16 @@ std::optional<LocalStress> contact_stress(const PressedElement& element, const P
 /// The most that a force of 1 N can add at any of the joints, its shear included, wherever it acts, Pa.
 double most_contact_stress(const PressedElement& element);
 
-// What acts at every joint of all floes in the world's last step: its reaction, the mean moment and force of its two
-// elements across it, and the stress by contacts on them. The means follow from what acts on an element's faces, f_k at
-// x_k, as that of a stress does: A N = Σ f_k ⊗ x_k (divergence theorem).
+// What acts at every joint of all floes: its reaction, the mean moment and force of its two elements across it, and the
+// stress by contacts on them. The means follow from what acts on an element's faces, f_k at x_k, as that of a stress
+// does: A N = Σ f_k ⊗ x_k (divergence theorem). All are averaged over the world's last steps, of which those before a
+// joint was made count as nothing.
 
 class StressField {
   public:
-    /// For this many elements reading then allocates nothing unless contacts are very many.
-    void reserve(std::size_t elements);
+    /// Averages over this many steps, at least 1. For this many elements reading then allocates nothing unless contacts
+    /// are very many.
+    StressField(std::size_t steps, std::size_t elements);
 
     /// Elements and joints are numbered from 0 in the order in which they are put in. One that comes under the number
     /// of another takes its place, and the body of an element, whose joints have been removed. `axis`: the element's
@@ -120,8 +122,8 @@ class StressField {
     /// A bound of what contacts add to any tension at the joint, Pa.
     double most_by_contacts(std::size_t joint) const;
 
-    /// Costs much more than the two above. `world`: as it was read.
-    JointLoad load(const World& world, std::size_t joint) const;
+    /// Costs much more than the two above.
+    JointLoad load(std::size_t joint) const;
 
   private:
     static constexpr std::size_t none = ~std::size_t{0};
@@ -150,35 +152,39 @@ class StressField {
         std::vector<std::size_t> joints{};  ///< of all, by their numbers among the element's
         int live = 0;                       ///< of them
         double most_stress = 0;             ///< by a force of 1 N, Pa
-        /// In the last step:
-        Tensor moment{}, force{};  ///< times the area, by its joints, N m² and N m
-        double largest_force = 0;  ///< of its contacts, N
-        std::uint32_t first = no_touch, last = no_touch;
+        Tensor moment{}, force{};           ///< times the area, by its joints, N m² and N m
     };
-    /// A contact as one of its two bodies feels it, and the next one of the same body.
+    /// A contact as an element feels it in the axes of its floe, and the next one of the same element.
     struct Touch {
-        std::size_t contact;
-        bool on_a;
+        Corner at;     ///< m from the centroid
+        Corner force;  ///< N
+        double down;   ///< N
         std::uint32_t next = no_touch;
     };
-    void touch(BodyId body, std::size_t contact, bool on_a);
-    std::size_t join(std::size_t element, std::size_t joint, const ElementJoint& at);
-    void spread(const Joint& joint, const JointReaction& reaction);
-    /// A contact force on an element in the axes of its floe, and how far down.
-    struct Push {
-        Corner at, force;
-        double down;
+    struct Touched {
+        double largest_force = 0;  ///< N
+        std::uint32_t first = no_touch, last = no_touch;
     };
-    Push push(const World& world, const Element& element, const Touch& touch) const;
+    /// What one step brought.
+    struct Step {
+        std::vector<JointReaction> reactions{};  ///< by joint
+        std::vector<Touched> elements{};         ///< by element
+        std::vector<Touch> touches{};
+        std::vector<std::size_t> touched{};  ///< elements, by number
+    };
+    void touch(Step& step, const World& world, BodyId body, const ContactForce& contact, bool on_a) const;
+    std::size_t join(std::size_t element, std::size_t joint, const ElementJoint& at);
+    void average();
+    void spread(const Joint& joint, const JointReaction& reaction);
 
     std::vector<Element> elements_;
     std::vector<Joint> joints_;
     std::vector<bool> live_;
-    std::vector<JointReaction> reactions_;
+    std::vector<JointReaction> reactions_;      ///< averaged
     std::vector<std::size_t> element_of_body_;  ///< none: not an element
-    std::vector<ContactForce> contacts_;        ///< of the last step
-    std::vector<Touch> touches_;
-    std::vector<std::size_t> touched_;  ///< elements, by number
+    std::vector<Step> steps_;
+    std::size_t last_ = 0;                ///< of them
+    std::vector<ContactForce> contacts_;  ///< of that step
 };
 
 }  // namespace floes

@@ -94,6 +94,16 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_stress_averaging(const Scenario& scenario, Contradictions& found) {
+    constexpr int most_steps = 1000;  // each keeps the reactions of all joints
+    if (!scenario.joint.fails_by_stress() || scenario.stress_steps() <= most_steps) return;
+    found.push_back({{"joint.averaging_s", "general.time_step_s"},
+                     fmt::format("the stress at joints is averaged over {:.4g} s, {} steps of {}, more than the {} "
+                                 "that are kept; take longer steps or a shorter joint.averaging_s",
+                                 scenario.stress_averaging(), scenario.stress_steps(),
+                                 given(scenario, "general.time_step_s"), most_steps)});
+}
+
 void check_proportions(const Scenario& scenario, Contradictions& found) {
     constexpr double largest_strain = 0.1;        // at failure; ice breaks at some 1e-4, model ice at some 1e-3
     constexpr double least_concentration = 0.01;  // less is a fraction that was meant as a percentage

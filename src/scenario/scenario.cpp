@@ -85,6 +85,17 @@ double Scenario::towed() const {
     return structure.speed * (analysis.steady_start + analysis.window);
 }
 
+double Scenario::stress_averaging() const {
+    if (joint.averaging > 0) return joint.averaging;
+    const double rigidity =
+        ice.elastic_modulus * std::pow(floe.thickness, 3) / (12 * (1 - ice.poisson_ratio * ice.poisson_ratio));
+    return 0.1 * std::sqrt(std::pow(rigidity / (water.density * general.gravity), 0.25) / general.gravity);
+}
+
+int Scenario::stress_steps() const {
+    return static_cast<int>(std::clamp(std::lround(stress_averaging() / general.time_step), 1L, 1L << 30));
+}
+
 double Scenario::window_ahead() const {
     return field.ahead > 0 ? field.ahead : widths_ahead * 2 * field.half_width;
 }

@@ -241,6 +241,7 @@ struct Joint {
     double cfm = 0.016;                           ///< Σ, Bullet's relative number (docs/calibration.md); below 1
     double erp = 0.8;                             ///< Γ (Table 1)
     double damping_ratio = 0.05;                  ///< of beam joints, of critical
+    double averaging = 0;                         ///< s, of the stress that cracks; 0: Scenario::stress_averaging()
     JointFailure failure = JointFailure::stress;  ///< of beam joints; others fail by moment
     ThresholdForm threshold_form = ThresholdForm::force;
     MomentAbout moment_about = MomentAbout::pivot;
@@ -388,8 +389,12 @@ struct Scenario {
     IceSpread spread;
     Brine brine;
 
-    double field_length() const;   ///< m: covered area / (concentration * 2 half_width)
-    double field_end() const;      ///< x of the field's far edge, m
+    double field_length() const;  ///< m: covered area / (concentration * 2 half_width)
+    double field_end() const;     ///< x of the field's far edge, m
+    /// Time over which stress is averaged before it meets the strength, s: joint.averaging, or its default, a tenth of
+    /// √(l/g), l = (E T³/(12 (1 - ν²) ρ_w g))^(1/4) of the plate on water (docs/fracture.md).
+    double stress_averaging() const;
+    int stress_steps() const;      ///< the same in steps, at least 1
     double window_ahead() const;   ///< of a field without end: field.ahead, or its default, m
     double window_behind() const;  ///< likewise field.behind
     double closing_speed() const;  ///< of the field, or that of the tow, m/s

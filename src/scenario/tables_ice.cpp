@@ -135,6 +135,15 @@ void add_joint(Keys& keys, Joint& joint) {
         "with the peak below contacts that a grid of elements does not show, reaches ice.bending_strength_kPa; then it "
         "softens as ice.fracture_energy_J_m2 says. moment: its bending moment exceeds Eq. (3), and it is gone at once; "
         "fewer floes break, and how many depends on floe.element_m."))));
+    keys.push_back(only_with(
+        "joint.failure = \"stress\"", [&joint] { return joint.fails_by_stress(); },
+        late_key(number_key("joint.averaging_s", joint.averaging, unit::one, at_least(0).at_most(10),
+                            "docs/fracture.md",
+                            "Time over which the stress at a joint is averaged before it meets the strength: blows "
+                            "that are shorter crack by their mean alone, so that broken floes do not depend on the "
+                            "time step. Rounded to whole steps, at least one. 0: a tenth of the square root of the "
+                            "plate's characteristic length over g, 0.02 s for the tank's ice, 0.1 s at full "
+                            "scale."))));
     keys.push_back(with_beams(late_key(number_key(
         "joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "hardly matters: docs/ice.md",
         "Damping of joints: share of critical for two elements that swing against each other."))));

@@ -15,6 +15,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     if (!found.empty()) return found;
     check_elements(scenario, found);
     check_floating(scenario, found);
+    check_stress_averaging(scenario, found);
     check_proportions(scenario, found);
     check_solver(scenario, found);
     check_time(scenario, found);

@@ -32,6 +32,7 @@ void check_spread(const Scenario& scenario, Contradictions& found);  ///< laws o
 void check_elements(const Scenario& scenario, Contradictions& found);  ///< floes are whole squares, not too many
 void check_sides(const Scenario& scenario, Contradictions& found);     ///< floes are whole squares
 void check_element_count(const Scenario& scenario, double elements, Contradictions& found);  ///< of all floes
+void check_stress_averaging(const Scenario& scenario, Contradictions& found);  ///< over not too many steps
 void check_proportions(const Scenario& scenario, Contradictions& found);  ///< sheets that bend a little, and a field
 void check_solver(const Scenario& scenario, Contradictions& found);       ///< it refuses nothing that it is to do
 void check_floating(const Scenario& scenario, Contradictions& found);     ///< the ice floats, heave is stable

@@ -99,5 +99,38 @@ INSTANTIATE_TEST_SUITE_P(Ice, ElementsThatPart,
                          testing::Values(Parting{0.2, 0.02}, Parting{0.2, 0.01}, Parting{0.2, 0.0025},
                                          Parting{0.1, 0.02}, Parting{0.1, 0.005}, Parting{0.05, 0.02}));
 
+/// Steps after which two elements part that a moment bends, in shares of the strength by turns; -1: never.
+int parts_after(double averaging, double first_share, double second_share) {
+    Scenario scenario;
+    scenario.water.added_mass_from = WaterFrom::share;
+    scenario.floe = {.length = 0.4, .breadth = 0.2, .element = 0.2};
+    scenario.ice.density = 1;  // what the moment turns is the joint
+    scenario.joint.averaging = averaging;
+    WorldDefinition definition{.time_step = scenario.general.time_step, .gravity = 0, .solver = SolverKind::direct};
+    definition.contact = scenario.contact_law();
+    World world(definition);
+    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0.4}}));
+    const double strength = 0.2 * 0.033 * 0.033 / 6 * scenario.ice.bending_strength;
+    const BodyId a = ice.elements()[0].body;
+    const BodyId b = ice.elements()[1].body;
+    for (int step = 1; step <= 20; ++step) {
+        load_joint(world, a, b, Vec3(0.1, 0, 0), Vec3::Zero(),
+                   Vec3(0, 0, (step % 2 == 1 ? first_share : second_share) * strength));
+        world.step();
+        if (ice.break_joints(world, step * scenario.general.time_step) > 0) return step;
+    }
+    return -1;
+}
+
+TEST(Averaging, LetsStressThatLastsCrackAndBlowsByTheirMean) {
+    EXPECT_EQ(parts_after(0.02, 1.1, 1.1), 1) << "one step";
+    EXPECT_EQ(parts_after(0.02, 1.6, 0), 1);
+    EXPECT_EQ(parts_after(0.02, 0.9, 0.9), -1);
+    EXPECT_EQ(parts_after(0.04, 1.1, 1.1), 2) << "two steps, of which that before the first was without load";
+    EXPECT_EQ(parts_after(0.04, 1.6, 0), -1);
+    EXPECT_EQ(parts_after(0.04, 2.4, 0), 1);
+    EXPECT_EQ(parts_after(0.08, 1.6, 0.8), 4);
+}
+
 }  // namespace crack_test
 }  // namespace floes::test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "core/error.hpp"
@@ -22,6 +23,27 @@ TEST(Scenario, DefaultsAreThePapersField) {
     ASSERT_TRUE(scenario.gap());
     EXPECT_NEAR(scenario.gap()->breadth, 2.4 - 0.614, 1e-12);
     EXPECT_NEAR(scenario.gap()->floes, (2.4 - 0.614) / 0.6, 1e-12);
+}
+
+// Westergaard's l of the tank's ice, and Froude's law: times go with the root of lengths where moduli go with lengths.
+TEST(Scenario, StressIsAveragedOverATenthOfThePlatesOwnTime) {
+    Scenario scenario;
+    scenario.ice.elastic_modulus = 60e6;
+    const double rigidity = 60e6 * std::pow(0.033, 3) / 12 / (1 - 0.3 * 0.3);
+    const double length = std::sqrt(std::sqrt(rigidity / (1000 * 9.81)));
+    EXPECT_NEAR(scenario.stress_averaging(), 0.1 * std::sqrt(length / 9.81), 1e-15);
+    EXPECT_EQ(scenario.stress_steps(), 1);
+    scenario.general.time_step = 0.0025;
+    EXPECT_EQ(scenario.stress_steps(), 8);
+
+    Scenario larger = scenario;
+    larger.floe.thickness *= 25;
+    larger.ice.elastic_modulus *= 25;
+    EXPECT_NEAR(larger.stress_averaging() / scenario.stress_averaging(), 5, 1e-12);
+
+    scenario.joint.averaging = 0.05;
+    EXPECT_EQ(scenario.stress_averaging(), 0.05);
+    EXPECT_EQ(scenario.stress_steps(), 20);
 }
 
 TEST(ScenarioKeys, PathsAreUniqueAndNamed) {

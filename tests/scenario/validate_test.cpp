@@ -262,6 +262,15 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          },
          "analysis.exceedance_levels_N = [20.0, 50.0, 50.0] does not rise from each to the next"},
         {[](Scenario& s) {
+             s.general.solver = SolverKind::direct;
+             s.joint.model = JointModel::beam;
+             s.joint.failure = JointFailure::stress;
+             s.joint.averaging = 10;
+             s.general.time_step = 0.005;
+         },
+         "the stress at joints is averaged over 10 s, 2000 steps of general.time_step_s = 0.005, more than the 1000 "
+         "that are kept; take longer steps or a shorter joint.averaging_s"},
+        {[](Scenario& s) {
              s.analysis.averaging = {0.5, 0.1};
          },
          "analysis.averaging_s = [0.5, 0.1] does not rise from each to the next"},
