@@ -279,7 +279,8 @@ std::string motion_words(const Scenario& scenario) {
         if (scenario.path.any()) return "led along a path";
         return fmt::format("towed at {:.4g} m/s", scenario.structure.speed);
     }
-    constexpr std::array<const char*, 3> free{"surge", "surge and sway", "surge, sway and yaw"};
+    std::vector<std::string> free;
+    for (const int k : moorings.directions()) free.emplace_back(motion_names.at(static_cast<std::size_t>(k)));
     std::vector<std::string> holds;
     if (moorings.surge + moorings.sway + moorings.yaw > 0)
         holds.push_back(fmt::format("springs of {:.4g} kN/m in surge and {:.4g} in sway",
@@ -288,7 +289,7 @@ std::string motion_words(const Scenario& scenario) {
     if (!moorings.turret_curve.empty()) holds.emplace_back("a turret");
     if (moorings.thrusters.any()) holds.emplace_back("thrusters");
     return fmt::format("{:.4g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
-                       free.at(static_cast<std::size_t>(moorings.free)), fmt::join(holds, ", "),
+                       name_list(free), fmt::join(holds, ", "),
                        scenario.closing_speed());
 }
 

@@ -250,7 +250,7 @@ namespace {
 /// Peaks nearer than a natural period, or than the time in which the hull's own damping lets a swing fall to 1/e, are
 /// one event, as of a hull that stored loads move. Without damping of its own only the ice lets it fade.
 double separation_of(const Analysis& analysis, const Moorings& moorings) {
-    const double period = moorings.periods()[0];
+    const double period = moorings.period(Motion::surge);
     const double fade = moorings.damping > 0 ? period / (2 * std::numbers::pi * moorings.damping) : 0;
     return std::max({analysis.peak_separation, period, fade});
 }
@@ -273,7 +273,7 @@ std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence) {
         const MemberRow& member = table.members[static_cast<std::size_t>(history.member)];
         const auto index = static_cast<std::size_t>(member.case_index);
         const Analysis& analysis = table.cases[index].analysis;
-        const double period = evidence.campaign.cases[index].scenario.moorings.periods()[0];
+        const double period = evidence.campaign.cases[index].scenario.moorings.period(Motion::surge);
         if (const std::string words = period_refusal(analysis, history.step, period, 1); !words.empty())
             throw InputError(fmt::format("Design mooring force: {}: {}.", evidence.summary.label_of(index), words));
         const auto window = static_cast<std::size_t>(std::llround(analysis.window / history.step));

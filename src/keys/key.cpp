@@ -130,6 +130,20 @@ std::string rows_text(const RowsField& rows, bool si) {
     return fmt::format("[{}]", fmt::join(lines, ", "));
 }
 
+std::string quoted(const std::vector<std::string_view>& words, std::string_view between) {
+    std::vector<std::string> texts;
+    for (const std::string_view word : words) texts.push_back(text_literal(word));
+    return fmt::format("{}", fmt::join(texts, between));
+}
+
+std::string chosen_text(const WordsField& field) {
+    std::vector<std::string_view> chosen;
+    const std::vector<bool> flags = field.get();
+    for (std::size_t i = 0; i < field.words.size(); ++i)
+        if (flags[i]) chosen.push_back(field.words[i]);
+    return fmt::format("[{}]", quoted(chosen, ", "));
+}
+
 std::string list_text(const NumbersField& numbers, bool si) {
     std::vector<std::string> texts;
     for (const double value : *numbers.values) texts.push_back(number_literal(value, si ? 1.0 : numbers.unit));
@@ -145,6 +159,7 @@ struct Literal {
     std::string operator()(const IntegerField& integer) const { return fmt::format("{}", integer.get()); }
     std::string operator()(const SwitchField& field) const { return *field.value ? "true" : "false"; }
     std::string operator()(const WordField& word) const { return text_literal(word.words[word.get()]); }
+    std::string operator()(const WordsField& words) const { return chosen_text(words); }
     std::string operator()(const TextField& text) const { return text_literal(*text.value); }
     std::string operator()(const RowsField& rows) const { return rows_text(rows, si); }
 };
@@ -161,10 +176,9 @@ struct Allowed {
         return fmt::format("a whole number from {} to {}", integer.low, integer.high);
     }
     std::string operator()(const SwitchField&) const { return "true or false"; }
-    std::string operator()(const WordField& word) const {
-        std::vector<std::string> words;
-        for (const std::string_view text : word.words) words.push_back(text_literal(text));
-        return fmt::format("{}", fmt::join(words, " or "));
+    std::string operator()(const WordField& word) const { return quoted(word.words, " or "); }
+    std::string operator()(const WordsField& field) const {
+        return fmt::format("a list of {}", quoted(field.words, ", "));
     }
     std::string operator()(const TextField&) const { return "text in quotes"; }
     std::string operator()(const RowsField& rows) const {

@@ -80,6 +80,12 @@ struct WordField {
     std::function<std::size_t()> get;
     std::function<void(std::size_t)> set;
 };
+/// A choice of several words, in the order of an enumeration.
+struct WordsField {
+    std::vector<std::string_view> words;
+    std::function<std::vector<bool>()> get;  ///< for each word whether it is chosen
+    std::function<void(const std::vector<bool>&)> set;
+};
 struct TextField {
     std::string* value;
 };
@@ -97,7 +103,8 @@ struct RowsField {
 
 struct Key {
     std::string_view path;  ///< "ice.thickness_m": table, dot, name with unit
-    std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, TextField, RowsField> field;
+    std::variant<NumberField, NumbersField, IntegerField, SwitchField, WordField, WordsField, TextField, RowsField>
+        field;
     std::string_view source;       ///< where the default comes from
     std::string_view doc;          ///< meaning, and what changing it does
     bool late = false;             ///< came after the first campaigns; not in a digest where it has the value of before

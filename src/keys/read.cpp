@@ -70,15 +70,31 @@ struct Assigner {
         if (text == nullptr) throw wrong("is not a word in quotes");
         const auto found = std::ranges::find(field.words, *text);
         if (found == field.words.end()) {
-            throw InputError(wrong("is not a word of this key").what() + hint(field, *text));
+            throw InputError(wrong("is not a word of this key").what() + hint(field.words, *text));
         }
         field.set(static_cast<std::size_t>(found - field.words.begin()));
     }
 
+    void operator()(const WordsField& field) const {
+        const auto* list = std::get_if<std::vector<Value>>(&entry.value.data);
+        if (list == nullptr) throw wrong("is not a list");
+        std::vector<bool> chosen(field.words.size(), false);
+        for (const Value& item : *list) {
+            const auto* text = std::get_if<std::string>(&item.data);
+            if (text == nullptr) throw wrong(fmt::format("has {}, which is not a word in quotes", to_text(item)));
+            const auto found = std::ranges::find(field.words, *text);
+            if (found == field.words.end())
+                throw InputError(wrong(fmt::format("has {}, which is none of its words", to_text(item))).what() +
+                                 hint(field.words, *text));
+            chosen[static_cast<std::size_t>(found - field.words.begin())] = true;
+        }
+        field.set(chosen);
+    }
+
     /// The word that was mistyped, or else what the words mean.
-    std::string hint(const WordField& field, const std::string& text) const {
+    std::string hint(const std::vector<std::string_view>& words, const std::string& text) const {
         const auto distance = [&](std::string_view word) { return edit_distance(word, text); };
-        const std::string_view near = *std::ranges::min_element(field.words, {}, distance);
+        const std::string_view near = *std::ranges::min_element(words, {}, distance);
         if (2 * distance(near) <= near.size()) return fmt::format("; did you mean {}?", text_literal(near));
         return fmt::format(" ({})", key.doc.substr(0, key.doc.find('.')));
     }

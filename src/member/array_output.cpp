@@ -140,6 +140,19 @@ const ArrayAxis thrust_axis{"thrust_time",
                             {},
                             "number of the value from 1; times /cases/time_step and /cases/history_stride"};
 
+const ArrayAxis floating_axis{"floating_time",
+                              "s",
+                              "end of the time steps of a value, of structures that heave, pitch or roll",
+                              AxisKind::counted,
+                              [](const Scenario& scenario) {
+                                  const bool any = scenario.moorings.give_way() && scenario.moorings.floats();
+                                  return any ? history_times(scenario) : std::vector<double>{};
+                              },
+                              false,
+                              {},
+                              {},
+                              "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+
 const ArrayAxis line_axis{
     "mooring_line", "1", "mooring line, in the order of moorings.lines", AxisKind::counted,
     [](const Scenario& scenario) {

@@ -41,8 +41,8 @@ struct ArrayAxis {
 };
 
 extern const ArrayAxis segment_axis, level_axis, averaging_axis, peak_axis, floe_axis, coordinate_axis, property_axis,
-    part_axis, time_axis, motion_axis, mooring_axis, thrust_axis, line_axis, height_axis, angle_axis, tow_axis,
-    break_axis, piece_axis;
+    part_axis, time_axis, motion_axis, mooring_axis, thrust_axis, floating_axis, line_axis, height_axis, angle_axis,
+    tow_axis, break_axis, piece_axis;
 
 /// Those of which a member alone knows how far they go.
 inline constexpr std::array<const ArrayAxis*, 3> found_axes{&peak_axis, &break_axis, &piece_axis};
@@ -387,6 +387,12 @@ inline constexpr std::array array_outputs{
         "history/sway_thrust", "N", "force of thrusters against the sway load, in the structure's axes", thrust_axis),
     motion_output<&MotionHistory::yaw_thrust>("history/yaw_thrust", "N m", "moment of thrusters against the yaw load",
                                               thrust_axis),
+    motion_output<&MotionHistory::heave>("history/heave_offset", "m", "heave of the floating structure, upwards",
+                                         floating_axis),
+    motion_output<&MotionHistory::pitch>("history/pitch", "rad",
+                                         "pitch of the floating structure, positive with the bow up", floating_axis),
+    motion_output<&MotionHistory::roll>(
+        "history/roll", "rad", "roll of the floating structure, positive with starboard (+z) down", floating_axis),
     ArrayOutput{.path = "members/line_tension",
                 .unit = "N",
                 .long_name = "largest horizontal tension of each mooring line over the run",

@@ -217,6 +217,13 @@ constexpr Quantity thrust_quantity(const char* key, std::string_view unit, std::
     return quantity;
 }
 
+/// Heave, pitch and roll of a hull that floats; NaN in other members.
+constexpr Quantity floating_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
+    Quantity quantity = motion_quantity(key, unit, long_name, place);
+    quantity.since = 15;
+    return quantity;
+}
+
 inline constexpr std::array motion_quantities{
     motion_quantity("mean_surge_offset", "m", "mean offset of the moored structure along the surge load",
                     at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::mean>()),
@@ -293,7 +300,31 @@ inline constexpr std::array motion_quantities{
     thrust_quantity("largest_yaw_thrust", "N m", "largest amount of the moment of thrusters against the yaw load",
                     at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::largest>()),
     thrust_quantity("thrust_at_limit", "1", "share of the window in which thrusters are at their limit",
-                    at<&MemberOutputs::moored, &MooredResponse::thrust_at_limit>())};
+                    at<&MemberOutputs::moored, &MooredResponse::thrust_at_limit>()),
+    floating_quantity("mean_heave_offset", "m", "mean heave of the floating structure, upwards",
+                      at<&MemberOutputs::moored, &MooredResponse::heave, &Swing::mean>()),
+    floating_quantity("sd_heave_offset", "m",
+                      "population standard deviation of the heave of the floating structure, upwards",
+                      at<&MemberOutputs::moored, &MooredResponse::heave, &Swing::sd>()),
+    floating_quantity("largest_heave_offset", "m", "largest amount of the heave of the floating structure, upwards",
+                      at<&MemberOutputs::moored, &MooredResponse::heave, &Swing::largest>()),
+    floating_quantity("mean_pitch", "rad", "mean pitch of the floating structure, positive with the bow up",
+                      at<&MemberOutputs::moored, &MooredResponse::pitch, &Swing::mean>()),
+    floating_quantity("sd_pitch", "rad",
+                      "population standard deviation of the pitch of the floating structure, positive with the bow up",
+                      at<&MemberOutputs::moored, &MooredResponse::pitch, &Swing::sd>()),
+    floating_quantity("largest_pitch", "rad",
+                      "largest amount of the pitch of the floating structure, positive with the bow up",
+                      at<&MemberOutputs::moored, &MooredResponse::pitch, &Swing::largest>()),
+    floating_quantity("mean_roll", "rad", "mean roll of the floating structure, positive with starboard (+z) down",
+                      at<&MemberOutputs::moored, &MooredResponse::roll, &Swing::mean>()),
+    floating_quantity(
+        "sd_roll", "rad",
+        "population standard deviation of the roll of the floating structure, positive with starboard (+z) down",
+        at<&MemberOutputs::moored, &MooredResponse::roll, &Swing::sd>()),
+    floating_quantity("largest_roll", "rad",
+                      "largest amount of the roll of the floating structure, positive with starboard (+z) down",
+                      at<&MemberOutputs::moored, &MooredResponse::roll, &Swing::largest>())};
 
 // The list of scalar quantities of a member: of the journal, the campaign file and its page, the stop rule, summaries,
 // pairs and designs. CONTRIBUTING.md says how to add one. Those of the averaged load are made of it: quantities_with().

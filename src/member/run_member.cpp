@@ -130,6 +130,11 @@ void take_response(MemberResult& result, const Scenario& scenario) {
         .sway_mooring = swing_of(in_window(motion.sway_mooring)),
         .mean_maximum = load_statistics(in_window(motion.surge_mooring), step, scenario.analysis.segments).mean_maximum,
         .rms_velocity = rms_rate(in_window(motion.surge_offset), step)};
+    if (scenario.moorings.floats()) {
+        result.moored.heave = swing_of(in_window(motion.heave));
+        result.moored.pitch = swing_of(in_window(motion.pitch));
+        result.moored.roll = swing_of(in_window(motion.roll));
+    }
     if (scenario.moorings.thrusters.any()) take_thrust(result.moored, motion, scenario);
     if (result.line_tension.empty()) return;
     result.moored.line_tension = std::ranges::max(result.line_tension);

@@ -187,24 +187,74 @@ void check_mass(const Scenario& scenario, Contradictions& found) {
 
 void check_periods(const Scenario& scenario, Contradictions& found) {
     constexpr double fewest_steps = 50;
-    constexpr std::array words{"surge", "sway", "yaw"};
-    const Moorings& moorings = scenario.moorings;
-    const Vec3 periods = moorings.periods();
-    for (int k = 0; k < moorings.directions(); ++k) {
-        const char* const word = words.at(static_cast<std::size_t>(k));
-        if (!std::isfinite(periods[k])) {
+    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
+        const std::string_view word = motion_names.at(at(mode.motion));
+        if (std::isnan(mode.period)) {
+            refuse(
+                found, {"moorings.centre_m", "moorings.mass_t"},
+                fmt::format("the hull does not float upright: with its centre at {}, in {} its weight turns it over; "
+                            "take a lower centre, or a moorings.free without {}",
+                            given(scenario, "moorings.centre_m"), word, word));
+        } else if (!std::isfinite(mode.period)) {
             refuse(
                 found, {"moorings.free", "moorings.lines"},
                 fmt::format("nothing holds the structure in {}; give a stiffness, lines or thrusters that hold it, or "
                             "take a moorings.free without {}",
                             word, word));
-        } else if (periods[k] < fewest_steps * scenario.general.time_step) {
+        } else if (mode.period < fewest_steps * scenario.general.time_step) {
             refuse(found, {"moorings.mass_t", "general.time_step_s"},
                    fmt::format("the moored structure's natural period in {} is {:.4g} s, fewer than {:g} steps "
                                "of {}; take softer moorings, a shorter step or moorings.mass_t = 0",
-                               word, periods[k], fewest_steps, given(scenario, "general.time_step_s")));
+                               word, mode.period, fewest_steps, given(scenario, "general.time_step_s")));
         }
     }
+}
+
+void check_matrix(const std::vector<std::vector<double>>& rows, const std::string& key, Contradictions& found) {
+    if (rows.empty()) return;
+    if (rows.size() != 6)
+        return refuse(found, {key},
+                      fmt::format("{} has {} rows of six; a matrix of six motions has six", key, rows.size()));
+    const Mat6 matrix = from_hydrodynamic_axes(rows);
+    const double largest = matrix.cwiseAbs().maxCoeff();
+    constexpr double much = 0.02;  // radiation programs differ by less
+    for (std::size_t a = 0; a < 6; ++a) {
+        for (std::size_t b = 0; b < a; ++b) {
+            if (std::abs(rows[a][b] - rows[b][a]) <= much * largest) continue;
+            return refuse(found, {key},
+                          fmt::format("{}[{}][{}] and [{}][{}] differ, {:g} and {:g}; such a matrix is symmetric", key,
+                                      a, b, b, a, rows[a][b] / unit::tonne, rows[b][a] / unit::tonne));
+        }
+    }
+}
+
+/// Something to move in every motion in which it gives way.
+void check_inertia(const Scenario& scenario, Contradictions& found) {
+    const Moorings& moorings = scenario.moorings;
+    const std::vector<int> directions = moorings.directions();
+    if (directions.empty()) {
+        return refuse(found, {"moorings.free"},
+                      "moorings.free = [] holds the structure in all motions; name one, or take moorings.mass_t = 0");
+    }
+    constexpr std::array<const char*, 6> gyration{
+        "", "", "moorings.gyration_m", "", "moorings.gyration_pitch_m", "moorings.gyration_roll_m"};
+    const Mat6 inertia = moorings.inertia();
+    for (const int k : directions) {
+        const auto motion = static_cast<std::size_t>(k);
+        if (inertia(k, k) > 0) continue;
+        refuse(
+            found, {*gyration.at(motion) ? gyration.at(motion) : "moorings.added_mass", "moorings.free"},
+            fmt::format("{} = 0 leaves nothing to turn; give the radius of gyration, or take a moorings.free without "
+                        "\"{}\"",
+                        *gyration.at(motion) ? gyration.at(motion) : "moorings.mass_t", motion_names.at(motion)));
+    }
+    if (!found.empty()) return;
+    const Mat6 even = 0.5 * (inertia + inertia.transpose());
+    const Eigen::MatrixXd moved = even(directions, directions);
+    if (moved.llt().info() != Eigen::Success)
+        refuse(found, {"moorings.added_mass"},
+               "mass and moorings.added_mass together are no inertia (not positive definite): some motion would have "
+               "none; look at the signs and units of the matrix");
 }
 
 }  // namespace
@@ -214,8 +264,8 @@ double structure_over_floe(const Scenario& scenario) {
     double heaviest = 0;
     for (std::size_t i = 0; i < floes.size(); ++i)
         heaviest = std::max(heaviest, floes.shape(i).elements() * floes.shape(i).element_mass(floes.material(i).ice));
-    const Vec3 inertia = scenario.moorings.inertia();
-    return std::min(inertia.x(), inertia.y()) / heaviest;
+    const Mat6 inertia = scenario.moorings.inertia();
+    return std::min(inertia(0, 0), inertia(1, 1)) / heaviest;
 }
 
 void check_path(const Scenario& scenario, Contradictions& found) {
@@ -234,11 +284,10 @@ void check_moorings(const Scenario& scenario, Contradictions& found) {
     check_lines(scenario, found);
     check_turret(moorings, found);
     check_thrusters(scenario, found);
-    if (moorings.free == FreeMotion::all && moorings.inertia()[2] == 0) {
-        refuse(found, {"moorings.gyration_m", "moorings.free"},
-               fmt::format("moorings.gyration_m = 0 leaves nothing to turn; give the radius of gyration, or take "
-                           "moorings.free = \"surge_sway\""));
-    }
+    check_matrix(moorings.added_mass, "moorings.added_mass", found);
+    check_matrix(moorings.radiation_damping, "moorings.radiation_damping", found);
+    if (found.size() > before) return;
+    check_inertia(scenario, found);
     if (scenario.path.any() && scenario.path.bow == PathBow::ahead && !scenario.path.legs.empty()) {
         refuse(found, {"path.bow", "moorings.mass_t"},
                fmt::format("path.bow = \"ahead\" would turn the moorings with the heading; take \"unturned\""));

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "scenario/floes.hpp"
+#include "shapes/hydrostatics.hpp"
 
 namespace floes {
 
@@ -83,6 +84,12 @@ double Scenario::reach() const {
 double Scenario::towed() const {
     if (path.any()) return way_of(places(), general.time_step);
     return structure.speed * (analysis.steady_start + analysis.window);
+}
+
+Mat6 Scenario::water_stiffness() const {
+    if (!moorings.floats()) return Mat6::Zero();
+    return floes::water_stiffness(hydrostatics(structure.shape), water.density, general.gravity, moorings.mass,
+                                  moorings.height);
 }
 
 double Scenario::stress_averaging() const {

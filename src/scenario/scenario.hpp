@@ -391,6 +391,8 @@ struct Scenario {
 
     double field_length() const;  ///< m: covered area / (concentration * 2 half_width)
     double field_end() const;     ///< x of the field's far edge, m
+    /// Of the moored hull, by Motion: N/m, N, N m; nothing where it neither heaves nor pitches nor rolls.
+    Mat6 water_stiffness() const;
     /// Time over which stress is averaged before it meets the strength, s: joint.averaging, or its default, a tenth of
     /// √(l/g), l = (E T³/(12 (1 - ν²) ρ_w g))^(1/4) of the plate on water (docs/fracture.md).
     double stress_averaging() const;

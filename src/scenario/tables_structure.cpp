@@ -198,6 +198,15 @@ RowsField line_rows(std::vector<MooringLine>& lines) {
             }};
 }
 
+/// Of a matrix by directions; how many rows there are is checked with the rest.
+RowsField six_rows(std::vector<std::vector<double>>& matrix) {
+    std::vector<Column> columns;
+    for (const char* name : {"surge", "sway", "heave", "roll", "pitch", "yaw"})
+        columns.push_back({name, unit::tonne, at_least(-1e12).at_most(1e12)});
+    return {std::move(columns), [&matrix] { return matrix; },
+            [&matrix](const std::vector<std::vector<double>>& rows) { matrix = rows; }};
+}
+
 RowsField curve_rows(std::vector<TensionPoint>& curve, const std::string& extension, const std::string& tension) {
     return {{{extension, unit::one, at_least(-farthest_way).at_most(farthest_way)},
              {tension, unit::kilonewton, at_least(0).at_most(1e6)}},
@@ -287,17 +296,41 @@ void add_moorings(Keys& keys, Moorings& moorings) {
         "Mass of a structure that gives way on its moorings, without the water that moves with it; its centre is on "
         "the axis. The moorings' anchors then move as the structure otherwise would: ice that drifts past them. 0: no "
         "moorings.")));
-    keys.push_back(
-        held(word_key("moorings.free", moorings.free, {"surge", "surge_sway", "all"}, "all that moorings hold",
-                      "Directions in which the structure gives way: only along x, along x and z, or in yaw "
-                      "too. The others are held.")));
+    keys.push_back(held(
+        {"moorings.free",
+         WordsField{{motion_names.begin(), motion_names.end()},
+                    [&moorings] { return std::vector<bool>(moorings.free.begin(), moorings.free.end()); },
+                    [&moorings](const std::vector<bool>& chosen) { std::ranges::copy(chosen, moorings.free.begin()); }},
+         "all that springs and lines hold",
+         "Motions in which the structure gives way; it is held in the others. Heave, pitch and roll need a hull that "
+         "floats upright: the water's stiffness follows from its shape, mass and centre, and at rest it lies level at "
+         "its draught."}));
+    keys.push_back(held(number_key(
+        "moorings.centre_m", moorings.height, unit::one, at_least(-1000).at_most(1000), "none: in the waterline",
+        "Height of the centre of mass over the calm water, on the structure's axis; negative below. Motions, moments "
+        "and added inertia are about the axis at the height of the calm water.")));
     number("moorings.gyration_m", moorings.gyration, unit::one,
            "Radius of gyration of the mass in yaw: the root of the yaw inertia over the mass.");
-    number("moorings.added_surge_t", moorings.added_surge, unit::tonne,
-           "Water that moves with the structure in surge.");
-    number("moorings.added_sway_t", moorings.added_sway, unit::tonne, "Water that moves with the structure in sway.");
-    number("moorings.added_yaw_t_m2", moorings.added_yaw, unit::tonne,
-           "Inertia in yaw of the water that moves with the structure.");
+    number("moorings.gyration_pitch_m", moorings.pitch_gyration, unit::one, "The same in pitch, about the centre.");
+    number("moorings.gyration_roll_m", moorings.roll_gyration, unit::one, "The same in roll, about the centre.");
+    const auto added = [&](std::string_view path, Motion motion, std::string_view doc) {
+        number(path, moorings.added.at(at(motion)), unit::tonne, doc);
+    };
+    added("moorings.added_surge_t", Motion::surge, "Water that moves with the structure in surge.");
+    added("moorings.added_sway_t", Motion::sway, "Water that moves with the structure in sway.");
+    added("moorings.added_yaw_t_m2", Motion::yaw, "Inertia in yaw of the water that moves with the structure.");
+    added("moorings.added_heave_t", Motion::heave, "Water that moves with the structure in heave.");
+    added("moorings.added_pitch_t_m2", Motion::pitch, "Inertia in pitch of the water that moves with the structure.");
+    added("moorings.added_roll_t_m2", Motion::roll, "Inertia in roll of the water that moves with the structure.");
+    const auto matrix = [&](std::string_view path, std::vector<std::vector<double>>& rows, std::string_view doc) {
+        keys.push_back(held({path, six_rows(rows), "none", doc}));
+    };
+    matrix(
+        "moorings.added_mass", moorings.added_mass,
+        "Added mass and inertia in addition to these, six rows of six as radiation programs have them: t, t m, t m²; "
+        "surge, sway, heave, roll, pitch, yaw with x ahead, y to port and z up, about the axis at the calm water.");
+    matrix("moorings.radiation_damping", moorings.radiation_damping,
+           "Damping by the waves that the hull makes, in the same form: t/s, t m/s, t m²/s.");
     number("moorings.surge_kN_m", moorings.surge, unit::kilonewton,
            "Stiffness in surge of a linear spring, in addition to moorings.lines.");
     number("moorings.sway_kN_m", moorings.sway, unit::kilonewton, "Stiffness in sway of a linear spring.");
@@ -307,12 +340,18 @@ void add_moorings(Keys& keys, Moorings& moorings) {
         "none: from a decay test or a mooring program",
         "Linear damping by water and lines in each direction, of the critical one by mass and stiffness without an "
         "offset.")));
-    number("moorings.quadratic_surge_kN_s2_m2", moorings.quadratic_surge, unit::kilonewton,
-           "Damping by the water in surge: this times the square of the speed relative to the anchors. The steady drag "
-           "of a current is not in it.");
-    number("moorings.quadratic_sway_kN_s2_m2", moorings.quadratic_sway, unit::kilonewton, "The same in sway.");
-    number("moorings.quadratic_yaw_kN_m_s2", moorings.quadratic_yaw, unit::kilonewton,
-           "The same in yaw, by the square of the rate of turning, kN m s²/rad².");
+    const auto quadratic = [&](std::string_view path, Motion motion, std::string_view doc) {
+        number(path, moorings.quadratic.at(at(motion)), unit::kilonewton, doc);
+    };
+    quadratic("moorings.quadratic_surge_kN_s2_m2", Motion::surge,
+              "Damping by the water in surge: this times the square of the speed relative to the anchors. The steady "
+              "drag of a current is not in it.");
+    quadratic("moorings.quadratic_sway_kN_s2_m2", Motion::sway, "The same in sway.");
+    quadratic("moorings.quadratic_yaw_kN_m_s2", Motion::yaw,
+              "The same in yaw, by the square of the rate of turning, kN m s²/rad².");
+    quadratic("moorings.quadratic_heave_kN_s2_m2", Motion::heave, "The same in heave.");
+    quadratic("moorings.quadratic_pitch_kN_m_s2", Motion::pitch, "The same in pitch, kN m s²/rad².");
+    quadratic("moorings.quadratic_roll_kN_m_s2", Motion::roll, "The same in roll, kN m s²/rad².");
     keys.push_back(
         held({"moorings.lines", line_rows(moorings.lines), "none",
               "Mooring lines: fairlead from the structure's axis (x ahead, z), azimuth towards which the line leads (0 "

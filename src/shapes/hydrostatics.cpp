@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "shapes/hull_sizes.hpp"
+#include "shapes/moorings.hpp"
 #include "shapes/polygon.hpp"
 
 namespace floes {
@@ -72,8 +73,28 @@ Hydrostatics hydrostatics(const Shape& shape, const Plane& water) {
         const Corner away = one.centroid - centre;
         found.about_length += one.xx + one.area * away.x * away.x;
         found.about_breadth += one.zz + one.area * away.z * away.z;
+        found.product += one.xz + one.area * away.x * away.z;
     }
     return found;
+}
+
+Mat6 water_stiffness(const Hydrostatics& at_rest, double density, double gravity, double mass, double height) {
+    const auto heave = static_cast<int>(Motion::heave);
+    const auto pitch = static_cast<int>(Motion::pitch);
+    const auto roll = static_cast<int>(Motion::roll);
+    const double area = at_rest.waterplane;
+    const double x = at_rest.flotation.x();
+    const double z = at_rest.flotation.z();
+    const double couple = density * at_rest.volume * at_rest.buoyancy.y() - mass * height;
+    // A point of the waterplane rises by heave + pitch x - roll z.
+    Mat6 found = Mat6::Zero();
+    found(heave, heave) = density * area;
+    found(pitch, pitch) = density * (at_rest.about_breadth + area * x * x) + couple;
+    found(roll, roll) = density * (at_rest.about_length + area * z * z) + couple;
+    found(heave, pitch) = found(pitch, heave) = density * area * x;
+    found(heave, roll) = found(roll, heave) = -density * area * z;
+    found(pitch, roll) = found(roll, pitch) = -density * (at_rest.product + area * x * z);
+    return gravity * found;
 }
 
 }  // namespace floes

@@ -1,5 +1,7 @@
 #include "shapes/moorings.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,20 +34,59 @@ double extension_at(const std::vector<TensionPoint>& curve, double tension) {
 
 }  // namespace
 
-Vec3 Moorings::inertia() const {
-    return {mass + added_surge, mass + added_sway, mass * gyration * gyration + added_yaw};
+std::vector<int> Moorings::directions() const {
+    std::vector<int> found;
+    for (std::size_t k = 0; k < free.size(); ++k)
+        if (free.at(k)) found.push_back(static_cast<int>(k));
+    return found;
 }
 
-Vec3 Moorings::quadratic() const {
-    return {quadratic_surge, quadratic_sway, quadratic_yaw};
+Mat6 from_hydrodynamic_axes(const std::vector<std::vector<double>>& rows) {
+    if (rows.empty()) return Mat6::Zero();
+    struct Place {
+        int row;
+        double sign;
+    };
+    constexpr std::array<Place, 6> places{{{0, 1}, {1, -1}, {5, 1}, {2, 1}, {4, -1}, {3, 1}}};  // by Motion
+    Mat6 found;
+    for (int a = 0; a < 6; ++a) {
+        for (int b = 0; b < 6; ++b) {
+            const Place& of_a = places.at(static_cast<std::size_t>(a));
+            const Place& of_b = places.at(static_cast<std::size_t>(b));
+            found(a, b) =
+                of_a.sign * of_b.sign * rows[static_cast<std::size_t>(of_a.row)][static_cast<std::size_t>(of_b.row)];
+        }
+    }
+    return found;
 }
 
-Vec3 Moorings::stiffness() const {
-    Vec3 found(surge, sway, yaw);
+Mat6 Moorings::inertia() const {
+    constexpr auto surge_row = static_cast<int>(Motion::surge);
+    constexpr auto sway_row = static_cast<int>(Motion::sway);
+    constexpr auto pitch_row = static_cast<int>(Motion::pitch);
+    constexpr auto roll_row = static_cast<int>(Motion::roll);
+    const double raised = mass * height * height;
+    Mat6 found = Mat6::Zero();
+    found.diagonal() << mass, mass, mass * gyration * gyration, mass, mass * pitch_gyration * pitch_gyration + raised,
+        mass * roll_gyration * roll_gyration + raised;
+    // Of the centre's velocity: a pitch moves it by -height along x, a roll by height along z.
+    found(surge_row, pitch_row) = found(pitch_row, surge_row) = -mass * height;
+    found(sway_row, roll_row) = found(roll_row, sway_row) = mass * height;
+    for (int k = 0; k < 6; ++k) found(k, k) += added.at(static_cast<std::size_t>(k));
+    return added_mass.empty() ? found : Mat6(found + from_hydrodynamic_axes(added_mass));
+}
+
+Mat6 Moorings::radiation() const {
+    return from_hydrodynamic_axes(radiation_damping);
+}
+
+Vec6 Moorings::stiffness() const {
+    Vec6 found = Vec6::Zero();
+    found.head<3>() << surge, sway, yaw;
     for (const MooringLine& line : lines) {
         for (int k = 0; k < 3; ++k) {
             // Far above rounding, far below what a line's direction changes by.
-            Vec3 aside = Vec3::Zero();
+            Vec6 aside = Vec6::Zero();
             aside[k] = 1e-5 * (k < 2 ? line.distance : 1.0);
             found[k] -= (pull(*this, line, aside).force[k] - pull(*this, line, -aside).force[k]) / (2 * aside[k]);
         }
@@ -53,18 +94,42 @@ Vec3 Moorings::stiffness() const {
     if (!turret_curve.empty()) {
         const TensionPoint& first = turret_curve.at(1);
         const double slope = first.tension / first.extension;
-        found += Vec3(slope, slope, slope * turret * turret);
+        found.head<3>() += Vec3(slope, slope, slope * turret * turret);
     }
     return found;
 }
 
-Vec3 Moorings::periods() const {
-    const Vec3 held = stiffness() + thrusters.gain;
-    const Vec3 moved = inertia();
-    Vec3 found;
-    for (int k = 0; k < 3; ++k)
-        found[k] = held[k] > 0 ? 2 * std::numbers::pi * std::sqrt(moved[k] / held[k]) : infinite;
+Mat6 Moorings::held(const Mat6& water) const {
+    Mat6 found = water;
+    found.diagonal() += stiffness();
+    found.diagonal().head<3>() += thrusters.gain;
     return found;
+}
+
+double Moorings::period(Motion motion) const {
+    const auto k = static_cast<int>(motion);
+    const double stiff = held(Mat6::Zero())(k, k);
+    return stiff > 0 ? 2 * std::numbers::pi * std::sqrt(inertia()(k, k) / stiff) : infinite;
+}
+
+std::vector<NaturalMode> natural_modes(const Moorings& moorings, const Mat6& water) {
+    const std::vector<int> directions = moorings.directions();
+    const Eigen::MatrixXd stiffness = moorings.held(water)(directions, directions);
+    const Eigen::MatrixXd inertia = moorings.inertia()(directions, directions);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, inertia);
+    std::vector<NaturalMode> modes;
+    for (Eigen::Index mode = 0; mode < solver.eigenvalues().size(); ++mode) {
+        const Eigen::VectorXd swing = solver.eigenvectors().col(mode);
+        Eigen::Index most = 0;
+        swing.cwiseProduct(inertia * swing).maxCoeff(&most);
+        const double square = solver.eigenvalues()[mode];
+        // What rounding leaves of nothing holds nothing.
+        const bool nothing = std::abs(square) <= 1e-12 * solver.eigenvalues().cwiseAbs().maxCoeff();
+        modes.push_back({nothing ? infinite : 2 * std::numbers::pi / std::sqrt(square),
+                         static_cast<Motion>(directions[static_cast<std::size_t>(most)])});
+    }
+    std::ranges::stable_sort(modes, {}, &NaturalMode::motion);
+    return modes;
 }
 
 double tension(const Moorings& moorings, const MooringLine& line, double longer) {
@@ -78,28 +143,38 @@ Vec2 turned(const Vec2& point, double yaw) {
     return {c * point.x() + s * point.y(), c * point.y() - s * point.x()};
 }
 
-Vec3 turret_pull(const Moorings& moorings, const Vec3& offset) {
-    if (moorings.turret_curve.empty()) return Vec3::Zero();
+namespace {
+
+/// A force in the plane of the water at an arm from the axis.
+Vec6 at_the_water(const Vec2& force, const Vec2& arm) {
+    Vec6 found = Vec6::Zero();
+    found.head<3>() << force.x(), force.y(), arm.y() * force.x() - arm.x() * force.y();
+    return found;
+}
+
+}  // namespace
+
+Vec6 turret_pull(const Moorings& moorings, const Vec6& offset) {
+    if (moorings.turret_curve.empty()) return Vec6::Zero();
     const Vec2 arm = turned({moorings.turret, 0}, offset[2]);
     const Vec2 aside = Vec2(offset[0] - moorings.turret, offset[1]) + arm;
     const double distance = aside.norm();
-    if (distance == 0) return Vec3::Zero();
-    const Vec2 force = -on_curve(moorings.turret_curve, distance) / distance * aside;
-    return {force.x(), force.y(), arm.y() * force.x() - arm.x() * force.y()};
+    if (distance == 0) return Vec6::Zero();
+    return at_the_water(-on_curve(moorings.turret_curve, distance) / distance * aside, arm);
 }
 
-LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec3& offset) {
+LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec6& offset) {
     const Vec2 without(line.x, line.z);
     const Vec2 arm = turned(without, offset[2]);
+    const Vec2 anchor = without + line.distance * Vec2(std::cos(line.azimuth), std::sin(line.azimuth));
+    const Vec2 fairlead = Vec2(offset[0], offset[1]) + arm;
     LinePull found;
-    found.anchor = without + line.distance * Vec2(std::cos(line.azimuth), std::sin(line.azimuth));
-    found.fairlead = Vec2(offset[0], offset[1]) + arm;
-    const Vec2 way = found.anchor - found.fairlead;
+    found.anchor = {anchor.x(), 0, anchor.y()};
+    found.fairlead = {fairlead.x(), 0, fairlead.y()};
+    const Vec2 way = anchor - fairlead;
     const double distance = way.norm();
     found.tension = tension(moorings, line, distance - line.distance);
-    if (distance == 0) return found;
-    const Vec2 force = found.tension / distance * way;
-    found.force = {force.x(), force.y(), arm.y() * force.x() - arm.x() * force.y()};
+    if (distance > 0) found.force = at_the_water(found.tension / distance * way, arm);
     return found;
 }
 

@@ -6,8 +6,10 @@
 // in each of surge, sway and yaw by itself and in the structure's own axes, with e its offset and M its inertia. There
 // is no integral part: under a steady load F the structure stays F/K aside. Thrust follows the law without delay.
 
+#include <array>
 #include <compare>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 #include "core/vector.hpp"
@@ -43,10 +45,12 @@ double velocity_under_thrust(const ThrustLaw& law, double offset, double velocit
 
 // What holds a structure that gives way: springs, lines and thrusters in the plane of the water, and what they hold.
 //
-// The offset of the structure from where its moorings would have it is (x, z, yaw): m along the world's x and z, and
-// rad about +y (+z turns to +x). Forces on it are (F_x, F_z, M_y): N, N and N m about its axis. Springs pull back with
-// their stiffness times the offset, in each of the three by itself. A line pulls from its fairlead, which turns with
-// the structure, towards its anchor, which does not move, with a tension by the horizontal distance of the two:
+// The offset of the structure from where its moorings would have it has six parts, in the order of Motion: m along the
+// world's x and z, rad about +y (+z turns to +x), m up, rad about +z (lifts the bow) and about +x (heels to starboard),
+// as in StructurePose. Forces on it are likewise N and N m about its reference point, its axis at the height of the
+// calm water; of the turns they are small-angle ones. Springs pull back with their stiffness times the offset, in each
+// of surge, sway and yaw by itself. A line pulls from its fairlead at the height of the water, which turns with the
+// structure, towards its anchor, which does not move, with a tension by the horizontal distance of the two:
 //
 //   T(s) = max(0, T_0 + k (s - s_0)),   or by a curve, on which T_0 says where the line begins
 //
@@ -54,8 +58,11 @@ double velocity_under_thrust(const ThrustLaw& law, double offset, double velocit
 // turret's curve is of all lines together: towards where the turret would be, by the distance from there. Thrusters:
 // structure/thrusters.hpp.
 
-/// What the structure can do; the rest is held.
-enum class FreeMotion { surge, surge_sway, all };
+enum class Motion { surge, sway, yaw, heave, pitch, roll };
+inline constexpr std::array<std::string_view, 6> motion_names{"surge", "sway", "yaw", "heave", "pitch", "roll"};
+constexpr std::size_t at(Motion motion) {
+    return static_cast<std::size_t>(motion);
+}
 
 struct MooringLine {
     double x = 0;           ///< of the fairlead from the structure's axis, ahead, m
@@ -78,19 +85,23 @@ struct TensionPoint {
 };
 
 struct Moorings {
-    FreeMotion free = FreeMotion::all;
-    double mass = 0;             ///< kg; 0: no moorings, the structure moves as prescribed
-    double gyration = 0;         ///< radius of gyration of the mass in yaw, m
-    double added_surge = 0;      ///< water that moves with it, kg
-    double added_sway = 0;       ///< kg
-    double added_yaw = 0;        ///< kg m²
-    double surge = 0;            ///< stiffness of springs, N/m
-    double sway = 0;             ///< N/m
-    double yaw = 0;              ///< N m/rad
-    double damping = 0;          ///< linear, of the critical, in each direction, by the stiffness without an offset
-    double quadratic_surge = 0;  ///< N s²/m²
-    double quadratic_sway = 0;   ///< N s²/m²
-    double quadratic_yaw = 0;    ///< N m s²
+    std::array<bool, 6> free{true, true, true, false, false, false};  ///< by Motion; the others are held
+    double mass = 0;            ///< kg; 0: no moorings, the structure moves as prescribed
+    double height = 0;          ///< of its centre, which is on the axis, over the calm water, m
+    double gyration = 0;        ///< radius of gyration of the mass in yaw, m
+    double pitch_gyration = 0;  ///< about its centre, m
+    double roll_gyration = 0;   ///< likewise, m
+    /// Water that moves with it, in each motion by itself: kg, kg m².
+    std::array<double, 6> added{};
+    /// In addition, in the order and the axes of radiation programs about the reference point, six rows each or none:
+    /// kg, kg m, kg m², and over s.
+    std::vector<std::vector<double>> added_mass{};
+    std::vector<std::vector<double>> radiation_damping{};
+    double surge = 0;    ///< stiffness of springs, N/m
+    double sway = 0;     ///< N/m
+    double yaw = 0;      ///< N m/rad
+    double damping = 0;  ///< linear, of the critical, in each direction, by the stiffness without an offset
+    std::array<double, 6> quadratic{};         ///< by Motion, N s²/m² and N m s²
     std::vector<MooringLine> lines{};          ///< in addition to the springs
     std::vector<TensionPoint> curve{};         ///< of each line, both rising; empty: by its stiffness
     std::vector<TensionPoint> turret_curve{};  ///< from 0, 0, both rising; empty: there is none
@@ -98,14 +109,19 @@ struct Moorings {
     Thrusters thrusters{};
 
     bool give_way() const { return mass > 0; }
-    /// Number of directions in which it gives way: the first ones of surge, sway and yaw.
-    int directions() const { return 1 + static_cast<int>(free); }
-    Vec3 inertia() const;    ///< with the water: kg, kg, kg m²
-    Vec3 quadratic() const;  ///< N s²/m², N s²/m², N m s²
-    /// Stiffness of springs, lines and turret without an offset, each direction by itself: N/m, N/m, N m/rad.
-    Vec3 stiffness() const;
-    /// 2π √(m/k) of each direction, s, with the thrusters' gain in k: without damping; infinite where nothing holds it.
-    Vec3 periods() const;
+    bool is_free(Motion motion) const { return free.at(at(motion)); }
+    std::vector<int> directions() const;  ///< in which it gives way, by Motion, rising
+    /// Whether it heaves, pitches or rolls, so that the water's stiffness matters.
+    bool floats() const { return is_free(Motion::heave) || is_free(Motion::pitch) || is_free(Motion::roll); }
+    Mat6 inertia() const;    ///< with the water about the reference point: kg, kg m, kg m²
+    Mat6 radiation() const;  ///< damping by waves, floes' axes: kg/s, kg m/s, kg m²/s
+    /// Stiffness of springs, lines and turret without an offset, each direction by itself: N/m, N m/rad.
+    Vec6 stiffness() const;
+    /// 2π √(m/k), s, of surge, sway or yaw by itself, with the thrusters' gain in k: without damping; infinite where
+    /// nothing holds it.
+    double period(Motion motion) const;
+    /// Of springs, lines, turret and thrusters, each direction by itself, and of the water.
+    Mat6 held(const Mat6& water) const;
 
     friend bool operator==(const Moorings&, const Moorings&) = default;
 };
@@ -115,16 +131,30 @@ double tension(const Moorings& moorings, const MooringLine& line, double longer)
 
 struct LinePull {
     double tension = 0;            ///< N
-    Vec3 force = Vec3::Zero();     ///< on the structure: N, N, N m
-    Vec2 fairlead = Vec2::Zero();  ///< from where the axis is without an offset: x and z, m
-    Vec2 anchor = Vec2::Zero();    ///< likewise
+    Vec6 force = Vec6::Zero();     ///< on the structure: N, N m
+    Vec3 fairlead = Vec3::Zero();  ///< from where the reference point is without an offset, m
+    Vec3 anchor = Vec3::Zero();    ///< likewise
 };
 
 /// Pull of a line at an offset of the structure.
-LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec3& offset);
+LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec6& offset);
 
-/// On the structure by the turret's curve at an offset of the structure: N, N, N m.
-Vec3 turret_pull(const Moorings& moorings, const Vec3& offset);
+/// On the structure by the turret's curve at an offset of the structure: N, N m.
+Vec6 turret_pull(const Moorings& moorings, const Vec6& offset);
+
+/// A way in which a floating structure swings by itself, without damping.
+struct NaturalMode {
+    double period = 0;              ///< 2π √(m/k), s; infinite where nothing holds it, NaN where it turns over
+    Motion motion = Motion::surge;  ///< of which it has most energy
+};
+
+/// All natural modes, one for each direction in which it gives way, by Motion. `water`: its stiffness
+/// (water_stiffness() in shapes/hydrostatics.hpp). The inertia is positive definite.
+std::vector<NaturalMode> natural_modes(const Moorings& moorings, const Mat6& water);
+
+/// A matrix of a radiation program (x ahead, y to port, z up; surge, sway, heave, roll, pitch, yaw) in floes' order and
+/// axes, in which sway and pitch change sign. The only place that knows.
+Mat6 from_hydrodynamic_axes(const std::vector<std::vector<double>>& rows);
 
 /// A point (x, z) of the structure's own axes in those of the world, turned by `yaw`.
 Vec2 turned(const Vec2& point, double yaw);

@@ -20,7 +20,8 @@ inline constexpr std::array load_histories{&LoadHistory::surge, &LoadHistory::sw
 // How a structure that is not towed straight on moved, and what its moorings bore, over time.
 
 /// A value for each step, like those of LoadHistory; at the end of the step. Empty for the straight tow; without
-/// moorings those of offsets and mooring forces are empty, without thrusters those of thrust.
+/// moorings those of offsets and mooring forces are empty, without thrusters those of thrust, and those of heave, pitch
+/// and roll where none of these is free.
 struct MotionHistory {
     std::vector<double> x;         ///< of the structure's axis, m
     std::vector<double> z;         ///< likewise
@@ -32,6 +33,10 @@ struct MotionHistory {
     std::vector<double> surge_mooring;  ///< what springs and lines bear of the surge load, N
     std::vector<double> sway_mooring;   ///< likewise of the sway load, N
     std::vector<double> yaw_mooring;    ///< likewise of the yaw load, N m
+
+    std::vector<double> heave;  ///< of a hull that heaves, pitches or rolls, upwards, m
+    std::vector<double> pitch;  ///< likewise, positive with the bow up, rad
+    std::vector<double> roll;   ///< likewise, positive with starboard (+z) down, rad
 
     std::vector<double> surge_thrust;  ///< of thrusters against the surge load, in the structure's axes: ahead, N
     std::vector<double> sway_thrust;   ///< likewise against the sway load, N
@@ -47,6 +52,9 @@ inline constexpr std::array motion_histories{&MotionHistory::x,
                                              &MotionHistory::surge_mooring,
                                              &MotionHistory::sway_mooring,
                                              &MotionHistory::yaw_mooring,
+                                             &MotionHistory::heave,
+                                             &MotionHistory::pitch,
+                                             &MotionHistory::roll,
                                              &MotionHistory::surge_thrust,
                                              &MotionHistory::sway_thrust,
                                              &MotionHistory::yaw_thrust};

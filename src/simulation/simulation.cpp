@@ -337,13 +337,18 @@ void Simulation::record_motion() {
     motions_.yaw.push_back(pose.yaw);
     motions_.yaw_load.push_back(ice_load_.moment.y());
     if (!motion_.moored()) return;
-    const Vec3& offset = motion_.moored()->state().offset;
+    const Vec6& offset = motion_.moored()->state().offset;
     const Vec3 restoring = motion_.moored()->restoring();
     motions_.surge_offset.push_back(-offset[0]);
     motions_.sway_offset.push_back(offset[1]);
     motions_.surge_mooring.push_back(restoring[0]);
     motions_.sway_mooring.push_back(-restoring[1]);
     motions_.yaw_mooring.push_back(-restoring[2]);
+    if (motion_.moored()->floats()) {
+        motions_.heave.push_back(pose.position.y());
+        motions_.pitch.push_back(pose.pitch);
+        motions_.roll.push_back(pose.roll);
+    }
     if (!motion_.moored()->has_thrusters()) return;
     const Vec3 thrust = motion_.moored()->thrust();
     motions_.surge_thrust.push_back(thrust[0]);

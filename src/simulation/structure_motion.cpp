@@ -1,5 +1,7 @@
 #include "simulation/structure_motion.hpp"
 
+#include <unsupported/Eigen/MatrixFunctions>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,7 @@ StructureMotion::StructureMotion(const Scenario& scenario)
       tow_{scenario.structure.start, scenario.structure.speed},
       straight_(scenario.towed_straight()),
       places_(scenario.places()) {
-    if (scenario.moorings.give_way()) moored_.emplace(scenario.moorings, time_step_);
+    if (scenario.moorings.give_way()) moored_.emplace(scenario.moorings, scenario.water_stiffness(), time_step_);
     place(0, moored_state());
 }
 
@@ -31,9 +33,19 @@ void StructureMotion::follow(const PathPlace& place) {
 
 /// Beside the place that it would have with moorings that do not give way.
 void StructureMotion::add_offset() {
-    const Vec3& offset = moored_->state().offset;
-    after_.position += Vec3(offset[0], 0, offset[1]);
-    after_.yaw += offset[2];
+    const Vec6& offset = moored_->state().offset;
+    after_.position += Vec3(offset[at(Motion::surge)], offset[at(Motion::heave)], offset[at(Motion::sway)]);
+    after_.yaw += offset[at(Motion::yaw)];
+    after_.pitch = offset[at(Motion::pitch)];
+    after_.roll = offset[at(Motion::roll)];
+}
+
+/// A load in the world's axes: pitch and roll are about the structure's own.
+Vec6 StructureMotion::on_motions(const Wrench& load) const {
+    const Vec3 own = turned_about_y(before_.yaw).conjugate() * load.moment;
+    Vec6 found;
+    found << load.force.x(), load.force.z(), load.moment.y(), load.force.y(), own.z(), own.x();
+    return found;
 }
 
 void StructureMotion::place(int steps, const MooredState& moored) {
@@ -50,39 +62,140 @@ void StructureMotion::advance(const Wrench& load) {
     before_ = after_;
     follow(prescribed(++step_));
     if (!moored_) return;
-    const Vec3 from = moored_->state().offset;
-    moored_->advance({load.force.x(), load.force.z(), load.moment.y()}, step_ * time_step_);
+    const Vec6 from = moored_->state().offset;
+    moored_->advance(on_motions(load), step_ * time_step_);
     add_offset();
-    const Vec3& offset = moored_->state().offset;
-    velocity_ += Vec3(offset[0] - from[0], 0, offset[1] - from[1]) / time_step_;
-    angular_velocity_.y() += (offset[2] - from[2]) / time_step_;
+    const Vec6 moved = (moored_->state().offset - from) / time_step_;
+    velocity_ += Vec3(moved[at(Motion::surge)], moved[at(Motion::heave)], moved[at(Motion::sway)]);
+    angular_velocity_.y() += moved[at(Motion::yaw)];
+    if (!moored_->floats()) return;
+    const Quat flat = turned_about_y(after_.yaw);
+    const Vec3 pitched(std::cos(after_.pitch), std::sin(after_.pitch), 0);
+    angular_velocity_ += flat * Vec3(moved[at(Motion::roll)] * pitched + moved[at(Motion::pitch)] * Vec3::UnitZ());
 }
 
 void StructureMotion::read_lines(std::vector<FrameLine>& lines) const {
     lines.clear();
     if (!moored_) return;
-    const Vec3& offset = moored_->state().offset;
-    const Vec2 place(after_.position.x() - offset[0], after_.position.z() - offset[1]);
+    const Vec6& offset = moored_->state().offset;
+    const Vec3 place(after_.position.x() - offset[0], 0, after_.position.z() - offset[1]);
     for (std::size_t i = 0; i < moored_->lines(); ++i) {
         const std::optional<LinePull> pulls = moored_->line(i);
         if (!pulls) continue;
-        const Vec2 fairlead = place + pulls->fairlead;
-        const Vec2 anchor = place + pulls->anchor;
-        lines.push_back(
-            {static_cast<int>(i), {fairlead.x(), 0, fairlead.y()}, {anchor.x(), 0, anchor.y()}, pulls->tension});
+        lines.push_back({static_cast<int>(i), place + pulls->fairlead, place + pulls->anchor, pulls->tension});
     }
 }
 
-MooredMotion::MooredMotion(const Moorings& moorings, double step)
+LinearMotion::LinearMotion(std::vector<int> directions, const Mat6& inertia, const Mat6& damping, const Mat6& stiffness,
+                           double critical, double step)
+    : directions_(std::move(directions)), inertia_(inertia(directions_, directions_)), inverse_(inertia_.inverse()) {
+    const int first = directions_.front();
+    const auto n = static_cast<Eigen::Index>(directions_.size());
+    if (n == 1 && damping(first, first) == 0) {
+        alone_.emplace(Oscillator{stiffness(first, first), inertia(first, first), critical}, step);
+        return;
+    }
+    Matrix loss = damping(directions_, directions_);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const int own = directions_[static_cast<std::size_t>(k)];
+        loss(k, k) += 2 * critical * std::sqrt(std::max(0.0, stiffness(own, own)) * inertia(own, own));
+    }
+    Eigen::MatrixXd rate = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+    rate.block(0, n, n, n).setIdentity();
+    rate.block(n, 0, n, n) = -inverse_ * stiffness(directions_, directions_);
+    rate.block(n, n, n, n) = -inverse_ * loss;
+    rate.block(n, 2 * n, n, n) = inverse_;
+    const Eigen::MatrixXd all = (step * rate).exp();
+    step_ = all.topRows(2 * n);
+}
+
+void LinearMotion::advance(MooredState& state, const Vec6& load) const {
+    if (alone_) {
+        const int k = directions_.front();
+        const OscillatorState after = alone_->after({state.offset[k], state.velocity[k]}, load[k]);
+        state.offset[k] = after.offset;
+        state.velocity[k] = after.velocity;
+        return;
+    }
+    const auto n = static_cast<Eigen::Index>(directions_.size());
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 18, 1> before(3 * n);
+    before << state.offset(directions_), state.velocity(directions_), load(directions_);
+    const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 18, 1> after = step_ * before;
+    state.offset(directions_) = after.head(n);
+    state.velocity(directions_) = after.tail(n);
+}
+
+void LinearMotion::accelerate(MooredState& state, const Vec6& force, double time) const {
+    if (alone_) {
+        const int k = directions_.front();
+        state.velocity[k] += time * force[k] / inertia_(0, 0);
+        return;
+    }
+    for (std::size_t a = 0; a < directions_.size(); ++a)
+        for (std::size_t b = 0; b < directions_.size(); ++b)
+            state.velocity[directions_[a]] +=
+                time * inverse_(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) * force[directions_[b]];
+}
+
+/// Of one direction v / (1 + b |v| t / m); of several (M + t b |v|) v' = M v, which never adds energy.
+void LinearMotion::slow_down(MooredState& state, const std::array<double, 6>& quadratic, double time) const {
+    const auto drag = [&](int k) { return quadratic.at(static_cast<std::size_t>(k)) * std::abs(state.velocity[k]); };
+    if (alone_) {
+        const int k = directions_.front();
+        state.velocity[k] /= 1 + drag(k) * time / inertia_(0, 0);
+        return;
+    }
+    if (std::ranges::all_of(directions_, [&](int k) { return drag(k) == 0; })) return;
+    using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
+    using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
+    const Column momentum = inertia_ * Column(state.velocity(directions_));
+    Small slowed = inertia_;
+    for (std::size_t a = 0; a < directions_.size(); ++a)
+        slowed(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(a)) += time * drag(directions_[a]);
+    const Column after = slowed.partialPivLu().solve(momentum);
+    state.velocity(directions_) = after;
+}
+
+namespace {
+
+/// Directions in groups that no matrix couples with each other, by the first of each.
+std::vector<std::vector<int>> coupled(const std::vector<int>& directions, std::initializer_list<Mat6> matrices) {
+    Components groups(6);
+    for (const int a : directions)
+        for (const int b : directions)
+            for (const Mat6& matrix : matrices)
+                if (matrix(a, b) != 0) groups.connect(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    std::vector<std::vector<int>> found;
+    for (const int a : directions) {
+        const auto same = std::ranges::find_if(found, [&](const std::vector<int>& group) {
+            return groups.first(static_cast<std::size_t>(group.front())) == groups.first(static_cast<std::size_t>(a));
+        });
+        if (same == found.end())
+            found.push_back({a});
+        else
+            same->push_back(a);
+    }
+    return found;
+}
+
+}  // namespace
+
+MooredMotion::MooredMotion(const Moorings& moorings, const Mat6& water, double step)
     : moorings_(moorings),
       step_(step),
-      inertia_(moorings.inertia()),
+      inertia_(moorings.inertia().diagonal().head<3>()),
       springs_(moorings.surge, moorings.sway, moorings.yaw),
       stiffness_(moorings.stiffness()) {
-    for (int k = 0; k < moorings.directions(); ++k) {
-        linear_.emplace_back(Oscillator{stiffness_[k], inertia_[k], moorings.damping}, step);
-        thrusters_.push_back(thrust_law(moorings.thrusters, k, inertia_[k]));
-    }
+    const Mat6 inertia = moorings.inertia();
+    const Mat6 radiation = moorings.radiation();
+    Mat6 stiffness = water;
+    stiffness.diagonal() += stiffness_;
+    for (const std::vector<int>& group : coupled(moorings.directions(), {inertia, radiation, stiffness}))
+        linear_.emplace_back(group, inertia, radiation, stiffness, moorings.damping, step);
+    for (int k = 0; k < 3; ++k)
+        thrusters_.push_back(moorings.free.at(static_cast<std::size_t>(k))
+                                 ? thrust_law(moorings.thrusters, k, inertia_[k])
+                                 : ThrustLaw{});
     state_.broken_at.assign(moorings.lines.size(), std::numeric_limits<double>::quiet_NaN());
     for (const MooringLine& line : moorings.lines) largest_.push_back(line.pretension);
 }
@@ -93,18 +206,11 @@ void MooredMotion::place(const MooredState& state) {
     state_.broken_at.resize(lines, std::numeric_limits<double>::quiet_NaN());
 }
 
-Vec3 MooredMotion::pull_of_lines(const Vec3& offset) const {
-    Vec3 sum = turret_pull(moorings_, offset);
+Vec6 MooredMotion::pull_of_lines(const Vec6& offset) const {
+    Vec6 sum = turret_pull(moorings_, offset);
     for (std::size_t i = 0; i < moorings_.lines.size(); ++i)
         if (std::isnan(state_.broken_at[i])) sum += pull(moorings_, moorings_.lines[i], offset).force;
     return sum;
-}
-
-/// m v' = -b |v| v, each direction by itself: v / (1 + b |v| t / m).
-void MooredMotion::slow_down(double time) {
-    const Vec3 quadratic = moorings_.quadratic();
-    for (int k = 0; k < moorings_.directions(); ++k)
-        state_.velocity[k] /= 1 + quadratic[k] * std::abs(state_.velocity[k]) * time / inertia_[k];
 }
 
 /// Between the moorings' axes and the structure's, which has turned: sense -1 into its own, 1 out of them.
@@ -116,18 +222,21 @@ Vec3 MooredMotion::in_own_axes(const Vec3& plane, double sense) const {
 /// By the thrusters alone.
 void MooredMotion::push_back(double time) {
     if (!has_thrusters()) return;
-    const Vec3 offset = in_own_axes(state_.offset, -1);
-    Vec3 velocity = in_own_axes(state_.velocity, -1);
+    const Vec3 offset = in_own_axes(state_.offset.head<3>(), -1);
+    Vec3 velocity = in_own_axes(state_.velocity.head<3>(), -1);
     for (std::size_t k = 0; k < thrusters_.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        velocity[i] = velocity_under_thrust(thrusters_[k], offset[i], velocity[i], inertia_[i], time);
+        if (moorings_.free.at(k))
+            velocity[i] = velocity_under_thrust(thrusters_[k], offset[i], velocity[i], inertia_[i], time);
     }
-    state_.velocity = in_own_axes(velocity, 1);
+    state_.velocity.head<3>() = in_own_axes(velocity, 1);
+    for (int k = 0; k < 3; ++k)
+        if (!moorings_.free.at(static_cast<std::size_t>(k))) state_.velocity[k] = 0;
 }
 
 Vec3 MooredMotion::thrust() const {
-    const Vec3 offset = in_own_axes(state_.offset, -1);
-    const Vec3 velocity = in_own_axes(state_.velocity, -1);
+    const Vec3 offset = in_own_axes(state_.offset.head<3>(), -1);
+    const Vec3 velocity = in_own_axes(state_.velocity.head<3>(), -1);
     Vec3 found = Vec3::Zero();
     for (std::size_t k = 0; k < thrusters_.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
@@ -139,23 +248,21 @@ Vec3 MooredMotion::thrust() const {
 /// What lines and turret pull more than the stiffness without an offset says.
 void MooredMotion::pull_beyond_linear(double time) {
     if (moorings_.lines.empty() && moorings_.turret_curve.empty()) return;
-    const Vec3 force = pull_of_lines(state_.offset) + (stiffness_ - springs_).cwiseProduct(state_.offset);
-    for (int k = 0; k < moorings_.directions(); ++k) state_.velocity[k] += time * force[k] / inertia_[k];
+    Vec6 linear = stiffness_;
+    linear.head<3>() -= springs_;
+    const Vec6 force = pull_of_lines(state_.offset) + linear.cwiseProduct(state_.offset);
+    for (const LinearMotion& one : linear_) one.accelerate(state_, force, time);
 }
 
-void MooredMotion::advance(const Vec3& load, double time) {
-    slow_down(0.5 * step_);
-    push_back(0.5 * step_);
-    pull_beyond_linear(0.5 * step_);
-    for (std::size_t k = 0; k < linear_.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        const OscillatorState after = linear_[k].after({state_.offset[i], state_.velocity[i]}, load[i]);
-        state_.offset[i] = after.offset;
-        state_.velocity[i] = after.velocity;
-    }
-    pull_beyond_linear(0.5 * step_);
-    push_back(0.5 * step_);
-    slow_down(0.5 * step_);
+void MooredMotion::advance(const Vec6& load, double time) {
+    const double half = 0.5 * step_;
+    for (const LinearMotion& one : linear_) one.slow_down(state_, moorings_.quadratic, half);
+    push_back(half);
+    pull_beyond_linear(half);
+    for (const LinearMotion& one : linear_) one.advance(state_, load);
+    pull_beyond_linear(half);
+    push_back(half);
+    for (const LinearMotion& one : linear_) one.slow_down(state_, moorings_.quadratic, half);
     break_lines(time);
 }
 
@@ -175,7 +282,7 @@ std::optional<LinePull> MooredMotion::line(std::size_t number) const {
 }
 
 Vec3 MooredMotion::restoring() const {
-    return pull_of_lines(state_.offset) - springs_.cwiseProduct(state_.offset);
+    return pull_of_lines(state_.offset).head<3>() - springs_.cwiseProduct(state_.offset.head<3>());
 }
 
 }  // namespace floes

@@ -1,12 +1,16 @@
 #pragma once
-// A structure on its moorings from step to step: M q̈ + C q̇ + K q = F + N(q, q̇), q its offset (structure/moorings.hpp).
+// A structure on its moorings from step to step: M q̈ + C q̇ + K q = F + N(q, q̇), q its offset (shapes/moorings.hpp).
 //
-// K is the stiffness without an offset, C the linear damping, both each direction by itself; N is all else: what lines
-// do beyond K, thrusters, and the water's quadratic damping. The ice load F of a step is known after it and moves the
-// structure in the next one, where it is constant. K, C and F are solved without error (statistics/oscillator.hpp);
-// quadratic damping and thrusters, also without error, and lines act for half the step before and after that (Strang's
-// splitting, second order). So springs have no numerical damping and no limit of stability; lines and thrusters have
-// that of the leapfrog, period > π Δt, and checks ask for fifty steps.
+// K is the stiffness of moorings and water without an offset, C the linear damping; N is all else: what lines do beyond
+// K, thrusters, and the water's quadratic damping. The ice load F of a step is known after it and moves the structure
+// in the next one, where it is constant. K, C and F are solved without error: a direction that M, C and K couple with
+// no other by statistics/oscillator.hpp, those that are coupled together by the matrix exponential of their equation.
+// Quadratic damping and thrusters, which of one direction are also without error, and lines act for half the step
+// before and after that (Strang's splitting, second order). So springs and water have no numerical damping and no limit
+// of stability; lines and thrusters have that of the leapfrog, period > π Δt, and checks ask for fifty steps.
+//
+// Turns are small in all but yaw: pitch and roll are about the structure's own axes, and what couples them with surge
+// and sway is taken without yaw. At rest the hull lies level at its draught, whatever hangs on it.
 //
 // What the splitting from the ice costs: a floe of mass m that strikes the structure, mass M, is stopped as by one that
 // does not give way, so the impulse is 1 + m/M times too large (checks ask for M >= 10 m of the heaviest floe). A floe
@@ -28,28 +32,53 @@ namespace floes {
 
 /// How a moored structure has moved.
 struct MooredState {
-    Vec3 offset = Vec3::Zero();       ///< x, z, yaw: m, m, rad
-    Vec3 velocity = Vec3::Zero();     ///< m/s, m/s, rad/s
+    Vec6 offset = Vec6::Zero();       ///< by Motion: m, rad
+    Vec6 velocity = Vec6::Zero();     ///< m/s, rad/s
     std::vector<double> broken_at{};  ///< s, of each line; NaN: it holds
+};
+
+/// Directions that M q̈ + C q̇ + K q = F couples, or one that it does not.
+class LinearMotion {
+  public:
+    /// Of six directions those of these numbers. `damping`: of the critical one of each direction, in addition to C.
+    LinearMotion(std::vector<int> directions, const Mat6& inertia, const Mat6& damping, const Mat6& stiffness,
+                 double critical, double step);
+
+    void advance(MooredState& state, const Vec6& load) const;
+    /// By the force alone for a time, s.
+    void accelerate(MooredState& state, const Vec6& force, double time) const;
+    /// By -b |v| v alone for a time, s: m v' = -b |v| v of one direction without error.
+    void slow_down(MooredState& state, const std::array<double, 6>& quadratic, double time) const;
+
+  private:
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 18, 18>;  // on the stack
+
+    std::vector<int> directions_;
+    Matrix inertia_;
+    Matrix inverse_;  // of it
+    std::optional<OscillatorStep> alone_;
+    Matrix step_;  // of offsets, velocities and load to offsets and velocities; unless alone
 };
 
 class MooredMotion {
   public:
-    /// At rest without an offset. `moorings` give way and hold in all their directions; `step`: s.
-    MooredMotion(const Moorings& moorings, double step);
+    /// At rest without an offset. `moorings` give way and hold in all their directions; `water`: its stiffness
+    /// (shapes/hydrostatics.hpp); `step`: s.
+    MooredMotion(const Moorings& moorings, const Mat6& water, double step);
 
     const MooredState& state() const { return state_; }
     void place(const MooredState& state);
 
-    /// A step that ends at `time` s, under a load that is constant in it: N, N, N m.
-    void advance(const Vec3& load, double time);
+    /// A step that ends at `time` s, under a load that is constant in it, by Motion: N, N m.
+    void advance(const Vec6& load, double time);
 
-    /// Force of springs, lines and turret at the offset, on the structure: N, N, N m.
+    /// Force of springs, lines and turret at the offset, on the structure, in surge, sway and yaw: N, N, N m.
     Vec3 restoring() const;
 
     /// Force of the thrusters, on the structure and in its own axes, ahead and towards +z without yaw: N, N, N m.
     Vec3 thrust() const;
     bool has_thrusters() const { return moorings_.thrusters.any(); }
+    bool floats() const { return moorings_.floats(); }
 
     /// What a line pulls with; nothing where it has broken.
     std::optional<LinePull> line(std::size_t number) const;
@@ -59,18 +88,18 @@ class MooredMotion {
     const std::vector<double>& largest_tensions() const { return largest_; }
 
   private:
-    void slow_down(double time);
     void push_back(double time);
     Vec3 in_own_axes(const Vec3& plane, double sense) const;
     void pull_beyond_linear(double time);
-    Vec3 pull_of_lines(const Vec3& offset) const;
+    Vec6 pull_of_lines(const Vec6& offset) const;
     void break_lines(double time);
 
     Moorings moorings_;
     double step_;
-    Vec3 inertia_, springs_, stiffness_;
-    std::vector<OscillatorStep> linear_;  ///< of each direction in which it gives way
-    std::vector<ThrustLaw> thrusters_;    ///< likewise
+    Vec3 inertia_, springs_;
+    Vec6 stiffness_;
+    std::vector<LinearMotion> linear_;
+    std::vector<ThrustLaw> thrusters_;  ///< of surge, sway and yaw, none where it is held
     MooredState state_;
     std::vector<double> largest_;
 };
@@ -111,6 +140,7 @@ class StructureMotion {
   private:
     PathPlace prescribed(int step) const;
     void follow(const PathPlace& place);
+    Vec6 on_motions(const Wrench& load) const;
     void add_offset();
 
     double time_step_;

@@ -75,6 +75,9 @@ struct MooredResponse {
     Swing yaw;                                                          ///< rad
     Swing surge_mooring;                                                ///< N
     Swing sway_mooring;                                                 ///< N
+    Swing heave{};                                                      ///< m; NaN without heave, pitch and roll
+    Swing pitch{};                                                      ///< rad
+    Swing roll{};                                                       ///< rad
     Swing surge_thrust{};                                               ///< N; NaN without thrusters
     Swing sway_thrust{};                                                ///< N
     Swing yaw_thrust{};                                                 ///< N m
