@@ -191,6 +191,25 @@ std::string hull_words(const Scenario& scenario) {
         at_rest.metacentric_radius(), at_rest.longitudinal_metacentric_radius());
 }
 
+/// How a moored hull swings, of one that floats with the height of its metacentres over its centre.
+std::string swing_words(const Scenario& scenario) {
+    const Moorings& moorings = scenario.moorings;
+    const Mat6 water = scenario.water_stiffness();
+    std::vector<std::string> periods;
+    for (const NaturalMode& mode : natural_modes(moorings, water))
+        periods.push_back(fmt::format("{:.4g} s in {}", mode.period, motion_names.at(at(mode.motion))));
+    std::string words =
+        fmt::format("without damping the moored hull swings with natural periods of {}", fmt::join(periods, ", "));
+    if (!moorings.floats()) return words;
+    const double weight = moorings.mass * scenario.general.gravity;
+    const auto metacentre = [&](Motion motion) {
+        const auto k = static_cast<int>(motion);
+        return water(k, k) / weight;
+    };
+    return words + fmt::format("; its metacentre is {:.3g} m above its centre in roll and {:.3g} m in pitch",
+                               metacentre(Motion::roll), metacentre(Motion::pitch));
+}
+
 }  // namespace
 
 std::vector<std::string> case_words(const Campaign& campaign) {
@@ -206,8 +225,10 @@ std::vector<std::string> case_words(const Campaign& campaign) {
         if (scenario.field.endless()) parts.push_back(endless_words(scenario));
         if (scenario.moorings.give_way() || scenario.structure.shape.kind() != HullKind::profile)
             parts.push_back(hull_words(scenario));
+        if (scenario.moorings.give_way()) parts.push_back(swing_words(scenario));
+        std::erase_if(parts, [&](const std::string& part) { return !said.insert(part).second; });
+        if (parts.empty()) continue;
         const std::string words = fmt::format("{}", fmt::join(parts, "; "));
-        if (words.empty() || !said.insert(words).second) continue;
         sentences.push_back(fmt::format("case {}: {}.", campaign.cases[k].name, words));
     }
     return sentences;
@@ -285,12 +306,11 @@ std::string motion_words(const Scenario& scenario) {
     if (moorings.surge + moorings.sway + moorings.yaw > 0)
         holds.push_back(fmt::format("springs of {:.4g} kN/m in surge and {:.4g} in sway",
                                     moorings.surge / unit::kilonewton, moorings.sway / unit::kilonewton));
-    if (!moorings.lines.empty()) holds.push_back(counted(std::ssize(moorings.lines), "line"));
+    if (moorings.line_count() > 0) holds.push_back(counted(static_cast<std::ptrdiff_t>(moorings.line_count()), "line"));
     if (!moorings.turret_curve.empty()) holds.emplace_back("a turret");
     if (moorings.thrusters.any()) holds.emplace_back("thrusters");
     return fmt::format("{:.4g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
-                       name_list(free), fmt::join(holds, ", "),
-                       scenario.closing_speed());
+                       name_list(free), fmt::join(holds, ", "), scenario.closing_speed());
 }
 
 }  // namespace floes

@@ -50,6 +50,7 @@ bool anywhere(const Evidence& evidence, std::string_view key) {
 Results run_results(const Evidence& evidence) {
     const bool lines = anywhere(evidence, "largest_line_tension");
     const bool thrusters = anywhere(evidence, "largest_surge_thrust");
+    const bool floats = anywhere(evidence, "largest_pitch");
     const auto if_any = [](bool any, const char* words) { return any ? words : ""; };
     Results results{
         .place = "moored/simulated",
@@ -63,6 +64,9 @@ Results run_results(const Evidence& evidence) {
                     {"largest_yaw"},
                     {.words = "largest yaw, °", .decimals = 1},
                     {.key = "velocity_ratio", .words = "rms velocity / drift", .decimals = 3},
+                    {.key = "largest_heave", .words = if_any(floats, "largest heave, m"), .decimals = 3},
+                    {.key = "largest_pitch_deg", .words = if_any(floats, "largest pitch, °"), .decimals = 2},
+                    {.key = "largest_roll_deg", .words = if_any(floats, "largest roll, °"), .decimals = 2},
                     estimates("largest_tension", if_any(lines, "largest tension of a line"), "N"),
                     {.key = "broken_lines", .words = if_any(lines, "lines broken"), .decimals = 0},
                     estimates("largest_thrust", if_any(thrusters, "largest thrust in surge"), "N"),
@@ -71,6 +75,7 @@ Results run_results(const Evidence& evidence) {
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
         if (!scenario.moorings.give_way() || evidence.sample.done(index).empty()) continue;
         const auto mean = [&](std::string_view key) { return mean_of_runs(evidence, index, key); };
+        const auto most = [&](std::string_view key) { return std::ranges::max(values_of(evidence, index, key)); };
         const std::vector<double> yaw = values_of(evidence, index, "largest_yaw");
         double squares = 0;
         const std::vector<double> speeds = values_of(evidence, index, "rms_surge_velocity");
@@ -79,8 +84,10 @@ Results run_results(const Evidence& evidence) {
                      mean("sd_surge_offset"), mean("mean_surge_mooring"), mean("mean_maximum_surge_mooring"),
                      std::ranges::max(yaw), std::ranges::max(yaw) / unit::degree,
                      std::sqrt(squares / static_cast<double>(speeds.size())) / scenario.structure.speed,
-                     mean("largest_line_tension"), sum_of(values_of(evidence, index, "broken_lines")),
-                     mean("largest_surge_thrust"), mean("thrust_at_limit")});
+                     most("largest_heave_offset"), most("largest_pitch") / unit::degree,
+                     most("largest_roll") / unit::degree, mean("largest_line_tension"),
+                     sum_of(values_of(evidence, index, "broken_lines")), mean("largest_surge_thrust"),
+                     mean("thrust_at_limit")});
     }
     return results;
 }
@@ -96,7 +103,8 @@ std::optional<Section> moored_runs_section(const Evidence& evidence) {
         .after =
             "\nOffset along the surge load from where the moorings would have the structure, and what springs and "
             "lines bear of that load. Largest of a segment: mean over segments and arrangements; tension: mean "
-            "over arrangements of the largest of any line; thrust likewise, and the share of the window in which "
+            "over arrangements of the largest of any line; yaw, heave, pitch and roll: of all runs; thrust likewise, "
+            "and the share of the window in which "
             "thrusters are at a limit in any direction; brackets: 95 % (t). docs/moored.md\n"};
 }
 
@@ -256,7 +264,7 @@ double separation_of(const Analysis& analysis, const Moorings& moorings) {
 }
 
 bool by_thrusters_alone(const Case& one) {
-    return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()[0] == 0;
+    return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()(0, 0) == 0;
 }
 
 }  // namespace

@@ -156,7 +156,7 @@ const ArrayAxis floating_axis{"floating_time",
 const ArrayAxis line_axis{
     "mooring_line", "1", "mooring line, in the order of moorings.lines", AxisKind::counted,
     [](const Scenario& scenario) {
-        return counted_to(scenario.moorings.give_way() ? scenario.moorings.lines.size() : std::size_t{0});
+        return counted_to(scenario.moorings.give_way() ? scenario.moorings.line_count() : std::size_t{0});
     }};
 
 const ArrayAxis height_axis{"height",

@@ -395,7 +395,7 @@ inline constexpr std::array array_outputs{
         "history/roll", "rad", "roll of the floating structure, positive with starboard (+z) down", floating_axis),
     ArrayOutput{.path = "members/line_tension",
                 .unit = "N",
-                .long_name = "largest horizontal tension of each mooring line over the run",
+                .long_name = "largest tension of each mooring line over the run, horizontal where it has no weight",
                 .axes = {&line_axis},
                 .access = at_vector<&MemberResult::line_tension>()},
     ArrayOutput{.path = "members/line_broken_at",

@@ -141,6 +141,30 @@ void check_lines(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_hanging(const Moorings& moorings, Contradictions& found) {
+    constexpr double most_strain = 0.1;
+    for (std::size_t row = 0; row < moorings.hanging.size(); ++row) {
+        const HangingLine& line = moorings.hanging[row];
+        const auto wrong = [&](const std::string& what) {
+            refuse(found, {"moorings.hanging_lines"}, fmt::format("moorings.hanging_lines[{}] {}", row, what));
+        };
+        const double drop = line.depth + line.fairlead.y();
+        if (!(drop > 0)) {
+            wrong(fmt::format("has its fairlead {:g} m below its anchor; depth_m is of the anchor below the calm water",
+                              -drop));
+            continue;
+        }
+        const double chord = std::hypot(line.distance, drop);
+        if (chord > (1 + most_strain) * line.cable.length)
+            wrong(fmt::format(
+                "is {:.4g} m long and would be stretched to {:.4g} m; take a longer line or a nearer anchor",
+                line.cable.length, chord));
+        const double tension = pull(line, Vec6::Zero()).tension;
+        if (line.break_load > 0 && tension > line.break_load)
+            wrong(fmt::format("pulls with {:.4g} kN at rest, more than its break load", tension / unit::kilonewton));
+    }
+}
+
 void check_turret(const Moorings& moorings, Contradictions& found) {
     const std::vector<TensionPoint>& curve = moorings.turret_curve;
     if (curve.empty()) return;
@@ -282,6 +306,7 @@ void check_moorings(const Scenario& scenario, Contradictions& found) {
     if (!moorings.give_way()) return;
     const std::size_t before = found.size();
     check_lines(scenario, found);
+    check_hanging(moorings, found);
     check_turret(moorings, found);
     check_thrusters(scenario, found);
     check_matrix(moorings.added_mass, "moorings.added_mass", found);

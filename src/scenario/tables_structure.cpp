@@ -198,11 +198,41 @@ RowsField line_rows(std::vector<MooringLine>& lines) {
             }};
 }
 
+RowsField hanging_rows(std::vector<HangingLine>& lines) {
+    const Range way = at_least(-farthest_way).at_most(farthest_way);
+    const Range length = above(0).at_most(farthest_way);
+    return {{{"x_m", unit::one, way},
+             {"height_m", unit::one, way},
+             {"z_m", unit::one, way},
+             {"azimuth_deg", unit::degree, at_least(-360).at_most(360)},
+             {"distance_m", unit::one, length},
+             {"depth_m", unit::one, length},
+             {"length_m", unit::one, length},
+             {"weight_N_m", unit::one, above(0).at_most(1e6)},
+             {"stiffness_kN", unit::kilonewton, above(0).at_most(1e12)},
+             {"friction", unit::one, at_least(0).at_most(10)},
+             {"break_load_kN", unit::kilonewton, at_least(0).at_most(1e9)}},
+            [&lines] {
+                std::vector<std::vector<double>> rows;
+                for (const HangingLine& line : lines)
+                    rows.push_back({line.fairlead.x(), line.fairlead.y(), line.fairlead.z(), line.azimuth,
+                                    line.distance, line.depth, line.cable.length, line.cable.weight,
+                                    line.cable.stiffness, line.cable.friction, line.break_load});
+                return rows;
+            },
+            [&lines](const std::vector<std::vector<double>>& rows) {
+                lines.clear();
+                for (const std::vector<double>& row : rows)
+                    lines.push_back(
+                        {{row[0], row[1], row[2]}, row[3], row[4], row[5], {row[6], row[7], row[8], row[9]}, row[10]});
+            }};
+}
+
 /// Of a matrix by directions; how many rows there are is checked with the rest.
 RowsField six_rows(std::vector<std::vector<double>>& matrix) {
     std::vector<Column> columns;
     for (const char* name : {"surge", "sway", "heave", "roll", "pitch", "yaw"})
-        columns.push_back({name, unit::tonne, at_least(-1e12).at_most(1e12)});
+        columns.push_back({name, unit::tonne, {}});
     return {std::move(columns), [&matrix] { return matrix; },
             [&matrix](const std::vector<std::vector<double>>& rows) { matrix = rows; }};
 }
@@ -357,6 +387,12 @@ void add_moorings(Keys& keys, Moorings& moorings) {
               "Mooring lines: fairlead from the structure's axis (x ahead, z), azimuth towards which the line leads (0 "
               "along +x, 90 towards +z), horizontal distance from fairlead to anchor, and horizontally pretension, "
               "stiffness and break load (0: none). A line above its break load is gone from then on."}));
+    keys.push_back(held(
+        {"moorings.hanging_lines", hanging_rows(moorings.hanging), "none",
+         "Lines with a weight: fairlead in the structure's axes (x ahead, height over the calm water, z), azimuth, "
+         "horizontal distance to the anchor, depth of the anchor below the calm water, unstretched length, weight "
+         "in water, stiffness EA, friction of the bottom and break load at the fairlead (0: none). They hang as "
+         "catenaries that may lie on the bottom, and move with the hull."}));
     keys.push_back(
         held({"moorings.line_curve", curve_rows(moorings.curve, "extension_m", "tension_kN"), "none: lines are linear",
               "Tension of each line over its horizontal distance, both rising: a catenary, for example. The pretension "

@@ -80,28 +80,38 @@ Mat6 Moorings::radiation() const {
     return from_hydrodynamic_axes(radiation_damping);
 }
 
-Vec6 Moorings::stiffness() const {
-    Vec6 found = Vec6::Zero();
-    found.head<3>() << surge, sway, yaw;
-    for (const MooringLine& line : lines) {
-        for (int k = 0; k < 3; ++k) {
-            // Far above rounding, far below what a line's direction changes by.
-            Vec6 aside = Vec6::Zero();
-            aside[k] = 1e-5 * (k < 2 ? line.distance : 1.0);
-            found[k] -= (pull(*this, line, aside).force[k] - pull(*this, line, -aside).force[k]) / (2 * aside[k]);
-        }
-    }
+namespace {
+
+/// What a line at rest pulls less for an offset of each motion alone: far above rounding, far below what its direction
+/// changes by.
+Vec6 pulls_less(const auto& pull_at, double distance, int motion) {
+    Vec6 aside = Vec6::Zero();
+    aside[motion] = 1e-5 * (motion == 2 || motion > 3 ? 1.0 : distance);
+    return -(pull_at(aside) - pull_at(-aside)) / (2 * aside[motion]);
+}
+
+}  // namespace
+
+Mat6 Moorings::stiffness() const {
+    Mat6 found = Mat6::Zero();
+    found.diagonal().head<3>() << surge, sway, yaw;
+    for (const MooringLine& line : lines)
+        for (int k = 0; k < 3; ++k)
+            found(k, k) +=
+                pulls_less([&](const Vec6& offset) { return pull(*this, line, offset).force; }, line.distance, k)[k];
+    for (const HangingLine& line : hanging)
+        for (int k = 0; k < 6; ++k)
+            found.col(k) += pulls_less([&](const Vec6& offset) { return pull(line, offset).force; }, line.distance, k);
     if (!turret_curve.empty()) {
         const TensionPoint& first = turret_curve.at(1);
         const double slope = first.tension / first.extension;
-        found.head<3>() += Vec3(slope, slope, slope * turret * turret);
+        found.diagonal().head<3>() += Vec3(slope, slope, slope * turret * turret);
     }
     return found;
 }
 
 Mat6 Moorings::held(const Mat6& water) const {
-    Mat6 found = water;
-    found.diagonal() += stiffness();
+    Mat6 found = water + stiffness();
     found.diagonal().head<3>() += thrusters.gain;
     return found;
 }
@@ -114,8 +124,11 @@ double Moorings::period(Motion motion) const {
 
 std::vector<NaturalMode> natural_modes(const Moorings& moorings, const Mat6& water) {
     const std::vector<int> directions = moorings.directions();
-    const Eigen::MatrixXd stiffness = moorings.held(water)(directions, directions);
-    const Eigen::MatrixXd inertia = moorings.inertia()(directions, directions);
+    const auto even = [&](const Mat6& matrix) -> Eigen::MatrixXd {
+        return Mat6(0.5 * (matrix + matrix.transpose()))(directions, directions);
+    };
+    const Eigen::MatrixXd stiffness = even(moorings.held(water));
+    const Eigen::MatrixXd inertia = even(moorings.inertia());
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(stiffness, inertia);
     std::vector<NaturalMode> modes;
     for (Eigen::Index mode = 0; mode < solver.eigenvalues().size(); ++mode) {
@@ -147,12 +160,45 @@ namespace {
 
 /// A force in the plane of the water at an arm from the axis.
 Vec6 at_the_water(const Vec2& force, const Vec2& arm) {
-    Vec6 found = Vec6::Zero();
-    found.head<3>() << force.x(), force.y(), arm.y() * force.x() - arm.x() * force.y();
-    return found;
+    return in_plane({force.x(), force.y(), arm.y() * force.x() - arm.x() * force.y()});
 }
 
 }  // namespace
+
+Vec6 in_plane(const Vec3& of) {
+    Vec6 found = Vec6::Zero();
+    found.head<3>() = of;
+    return found;
+}
+
+LinePull pull(const HangingLine& line, const Vec6& offset) {
+    const StructurePose pose{
+        .position = Vec3(offset[at(Motion::surge)], offset[at(Motion::heave)], offset[at(Motion::sway)]),
+        .yaw = offset[at(Motion::yaw)],
+        .pitch = offset[at(Motion::pitch)],
+        .roll = offset[at(Motion::roll)]};
+    const Vec3 arm = pose.orientation() * line.fairlead;
+    const Vec3 lead(std::cos(line.azimuth), 0, std::sin(line.azimuth));
+    LinePull found;
+    found.fairlead = pose.position + arm;
+    found.anchor = line.fairlead + line.distance * lead;
+    found.anchor.y() = -line.depth;
+    const Vec2 way(found.anchor.x() - found.fairlead.x(), found.anchor.z() - found.fairlead.z());
+    const double distance = way.norm();
+    const CablePull hangs = hang(line.cable, distance, found.fairlead.y() + line.depth);
+    found.tension = hangs.tension();
+    const Vec2 along = distance > 0 ? Vec2(hangs.along / distance * way) : Vec2(Vec2::Zero());
+    const Vec3 force(along.x(), -hangs.down, along.y());
+    const Vec3 moment = arm.cross(force);
+    const Vec3 own = turned_about_y(pose.yaw).conjugate() * moment;
+    found.force << force.x(), force.z(), moment.y(), force.y(), own.z(), own.x();
+    return found;
+}
+
+LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset) {
+    return number < moorings.lines.size() ? pull(moorings, moorings.lines[number], offset)
+                                          : pull(moorings.hanging[number - moorings.lines.size()], offset);
+}
 
 Vec6 turret_pull(const Moorings& moorings, const Vec6& offset) {
     if (moorings.turret_curve.empty()) return Vec6::Zero();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/vector.hpp"
+#include "shapes/catenary.hpp"
 
 namespace floes {
 
@@ -76,6 +77,18 @@ struct MooringLine {
     friend auto operator<=>(const MooringLine&, const MooringLine&) = default;
 };
 
+/// A line with a weight, from a fairlead under or over the water to an anchor on the bottom: shapes/catenary.hpp.
+struct HangingLine {
+    Vec3 fairlead = Vec3::Zero();  ///< in the structure's axes from the reference point, m
+    double azimuth = 0;            ///< towards which it leads, rad: 0 along +x, π/2 towards +z
+    double distance = 0;           ///< horizontally from the fairlead to the anchor without an offset, m, > 0
+    double depth = 0;              ///< of the anchor below the calm water, m, below the fairlead
+    Cable cable{};
+    double break_load = 0;  ///< N, at the fairlead; 0: it never breaks
+
+    friend bool operator==(const HangingLine&, const HangingLine&) = default;
+};
+
 /// A point of the tension of a line over its horizontal distance, or of a turret's force over its offset.
 struct TensionPoint {
     double extension = 0;  ///< m, of a line from anywhere
@@ -103,6 +116,7 @@ struct Moorings {
     double damping = 0;  ///< linear, of the critical, in each direction, by the stiffness without an offset
     std::array<double, 6> quadratic{};         ///< by Motion, N s²/m² and N m s²
     std::vector<MooringLine> lines{};          ///< in addition to the springs
+    std::vector<HangingLine> hanging{};        ///< likewise
     std::vector<TensionPoint> curve{};         ///< of each line, both rising; empty: by its stiffness
     std::vector<TensionPoint> turret_curve{};  ///< from 0, 0, both rising; empty: there is none
     double turret = 0;                         ///< of the turret's axis from the structure's, ahead, m
@@ -115,12 +129,14 @@ struct Moorings {
     bool floats() const { return is_free(Motion::heave) || is_free(Motion::pitch) || is_free(Motion::roll); }
     Mat6 inertia() const;    ///< with the water about the reference point: kg, kg m, kg m²
     Mat6 radiation() const;  ///< damping by waves, floes' axes: kg/s, kg m/s, kg m²/s
-    /// Stiffness of springs, lines and turret without an offset, each direction by itself: N/m, N m/rad.
-    Vec6 stiffness() const;
+    std::size_t line_count() const { return lines.size() + hanging.size(); }
+    /// Stiffness of springs, lines and turret without an offset: N/m, N, N m. Of all but hanging lines each direction
+    /// by itself.
+    Mat6 stiffness() const;
     /// 2π √(m/k), s, of surge, sway or yaw by itself, with the thrusters' gain in k: without damping; infinite where
     /// nothing holds it.
     double period(Motion motion) const;
-    /// Of springs, lines, turret and thrusters, each direction by itself, and of the water.
+    /// The same with the thrusters' and the water's.
     Mat6 held(const Mat6& water) const;
 
     friend bool operator==(const Moorings&, const Moorings&) = default;
@@ -130,7 +146,7 @@ struct Moorings {
 double tension(const Moorings& moorings, const MooringLine& line, double longer);
 
 struct LinePull {
-    double tension = 0;            ///< N
+    double tension = 0;            ///< N; of a hanging line at the fairlead
     Vec6 force = Vec6::Zero();     ///< on the structure: N, N m
     Vec3 fairlead = Vec3::Zero();  ///< from where the reference point is without an offset, m
     Vec3 anchor = Vec3::Zero();    ///< likewise
@@ -138,6 +154,12 @@ struct LinePull {
 
 /// Pull of a line at an offset of the structure.
 LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec6& offset);
+LinePull pull(const HangingLine& line, const Vec6& offset);
+/// Of all lines by their numbers, hanging ones last.
+LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset);
+
+/// A force or an offset in the plane of the water, by Motion: surge, sway and yaw.
+Vec6 in_plane(const Vec3& of);
 
 /// On the structure by the turret's curve at an offset of the structure: N, N m.
 Vec6 turret_pull(const Moorings& moorings, const Vec6& offset);

@@ -188,28 +188,38 @@ MooredMotion::MooredMotion(const Moorings& moorings, const Mat6& water, double s
       stiffness_(moorings.stiffness()) {
     const Mat6 inertia = moorings.inertia();
     const Mat6 radiation = moorings.radiation();
-    Mat6 stiffness = water;
-    stiffness.diagonal() += stiffness_;
+    const Mat6 stiffness = water + stiffness_;
     for (const std::vector<int>& group : coupled(moorings.directions(), {inertia, radiation, stiffness}))
         linear_.emplace_back(group, inertia, radiation, stiffness, moorings.damping, step);
     for (int k = 0; k < 3; ++k)
         thrusters_.push_back(moorings.free.at(static_cast<std::size_t>(k))
                                  ? thrust_law(moorings.thrusters, k, inertia_[k])
                                  : ThrustLaw{});
-    state_.broken_at.assign(moorings.lines.size(), std::numeric_limits<double>::quiet_NaN());
-    for (const MooringLine& line : moorings.lines) largest_.push_back(line.pretension);
+    state_.broken_at.assign(lines(), std::numeric_limits<double>::quiet_NaN());
+    pulls_.resize(lines());
+    look_at_lines();
+    for (const LinePull& at_rest : pulls_) {
+        largest_.push_back(at_rest.tension);
+        Vec6& level = level_.emplace_back(at_rest.force);
+        level.head<3>().setZero();
+    }
 }
 
 void MooredMotion::place(const MooredState& state) {
     const std::size_t lines = state_.broken_at.size();
     state_ = state;
     state_.broken_at.resize(lines, std::numeric_limits<double>::quiet_NaN());
+    look_at_lines();
 }
 
-Vec6 MooredMotion::pull_of_lines(const Vec6& offset) const {
-    Vec6 sum = turret_pull(moorings_, offset);
-    for (std::size_t i = 0; i < moorings_.lines.size(); ++i)
-        if (std::isnan(state_.broken_at[i])) sum += pull(moorings_, moorings_.lines[i], offset).force;
+void MooredMotion::look_at_lines() {
+    for (std::size_t i = 0; i < pulls_.size(); ++i) pulls_[i] = pull(moorings_, i, state_.offset);
+}
+
+Vec6 MooredMotion::pull_of_lines() const {
+    Vec6 sum = turret_pull(moorings_, state_.offset);
+    for (std::size_t i = 0; i < pulls_.size(); ++i)
+        if (std::isnan(state_.broken_at[i])) sum += pulls_[i].force - level_[i];
     return sum;
 }
 
@@ -247,10 +257,10 @@ Vec3 MooredMotion::thrust() const {
 
 /// What lines and turret pull more than the stiffness without an offset says.
 void MooredMotion::pull_beyond_linear(double time) {
-    if (moorings_.lines.empty() && moorings_.turret_curve.empty()) return;
-    Vec6 linear = stiffness_;
-    linear.head<3>() -= springs_;
-    const Vec6 force = pull_of_lines(state_.offset) + linear.cwiseProduct(state_.offset);
+    if (pulls_.empty() && moorings_.turret_curve.empty()) return;
+    Mat6 linear = stiffness_;
+    linear.diagonal().head<3>() -= springs_;
+    const Vec6 force = pull_of_lines() + linear * state_.offset;
     for (const LinearMotion& one : linear_) one.accelerate(state_, force, time);
 }
 
@@ -260,6 +270,7 @@ void MooredMotion::advance(const Vec6& load, double time) {
     push_back(half);
     pull_beyond_linear(half);
     for (const LinearMotion& one : linear_) one.advance(state_, load);
+    look_at_lines();
     pull_beyond_linear(half);
     push_back(half);
     for (const LinearMotion& one : linear_) one.slow_down(state_, moorings_.quadratic, half);
@@ -267,22 +278,23 @@ void MooredMotion::advance(const Vec6& load, double time) {
 }
 
 void MooredMotion::break_lines(double time) {
-    for (std::size_t i = 0; i < moorings_.lines.size(); ++i) {
+    for (std::size_t i = 0; i < pulls_.size(); ++i) {
         if (!std::isnan(state_.broken_at[i])) continue;
-        const MooringLine& line = moorings_.lines[i];
-        const double now = pull(moorings_, line, state_.offset).tension;
+        const double now = pulls_[i].tension;
         largest_[i] = std::max(largest_[i], now);
-        if (line.break_load > 0 && now > line.break_load) state_.broken_at[i] = time;
+        const double most = i < moorings_.lines.size() ? moorings_.lines[i].break_load
+                                                       : moorings_.hanging[i - moorings_.lines.size()].break_load;
+        if (most > 0 && now > most) state_.broken_at[i] = time;
     }
 }
 
 std::optional<LinePull> MooredMotion::line(std::size_t number) const {
     if (!std::isnan(state_.broken_at[number])) return {};
-    return pull(moorings_, moorings_.lines[number], state_.offset);
+    return pulls_[number];
 }
 
 Vec3 MooredMotion::restoring() const {
-    return pull_of_lines(state_.offset).head<3>() - springs_.cwiseProduct(state_.offset.head<3>());
+    return pull_of_lines().head<3>() - springs_.cwiseProduct(state_.offset.head<3>());
 }
 
 }  // namespace floes

@@ -82,7 +82,7 @@ class MooredMotion {
 
     /// What a line pulls with; nothing where it has broken.
     std::optional<LinePull> line(std::size_t number) const;
-    std::size_t lines() const { return moorings_.lines.size(); }
+    std::size_t lines() const { return moorings_.line_count(); }
 
     /// The largest pull of each line so far, N.
     const std::vector<double>& largest_tensions() const { return largest_; }
@@ -91,16 +91,19 @@ class MooredMotion {
     void push_back(double time);
     Vec3 in_own_axes(const Vec3& plane, double sense) const;
     void pull_beyond_linear(double time);
-    Vec6 pull_of_lines(const Vec6& offset) const;
+    void look_at_lines();
+    Vec6 pull_of_lines() const;
     void break_lines(double time);
 
     Moorings moorings_;
     double step_;
     Vec3 inertia_, springs_;
-    Vec6 stiffness_;
+    Mat6 stiffness_;
     std::vector<LinearMotion> linear_;
     std::vector<ThrustLaw> thrusters_;  ///< of surge, sway and yaw, none where it is held
     MooredState state_;
+    std::vector<LinePull> pulls_;  ///< of all lines at the offset, broken ones too
+    std::vector<Vec6> level_;      ///< what they pull down and turn at rest, against which the hull lies level
     std::vector<double> largest_;
 };
 

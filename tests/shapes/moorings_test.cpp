@@ -29,12 +29,12 @@ Moorings spread(int lines) {
 
 TEST(Moorings, LinePullsTowardsItsAnchor) {
     const Moorings moorings = spread(4);
-    const LinePull ahead = pull(moorings, moorings.lines[0], {-3, 0, 0});
+    const LinePull ahead = pull(moorings, moorings.lines[0], in_plane({-3, 0, 0}));
     EXPECT_DOUBLE_EQ(ahead.tension, 2e5 + 3e4);
     EXPECT_NEAR(ahead.force[0], 2.3e5, 1e-6);
     EXPECT_NEAR(ahead.force[1], 0, 1e-6);
-    EXPECT_NEAR((ahead.anchor - Vec2(530, 0)).norm(), 0, 1e-9);
-    EXPECT_NEAR((ahead.fairlead - Vec2(27, 0)).norm(), 0, 1e-12);
+    EXPECT_NEAR((ahead.anchor - Vec3(530, 0, 0)).norm(), 0, 1e-9);
+    EXPECT_NEAR((ahead.fairlead - Vec3(27, 0, 0)).norm(), 0, 1e-12);
     EXPECT_EQ(tension(moorings, moorings.lines[0], -21), 0) << "a slack line does not push";
 }
 
@@ -42,7 +42,7 @@ TEST(Moorings, LinePullsTowardsItsAnchor) {
 // with T R (R + s)/s ψ.
 TEST(Moorings, SpreadHasItsStiffness) {
     for (const int lines : {3, 4, 12}) {
-        const Vec3 stiffness = spread(lines).stiffness();
+        const Vec6 stiffness = spread(lines).stiffness().diagonal();
         EXPECT_NEAR(stiffness[0] / (0.5 * lines * (1e4 + 2e5 / 500)), 1, 1e-8) << lines;
         EXPECT_NEAR(stiffness[1] / stiffness[0], 1, 1e-8) << lines;
         EXPECT_NEAR(stiffness[2] / (lines * 2e5 * 30 * 530 / 500), 1, 1e-8) << lines;
@@ -53,9 +53,9 @@ TEST(Moorings, SpreadHasItsStiffness) {
 TEST(Moorings, FairleadsTurnWithTheStructure) {
     Moorings moorings{.mass = 1e7};
     moorings.lines.push_back({.x = 0, .z = 10, .azimuth = 0, .distance = 1e6, .pretension = 1e5, .stiffness = 1e3});
-    EXPECT_NEAR(pull(moorings, moorings.lines[0], Vec3::Zero()).force[2], 1e6, 1);
+    EXPECT_NEAR(pull(moorings, moorings.lines[0], Vec6::Zero()).force[2], 1e6, 1);
     EXPECT_NEAR(turned({0, 10}, pi / 2).x(), 10, 1e-12) << "+z turns to +x";
-    const LinePull turned_back = pull(moorings, moorings.lines[0], {0, 0, pi / 2});
+    const LinePull turned_back = pull(moorings, moorings.lines[0], in_plane({0, 0, pi / 2}));
     EXPECT_NEAR(turned_back.fairlead.x(), 10, 1e-12);
     EXPECT_NEAR(turned_back.force[2], 0, 200) << "it points at its anchor: at rest";
     EXPECT_NEAR(turned_back.tension, 1e5 - 1e3 * 10, 1);
@@ -78,25 +78,69 @@ TEST(Moorings, TurretPullsByItsCurve) {
     Moorings moorings{.mass = 1e7, .gyration = 20};
     moorings.turret_curve = {{0, 0}, {10, 1e6}, {12, 3e6}};
     moorings.turret = 40;
-    EXPECT_EQ(turret_pull(moorings, Vec3::Zero()), Vec3::Zero());
-    const Vec3 aside = turret_pull(moorings, {-3, 4, 0});
-    EXPECT_NEAR((aside - Vec3(3e5, -4e5, 40 * 4e5)).norm(), 0, 1e-6);
-    EXPECT_NEAR(turret_pull(moorings, {0, 11, 0})[1], -2e6, 1e-6);
-    EXPECT_NEAR(turret_pull(moorings, {0, 13, 0})[1], -4e6, 1e-6) << "straight on beyond its end";
-    const Vec3 round = turret_pull(moorings, {40, 40, pi / 2});
+    EXPECT_EQ(turret_pull(moorings, Vec6::Zero()), Vec6::Zero());
+    const Vec6 aside = turret_pull(moorings, in_plane({-3, 4, 0}));
+    EXPECT_NEAR((aside - in_plane({3e5, -4e5, 40 * 4e5})).norm(), 0, 1e-6);
+    EXPECT_NEAR(turret_pull(moorings, in_plane({0, 11, 0}))[1], -2e6, 1e-6);
+    EXPECT_NEAR(turret_pull(moorings, in_plane({0, 13, 0}))[1], -4e6, 1e-6) << "straight on beyond its end";
+    const Vec6 round = turret_pull(moorings, in_plane({40, 40, pi / 2}));
     EXPECT_NEAR(round.norm(), 0, 1e-6) << "the bow along -z, the turret in its place";
-    const Vec3 stiffness = moorings.stiffness();
-    EXPECT_NEAR((stiffness - Vec3(1e5, 1e5, 1600e5)).norm(), 0, 1e-6);
+    const Vec6 stiffness = moorings.stiffness().diagonal();
+    EXPECT_NEAR((stiffness - in_plane({1e5, 1e5, 1600e5})).norm(), 0, 1e-6);
 }
 
 TEST(Moorings, PeriodsAreThoseOfMassAndStiffness) {
-    Moorings moorings{.mass = 28e6, .gyration = 25, .added_surge = 14e6, .surge = 2.6e6, .yaw = 1e9};
-    const Vec3 periods = moorings.periods();
-    EXPECT_NEAR(periods[0], 2 * pi * std::sqrt(42e6 / 2.6e6), 1e-9);
-    EXPECT_TRUE(std::isinf(periods[1]));
-    EXPECT_NEAR(periods[2], 2 * pi * std::sqrt(28e6 * 625 / 1e9), 1e-9);
+    Moorings moorings{.mass = 28e6, .gyration = 25, .added = {14e6}, .surge = 2.6e6, .yaw = 1e9};
+    EXPECT_NEAR(moorings.period(Motion::surge), 2 * pi * std::sqrt(42e6 / 2.6e6), 1e-9);
+    EXPECT_TRUE(std::isinf(moorings.period(Motion::sway)));
+    EXPECT_NEAR(moorings.period(Motion::yaw), 2 * pi * std::sqrt(28e6 * 625 / 1e9), 1e-9);
+    std::vector<NaturalMode> modes = natural_modes(moorings, Mat6::Zero());
+    ASSERT_EQ(modes.size(), 3);
+    EXPECT_NEAR(modes[0].period, moorings.period(Motion::surge), 1e-9);
+    EXPECT_TRUE(std::isinf(modes[1].period));
+    EXPECT_NEAR(modes[2].period, moorings.period(Motion::yaw), 1e-9);
     moorings.thrusters.gain[1] = 1e6;
-    EXPECT_NEAR(moorings.periods()[1], 2 * pi * std::sqrt(28e6 / 1e6), 1e-9);
+    EXPECT_NEAR(moorings.period(Motion::sway), 2 * pi * std::sqrt(28e6 / 1e6), 1e-9);
+}
+
+// Jonkman's OC3 spar (NREL/TP-500-47535): three lines from fairleads 70 m down, 5.2 m from the axis. Published: the
+// matrix about the still water line (forums.nrel.gov/t/6095), in its own axes, which differ in the signs of pitch.
+TEST(Moorings, HangingLinesOfTheOC3SparHaveThePublishedStiffness) {
+    Moorings moorings{.free = {true, true, true, true, true, true}, .mass = 7.46633e6};
+    for (const double azimuth : {0.0, 2 * pi / 3, -2 * pi / 3})
+        moorings.hanging.push_back({.fairlead = {5.2 * std::cos(azimuth), -70, 5.2 * std::sin(azimuth)},
+                                    .azimuth = azimuth,
+                                    .distance = 853.87 - 5.2,
+                                    .depth = 320,
+                                    .cable = {902.2, 698.09, 3.84243e8, 0.001}});
+    const Mat6 found = moorings.stiffness();
+    const auto of = [&](Motion a, Motion b) { return found(static_cast<int>(a), static_cast<int>(b)); };
+    EXPECT_NEAR(of(Motion::surge, Motion::surge) / 41180, 1, 1e-3);
+    EXPECT_NEAR(of(Motion::sway, Motion::sway) / 41180, 1, 1e-3);
+    EXPECT_NEAR(of(Motion::heave, Motion::heave) / 11940, 1, 1e-3);
+    EXPECT_NEAR(of(Motion::surge, Motion::pitch) / 2.821e6, 1, 3e-3);
+    EXPECT_NEAR(of(Motion::sway, Motion::roll) / -2.821e6, 1, 3e-3);
+    EXPECT_NEAR(of(Motion::pitch, Motion::pitch) / 3.111e8, 1, 3e-3);
+    EXPECT_NEAR(of(Motion::roll, Motion::roll) / 3.111e8, 1, 3e-3);
+    EXPECT_NEAR(of(Motion::yaw, Motion::yaw) / 1.156e7, 1, 3e-3);
+    double down = 0;
+    for (const HangingLine& line : moorings.hanging) down -= pull(line, Vec6::Zero()).force[3];
+    EXPECT_NEAR(down / 1607181, 1, 1e-4);
+}
+
+// A matrix of a program with x ahead, y to port and z up: a body whose centre is low couples surge with pitch there as
+// m z_G, and here, where pitch lifts the bow, as -m z_G.
+TEST(Moorings, MatricesOfProgramsChangeTheSignsOfSwayAndPitch) {
+    std::vector<std::vector<double>> rows(6, std::vector<double>(6, 0.0));
+    const double m = 1e6;
+    const double z = -20;
+    for (std::size_t k = 0; k < 3; ++k) rows[k][k] = m;
+    rows[3][3] = rows[4][4] = m * z * z;
+    rows[0][4] = rows[4][0] = m * z;
+    rows[1][3] = rows[3][1] = -m * z;
+    const Moorings own{.mass = m, .height = z};
+    EXPECT_NEAR((from_hydrodynamic_axes(rows) - own.inertia()).norm(), 0, 1e-6);
+    EXPECT_EQ(Moorings{.added_mass = rows}.inertia(), from_hydrodynamic_axes(rows));
 }
 
 }  // namespace moorings_test

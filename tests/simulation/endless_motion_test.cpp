@@ -121,7 +121,7 @@ TEST(EndlessMoored, WindowDoesNotSwingWithTheHull) {
 // Its line ahead breaks, and that astern pulls it back over ice that is gone.
 TEST(EndlessMoored, FailsWhereTheIceIsGone) {
     Scenario scenario = endless_scenario(20);
-    scenario.moorings = {.free = FreeMotion::surge, .mass = mass};
+    scenario.moorings = {.free = {true}, .mass = mass};
     scenario.moorings.lines = {
         {.azimuth = 0, .distance = 20, .pretension = 200, .stiffness = 50, .break_load = 201},
         {.azimuth = pi, .distance = 20, .pretension = 200, .stiffness = 10},

@@ -15,6 +15,7 @@ namespace moored_motion_test {
 
 constexpr double pi = std::numbers::pi;
 constexpr double step = 0.02;
+const Mat6 still_water = Mat6::Zero();  // which stiffens nothing
 
 /// Of the period of 2 s in surge, 4 s in sway, 1 s in yaw.
 Moorings springs(double damping = 0) {
@@ -44,9 +45,9 @@ TEST(MooredMotion, SlowLoadMovesItByTheStiffness) {
     for (const Moorings& moorings : {springs(0.3), two_lines()}) {
         Moorings damped = moorings;
         damped.damping = 0.3;
-        MooredMotion motion(damped, step);
+        MooredMotion motion(damped, still_water, step);
         const Vec3 load(-3000, 800, 5000);
-        for (int k = 0; k < 20000; ++k) motion.advance(load * std::min(1.0, k / 5000.0), step * (k + 1));
+        for (int k = 0; k < 20000; ++k) motion.advance(in_plane(load * std::min(1.0, k / 5000.0)), step * (k + 1));
         const Vec3 balanced = motion.restoring() + load;
         EXPECT_NEAR(balanced.norm() / load.norm(), 0, moorings.lines.empty() ? 1e-9 : 2e-5) << "lines: to (ωΔt)²";
         if (moorings.lines.empty()) {
@@ -58,12 +59,13 @@ TEST(MooredMotion, SlowLoadMovesItByTheStiffness) {
 // 1 + e^(-πζ/√(1-ζ²)) in each direction, without error at any step.
 TEST(MooredMotion, OvershootsAStep) {
     for (const double zeta : {0.0, 0.05, 0.3}) {
-        MooredMotion motion(springs(zeta), step);
+        MooredMotion motion(springs(zeta), still_water, step);
         const Vec3 load(1000, -400, 3000);
         Vec3 most = Vec3::Zero();
         for (int k = 0; k < 300; ++k) {
-            motion.advance(load, step * (k + 1));
-            most = most.cwiseMax(motion.state().offset.cwiseQuotient(load.cwiseQuotient(springs().stiffness())));
+            motion.advance(in_plane(load), step * (k + 1));
+            most = most.cwiseMax(motion.state().offset.head<3>().cwiseQuotient(
+                load.cwiseQuotient(springs().stiffness().diagonal().head<3>())));
         }
         const double overshoot = 1 + std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta));
         for (int i = 0; i < 3; ++i) EXPECT_NEAR(most[i], overshoot, 2e-3) << zeta << " " << i;
@@ -73,11 +75,11 @@ TEST(MooredMotion, OvershootsAStep) {
 // At resonance F/k / (2ζ).
 TEST(MooredMotion, ResonatesWithItsDamping) {
     const double zeta = 0.05;
-    MooredMotion motion(springs(zeta), step);
+    MooredMotion motion(springs(zeta), still_water, step);
     double most = 0;
     for (int k = 0; k < 100 * 40; ++k) {
         const double load = 100 * (std::sin(pi * step * (k + 1)) - std::sin(pi * step * k)) / (pi * step);
-        motion.advance({load, 0, 0}, step * (k + 1));
+        motion.advance(in_plane({load, 0, 0}), step * (k + 1));
         if (k > 100 * 35) most = std::max(most, std::abs(motion.state().offset[0]));
     }
     EXPECT_NEAR(most / (100 / (1000 * pi * pi)), 1 / (2 * zeta), 0.01 * 10);
@@ -85,9 +87,9 @@ TEST(MooredMotion, ResonatesWithItsDamping) {
 
 /// Of motion and springs and two_lines(), J.
 double energy(const Moorings& moorings, const MooredState& state) {
-    double sum = 0.5 * state.velocity.dot(moorings.inertia().cwiseProduct(state.velocity));
+    double sum = 0.5 * state.velocity.dot(moorings.inertia() * state.velocity);
     const Vec3 spring(moorings.surge, moorings.sway, moorings.yaw);
-    sum += 0.5 * state.offset.dot(spring.cwiseProduct(state.offset));
+    sum += 0.5 * state.offset.head<3>().dot(spring.cwiseProduct(state.offset.head<3>()));
     for (const MooringLine& line : moorings.lines) {
         const LinePull now = pull(moorings, line, state.offset);
         const double longer = (now.anchor - now.fairlead).norm() - line.distance;
@@ -99,15 +101,15 @@ double energy(const Moorings& moorings, const MooredState& state) {
 // The work of the load is the energy of motion, springs and lines; with springs to rounding, with lines to (ωΔt)².
 TEST(MooredMotion, KeepsEnergy) {
     for (const Moorings& moorings : {springs(), two_lines()}) {
-        MooredMotion motion(moorings, step);
+        MooredMotion motion(moorings, still_water, step);
         double work = 0;
         double most = 0;
         double worst = 0;
         for (int k = 0; k < 5000; ++k) {
             const Vec3 load(900 * std::sin(0.7 * step * k), 300 * std::cos(0.4 * step * k), 700 * std::sin(step * k));
-            const Vec3 before = motion.state().offset;
-            motion.advance(load, step * (k + 1));
-            work += load.dot(motion.state().offset - before);
+            const Vec6 before = motion.state().offset;
+            motion.advance(in_plane(load), step * (k + 1));
+            work += in_plane(load).dot(motion.state().offset - before);
             most = std::max(most, energy(moorings, motion.state()));
             worst = std::max(worst, std::abs(energy(moorings, motion.state()) - work));
         }
@@ -119,17 +121,17 @@ TEST(MooredMotion, KeepsEnergy) {
 TEST(MooredMotion, QuadraticDampingSlowsIt) {
     Moorings moorings = springs();
     moorings.surge = 1e-6;
-    moorings.quadratic_surge = 400;
-    MooredMotion motion(moorings, step);
-    motion.place({.velocity = {2, 0, 0}});
-    for (int k = 0; k < 100; ++k) motion.advance(Vec3::Zero(), step * (k + 1));
+    moorings.quadratic[0] = 400;
+    MooredMotion motion(moorings, still_water, step);
+    motion.place({.velocity = in_plane({2, 0, 0})});
+    for (int k = 0; k < 100; ++k) motion.advance(Vec6::Zero(), step * (k + 1));
     EXPECT_NEAR(motion.state().velocity[0], 2 / (1 + 400 * 2.0 * 2 / 1000), 1e-6);
 }
 
 /// As springs(), but held by thrusters.
 Moorings thrusters(double limit) {
     Moorings moorings{.mass = 1000, .gyration = 2};
-    moorings.thrusters = {.gain = springs().stiffness(), .limit = {limit, 0, 0}};
+    moorings.thrusters = {.gain = springs().stiffness().diagonal().head<3>(), .limit = {limit, 0, 0}};
     return moorings;
 }
 
@@ -139,11 +141,11 @@ TEST(MooredMotion, ThrustersHoldAsSpringsAndDampers) {
         Moorings moorings = thrusters(0);
         moorings.thrusters.damping = zeta;
         for (int i = 0; i < 3; ++i) {  // one by one: with yaw, surge and sway change places
-            MooredMotion motion(moorings, step);
+            MooredMotion motion(moorings, still_water, step);
             const Vec3 load = 1000 * Vec3::Unit(i);
             double most = 0;
             for (int k = 0; k < 400; ++k) {
-                motion.advance(load, step * (k + 1));
+                motion.advance(in_plane(load), step * (k + 1));
                 most = std::max(most, motion.state().offset[i] * moorings.thrusters.gain[i] / 1000);
             }
             EXPECT_NEAR(most, 1 + std::exp(-pi * zeta / std::sqrt(1 - zeta * zeta)), 5e-3) << zeta << " " << i;
@@ -158,12 +160,12 @@ TEST(MooredMotion, ThrustersHoldAsSpringsAndDampers) {
 // Under a load beyond their limit the structure is driven off with (F - L)/m: x = (F - L) t² / 2 m, once they are at
 // it, whatever they did before.
 TEST(MooredMotion, ThrustersGiveWayBeyondTheirLimit) {
-    MooredMotion motion(thrusters(600), step);
+    MooredMotion motion(thrusters(600), still_water, step);
     int k = 0;
-    while (motion.thrust()[0] > -600 && k < 1000) motion.advance({1000, 0, 0}, step * ++k);
+    while (motion.thrust()[0] > -600 && k < 1000) motion.advance(in_plane({1000, 0, 0}), step * ++k);
     const MooredState from = motion.state();
     ASSERT_LT(k, 1000);
-    for (int more = 0; more < 500; ++more) motion.advance({1000, 0, 0}, step * ++k);
+    for (int more = 0; more < 500; ++more) motion.advance(in_plane({1000, 0, 0}), step * ++k);
     const double time = 500 * step;
     EXPECT_NEAR(motion.state().velocity[0], from.velocity[0] + 0.4 * time, 1e-9);
     EXPECT_NEAR(motion.state().offset[0], from.offset[0] + from.velocity[0] * time + 0.2 * time * time, 1e-9);
@@ -172,12 +174,12 @@ TEST(MooredMotion, ThrustersGiveWayBeyondTheirLimit) {
 
 // A quarter turn to +x: what was +z is now ahead of the bow, where alone there is a limit.
 TEST(MooredMotion, ThrustersTurnWithTheStructure) {
-    MooredMotion motion(thrusters(600), step);
-    motion.place({.offset = {0.1, 3, -pi / 2}});
+    MooredMotion motion(thrusters(600), still_water, step);
+    motion.place({.offset = in_plane({0.1, 3, -pi / 2})});
     const Vec3 thrust = motion.thrust();
     EXPECT_EQ(thrust[0], -600);
     EXPECT_NEAR(thrust[1], 0.1 * thrusters(0).thrusters.gain[1], 1e-9);
-    motion.advance(Vec3::Zero(), step);
+    motion.advance(Vec6::Zero(), step);
     EXPECT_NEAR(motion.state().velocity[1], -0.6 * step, 1e-3 * step);
     EXPECT_LT(motion.state().velocity[0], 0);
 }
@@ -194,20 +196,20 @@ TEST(MooredMotion, TurretKeepsEnergy) {
     Moorings moorings{.mass = 1000, .gyration = 2};
     moorings.turret_curve = {{0, 0}, {0.5, 500}, {1, 2500}};
     moorings.turret = 1.5;
-    MooredMotion motion(moorings, step);
+    MooredMotion motion(moorings, still_water, step);
     const auto energy_now = [&] {
         const MooredState& now = motion.state();
         const Vec2 turret = turned({1.5, 0}, now.offset[2]) - Vec2(1.5, 0) + Vec2(now.offset[0], now.offset[1]);
-        return 0.5 * now.velocity.dot(moorings.inertia().cwiseProduct(now.velocity)) + turret_energy(turret.norm());
+        return 0.5 * now.velocity.dot(moorings.inertia() * now.velocity) + turret_energy(turret.norm());
     };
     double work = 0;
     double most = 0;
     double worst = 0;
     for (int k = 0; k < 5000; ++k) {
         const Vec3 load(250 * std::sin(0.7 * step * k), 200 * std::cos(0.4 * step * k), 0);
-        const Vec3 before = motion.state().offset;
-        motion.advance(load, step * (k + 1));
-        work += load.dot(motion.state().offset - before);
+        const Vec6 before = motion.state().offset;
+        motion.advance(in_plane(load), step * (k + 1));
+        work += in_plane(load).dot(motion.state().offset - before);
         most = std::max(most, energy_now());
         worst = std::max(worst, std::abs(energy_now() - work));
     }
@@ -216,19 +218,19 @@ TEST(MooredMotion, TurretKeepsEnergy) {
 }
 
 TEST(MooredMotion, LineBreaksOnceAndForAll) {
-    MooredMotion motion(two_lines(7000), step);
+    MooredMotion motion(two_lines(7000), still_water, step);
     const auto state = [&]() -> const MooredState& { return motion.state(); };
     int k = 0;
-    for (; k < 200; ++k) motion.advance({-1500, 0, 0}, step * (k + 1));
+    for (; k < 200; ++k) motion.advance(in_plane({-1500, 0, 0}), step * (k + 1));
     EXPECT_TRUE(std::isnan(state().broken_at[0])) << "5000 N and half of twice 1500 N";
-    for (; k < 400 && std::isnan(state().broken_at[0]); ++k) motion.advance({-4500, 0, 0}, step * (k + 1));
+    for (; k < 400 && std::isnan(state().broken_at[0]); ++k) motion.advance(in_plane({-4500, 0, 0}), step * (k + 1));
     EXPECT_NEAR(state().broken_at[0], step * k, 1e-9);
     EXPECT_GT(motion.largest_tensions()[0], 7000);
     EXPECT_TRUE(std::isnan(state().broken_at[1]));
     const double broken = state().broken_at[0];
     const double without = pull(two_lines(), two_lines().lines[1], state().offset).force[0];
     EXPECT_NEAR(motion.restoring()[0], without, 1e-9) << "only the other line pulls";
-    motion.advance({5000, 0, 0}, step * (k + 1));
+    motion.advance(in_plane({5000, 0, 0}), step * (k + 1));
     EXPECT_EQ(state().broken_at[0], broken);
 }
 
@@ -248,10 +250,10 @@ TEST(MooredMotion, StruckByAFloeItTakesItsMomentum) {
                                                .mass = floe_mass,
                                                .pose = {.position = {0.705, 0, 0}, .orientation = Quat::Identity()}});
         world.place(floe, {.position = {0.705, 0, 0}, .velocity = {-0.1, 0, 0}});
-        MooredMotion motion({.free = FreeMotion::surge, .mass = ratio * floe_mass, .surge = 1e-9}, step);
+        MooredMotion motion({.free = {true}, .mass = ratio * floe_mass, .surge = 1e-9}, still_water, step);
         Vec3 load = Vec3::Zero();
         for (int k = 0; k < 200; ++k) {
-            motion.advance({load.x(), 0, 0}, step * (k + 1));
+            motion.advance(in_plane({load.x(), 0, 0}), step * (k + 1));
             world.move_structure({{motion.state().offset[0], 0, 0}});
             world.step();
             load = world.contact_force(structure);

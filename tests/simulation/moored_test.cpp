@@ -87,12 +87,43 @@ TEST(MooredStructure, GivesWayMoreOnSofterMoorings) {
 TEST(MooredStructure, HeldDirectionsStayHeld) {
     Scenario moored = short_channel();
     moored.moorings = of_period(6);
-    moored.moorings.free = FreeMotion::surge;
+    moored.moorings.free = {true};
     moored.analysis = {.steady_start = 2, .window = 2, .segments = 1};
     const Simulation simulation = run(moored);
     EXPECT_NE(simulation.motions().surge_offset.back(), 0);
     EXPECT_EQ(simulation.motions().sway_offset.back(), 0);
     EXPECT_EQ(simulation.motions().yaw.back(), 0);
+}
+
+// What the ice pushes up is borne by the water, by damping and by the hull's own rise; a cone is lifted.
+TEST(MooredStructure, HeavesUnderTheIce) {
+    Scenario moored = short_channel();
+    moored.moorings = of_period(3);
+    Moorings& moorings = moored.moorings;
+    moorings.free = {true, true, true, true, true, true};
+    moorings.mass = 383;
+    moorings.height = -0.1;
+    moorings.pitch_gyration = moorings.roll_gyration = 0.36;
+    moorings.added[at(Motion::heave)] = 200;
+    const Simulation simulation = run(moored);
+    const double step = moored.general.time_step;
+    const auto impulse = [&](const std::vector<double>& of) {
+        return step * std::accumulate(of.begin(), of.end(), 0.0);
+    };
+    const auto heave = static_cast<int>(Motion::heave);
+    const double stiffness = moored.water_stiffness()(heave, heave);
+    EXPECT_NEAR(stiffness, 1000 * 9.81 * pi * 0.614 * 0.614, 1e-3 * stiffness);
+    const MooredState end = simulation.state().moored;
+    const double mass = 583;
+    const double damping = 2 * moorings.damping * std::sqrt(stiffness * mass);
+    const double taken =
+        stiffness * impulse(simulation.motions().heave) + mass * end.velocity[heave] + damping * end.offset[heave];
+    const double given = impulse(simulation.loads().heave);
+    EXPECT_GT(mean_in_window(moored, simulation.loads().heave), 1);
+    EXPECT_NEAR(taken / given, 1, 0.02);
+    EXPECT_NE(simulation.motions().pitch.back(), 0);
+    EXPECT_NE(simulation.motions().roll.back(), 0);
+    EXPECT_EQ(simulation.structure().after().position.y(), end.offset[heave]);
 }
 
 // Ice that drifts against +x is the straight tow. The water of a structure that turns and drifts is computed with more
@@ -148,11 +179,11 @@ TEST(MooredStructure, ResumesWithTheSameBitsWhileNothingTouchesIt) {
     Scenario scenario = short_channel();
     scenario.structure.start = 1.2;
     scenario.moorings = of_period(3);
-    scenario.moorings.quadratic_surge = 100;
+    scenario.moorings.quadratic[0] = 100;
     const FloeSet floes = make_arrangement(scenario, 1, 0);
     const Simulation start(scenario, floes);
     SimulationState pushed = start.state();
-    pushed.moored.velocity = {0.01, 0.002, 0.01};
+    pushed.moored.velocity = in_plane({0.01, 0.002, 0.01});
     Simulation whole(scenario, floes, pushed);
     for (int i = 0; i < 10; ++i) whole.step();
     Simulation resumed(scenario, floes, whole.state());
@@ -173,7 +204,7 @@ TEST(MooredStructure, FailsAtTheBank) {
     scenario.moorings = of_period(6);
     const FloeSet floes = make_arrangement(scenario, 1, 0);
     SimulationState pushed = Simulation(scenario, floes).state();
-    pushed.moored.velocity = {0, 3, 0};
+    pushed.moored.velocity = in_plane({0, 3, 0});
     Simulation simulation(scenario, floes, pushed);
     try {
         simulation.run({});
