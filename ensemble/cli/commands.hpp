@@ -28,6 +28,7 @@ void add_contour(CommandLine& line);
 void add_config(CommandLine& line);
 void add_laboratory(CommandLine& line);
 void add_hybrid(CommandLine& line);
+void add_hydro(CommandLine& line);
 void add_report(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_match(CommandLine& line);

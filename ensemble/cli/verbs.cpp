@@ -17,6 +17,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_config(line);
     add_laboratory(line);
     add_hybrid(line);
+    add_hydro(line);
     add_report(line);
     add_replay(line);
     add_match(line);

@@ -38,6 +38,11 @@ struct Perturb {
     void operator()(const IntegerField& field) const { field.set(field.get() + 1); }
     void operator()(const SwitchField& field) const { *field.value = !*field.value; }
     void operator()(const WordField& field) const { field.set((field.get() + 1) % field.words.size()); }
+    void operator()(const WordsField& field) const {
+        std::vector<bool> chosen = field.get();
+        chosen.back() = !chosen.back();
+        field.set(chosen);
+    }
     void operator()(const TextField& field) const { *field.value += "x"; }
     void operator()(const RowsField& field) const {
         auto rows = field.get();
