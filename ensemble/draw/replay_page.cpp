@@ -76,20 +76,21 @@ json conditions(const RecordingSubject& subject) {
     return rows;
 }
 
-/// Time, x, z and yaw of the structure in each frame; null on the straight tow.
+/// Time, x, z, yaw, y, pitch and roll of the structure in each frame; null on the straight tow.
 json poses(const Recording& recording) {
     if (recording.subject().scenario.towed_straight()) return nullptr;
     json all = json::array();
     for (int frame = 0; frame < recording.frames(); ++frame) {
         const StructurePose pose = recording.structure(frame);
-        all.push_back({recording.time(frame), pose.position.x(), pose.position.z(), pose.yaw});
+        all.push_back({recording.time(frame), pose.position.x(), pose.position.z(), pose.yaw, pose.position.y(),
+                       pose.pitch, pose.roll});
     }
     return all;
 }
 
 /// Fairlead and direction (x and z) of the mooring lines that hold in each frame; null without lines.
 json lines(const Recording& recording) {
-    if (recording.subject().scenario.moorings.lines.empty()) return nullptr;
+    if (recording.subject().scenario.moorings.line_count() == 0) return nullptr;
     json all = json::array();
     for (int frame = 0; frame < recording.frames(); ++frame) {
         json& seen = all.emplace_back(json::array());

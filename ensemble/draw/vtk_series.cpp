@@ -463,7 +463,7 @@ void VtkSeries::add(const Frame& frame) {
     write("load", 2, load_part(frame), frame.time);
     write("contacts", 3, contacts_part(frame), frame.time);
     list("ice_sheets", 4, sheets_, frame.time);
-    if (!subject_.scenario.moorings.lines.empty()) write("moorings", 5, moorings_part(frame), frame.time);
+    if (subject_.scenario.moorings.line_count() > 0) write("moorings", 5, moorings_part(frame), frame.time);
 
     if (frames_ == 0) state_.first_axis = frame.structure.position.x();
     state_.last_axis = frame.structure.position.x();

@@ -237,6 +237,10 @@ FrameSeries::Numbers::Numbers(hid_t group)
       structure(group, {"structure", "m", "x of the structure's axis"}, {}, numbers_a_chunk),
       across(group, {"structure_z", "m", "z of the structure's axis"}, {}, numbers_a_chunk),
       yaw(group, {"structure_yaw", "rad", "yaw of the structure, positive where +z turns to +x"}, {}, numbers_a_chunk),
+      up(group, {"structure_y", "m", "heave of the structure, upwards"}, {}, numbers_a_chunk),
+      pitch(group, {"structure_pitch", "rad", "pitch of the structure, positive with the bow up"}, {}, numbers_a_chunk),
+      roll(group, {"structure_roll", "rad", "roll of the structure, positive with starboard (+z) down"}, {},
+           numbers_a_chunk),
       surge(group, {"surge_load", "N", "load of the step, positive against the tow"}, {}, numbers_a_chunk),
       sway(group, {"sway_load", "N", "load of the step, positive towards +z"}, {}, numbers_a_chunk),
       heave(group, {"heave_load", "N", "load of the step, positive up"}, {}, numbers_a_chunk),
@@ -286,8 +290,9 @@ FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
     if (states_)
         for (const hid_t dataset : {states_->first.id(), states_->count.id()}) time_.scales(dataset);
     for (const hid_t dataset :
-         {numbers_.step.id(), numbers_.structure.id(), numbers_.across.id(), numbers_.yaw.id(), numbers_.surge.id(),
-          numbers_.sway.id(), numbers_.heave.id(), numbers_.first_contact.id(), numbers_.contacts.id()})
+         {numbers_.step.id(), numbers_.structure.id(), numbers_.across.id(), numbers_.yaw.id(), numbers_.up.id(),
+          numbers_.pitch.id(), numbers_.roll.id(), numbers_.surge.id(), numbers_.sway.id(), numbers_.heave.id(),
+          numbers_.first_contact.id(), numbers_.contacts.id()})
         time_.scales(dataset);
     contact_.become_scale();
     for (const hid_t dataset : {contacts_.element.id(), contacts_.other.id(), contacts_.point.id(),
@@ -301,6 +306,9 @@ void FrameSeries::add(const Frame& frame) {
     numbers_.structure.append(frame.structure.position.x());
     numbers_.across.append(frame.structure.position.z());
     numbers_.yaw.append(frame.structure.yaw);
+    numbers_.up.append(frame.structure.position.y());
+    numbers_.pitch.append(frame.structure.pitch);
+    numbers_.roll.append(frame.structure.roll);
     numbers_.surge.append(-frame.load.x());
     numbers_.sway.append(frame.load.z());
     numbers_.heave.append(frame.load.y());
@@ -322,8 +330,8 @@ void FrameSeries::finish() {
     }
     if (lines_) finish_all(lines_->fairlead, lines_->anchor, lines_->tension);
     finish_all(elements_.position, elements_.orientation, elements_.velocity, elements_.piece, elements_.utilisation);
-    finish_all(numbers_.step, numbers_.structure, numbers_.across, numbers_.yaw, numbers_.surge, numbers_.sway,
-               numbers_.heave, numbers_.first_contact, numbers_.contacts);
+    finish_all(numbers_.step, numbers_.structure, numbers_.across, numbers_.yaw, numbers_.up, numbers_.pitch,
+               numbers_.roll, numbers_.surge, numbers_.sway, numbers_.heave, numbers_.first_contact, numbers_.contacts);
     finish_all(contacts_.element, contacts_.other, contacts_.point, contacts_.normal, contacts_.friction);
 }
 

@@ -87,6 +87,9 @@ class FrameSeries {
         hdf5::Series<double> structure;
         hdf5::Series<double> across;
         hdf5::Series<double> yaw;
+        hdf5::Series<double> up;
+        hdf5::Series<double> pitch;
+        hdf5::Series<double> roll;
         hdf5::Series<double> surge;
         hdf5::Series<double> sway;
         hdf5::Series<double> heave;

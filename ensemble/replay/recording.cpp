@@ -154,6 +154,9 @@ class Recording::File {
         structure_ = hdf5::read_values<double>(file_.id(), "frames/structure");
         across_ = read_unless_old("frames/structure_z");
         yaw_ = read_unless_old("frames/structure_yaw");
+        up_ = read_unless_old("frames/structure_y");
+        pitch_ = read_unless_old("frames/structure_pitch");
+        roll_ = read_unless_old("frames/structure_roll");
         surge_ = hdf5::read_values<double>(file_.id(), "frames/surge_load");
         sway_ = hdf5::read_values<double>(file_.id(), "frames/sway_load");
         heave_ = hdf5::read_values<double>(file_.id(), "frames/heave_load");
@@ -166,7 +169,10 @@ class Recording::File {
     }
 
     StructurePose structure(std::size_t number) const {
-        return {.position = {structure_.at(number), 0, across_.at(number)}, .yaw = yaw_.at(number)};
+        return {.position = {structure_.at(number), up_.at(number), across_.at(number)},
+                .yaw = yaw_.at(number),
+                .pitch = pitch_.at(number),
+                .roll = roll_.at(number)};
     }
 
     std::vector<FrameLine> lines(std::size_t number) {
@@ -267,7 +273,7 @@ class Recording::File {
     void check_sizes() const {
         if (lines_) {
             const std::size_t lines = lines_->tension.width();
-            hdf5::check_count(file_.id(), "frames/line_tension", lines, subject.scenario.moorings.lines.size());
+            hdf5::check_count(file_.id(), "frames/line_tension", lines, subject.scenario.moorings.line_count());
             hdf5::check_count(file_.id(), "frames/line_fairlead", lines_->fairlead.width(), 3 * lines);
             hdf5::check_count(file_.id(), "frames/line_anchor", lines_->anchor.width(), 3 * lines);
         }
@@ -283,8 +289,9 @@ class Recording::File {
         hdf5::check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
         for (const hdf5::RowReader<float>* one : {&contacts_.point, &contacts_.normal, &contacts_.friction})
             hdf5::check_count(file_.id(), "a vector of contacts", one->width(), 3);
-        for (const std::size_t found : {step_.size(), structure_.size(), across_.size(), yaw_.size(), surge_.size(),
-                                        sway_.size(), heave_.size(), first_contact_.size(), contact_count_.size()})
+        for (const std::size_t found :
+             {step_.size(), structure_.size(), across_.size(), yaw_.size(), up_.size(), pitch_.size(), roll_.size(),
+              surge_.size(), sway_.size(), heave_.size(), first_contact_.size(), contact_count_.size()})
             hdf5::check_count(file_.id(), "a number of frames", found, times.size());
     }
 
@@ -339,7 +346,7 @@ class Recording::File {
     std::vector<std::int32_t> step_;
     std::vector<double> structure_;
     std::vector<double> across_;
-    std::vector<double> yaw_;
+    std::vector<double> yaw_, up_, pitch_, roll_;
     std::vector<double> surge_;
     std::vector<double> sway_;
     std::vector<double> heave_;
@@ -464,9 +471,10 @@ std::optional<Scale> elements_known(hid_t file, const RecordingSubject& subject)
 }
 
 std::optional<Scale> line_scale(hid_t file, const Scenario& scenario) {
-    const std::size_t lines = scenario.moorings.give_way() ? scenario.moorings.lines.size() : 0;
+    const std::size_t lines = scenario.moorings.give_way() ? scenario.moorings.line_count() : 0;
     if (lines == 0) return {};
-    return hdf5::write_index_scale(file, "mooring_line", "mooring line, in the order of moorings.lines", lines);
+    return hdf5::write_index_scale(file, "mooring_line",
+                                   "mooring line, in the order of moorings.lines and hanging_lines", lines);
 }
 
 }  // namespace

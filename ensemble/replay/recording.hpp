@@ -19,7 +19,7 @@
 
 namespace floes {
 
-inline constexpr hdf5::FileKind recording_kind{"floes replay", {1, 4}, 4, "recording of floes replay"};
+inline constexpr hdf5::FileKind recording_kind{"floes replay", {1, 5}, 4, "recording of floes replay"};
 
 // The recording of a replayed member: frames of all that there is to see, on what they stand, and the whole load
 // history. A file of its own in HDF5, described in docs/replay.md. Written and read a frame at a time: a long run is

@@ -154,7 +154,7 @@ const ArrayAxis floating_axis{"floating_time",
                               "number of the value from 1; times /cases/time_step and /cases/history_stride"};
 
 const ArrayAxis line_axis{
-    "mooring_line", "1", "mooring line, in the order of moorings.lines", AxisKind::counted,
+    "mooring_line", "1", "mooring line, in the order of moorings.lines and hanging_lines", AxisKind::counted,
     [](const Scenario& scenario) {
         return counted_to(scenario.moorings.give_way() ? scenario.moorings.line_count() : std::size_t{0});
     }};

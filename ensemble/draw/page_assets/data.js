@@ -191,15 +191,15 @@ class Replay {
     return into;
   }
 
-  // {x, z, yaw} of the structure: on the straight tow, or between the poses of the frames.
+  // {x, z, yaw, y, pitch, roll} of the structure: on the straight tow, or between the poses of the frames.
   structureAt(time) {
     const {tow, poses} = this.header;
-    if (!poses) return {x: tow.start + tow.speed * time, z: 0, yaw: 0};
+    if (!poses) return {x: tow.start + tow.speed * time, z: 0, yaw: 0, y: 0, pitch: 0, roll: 0};
     let next = 1;
     while (next < poses.length - 1 && poses[next][0] < time) ++next;
     const [a, b] = [poses[Math.max(0, next - 1)], poses[Math.min(next, poses.length - 1)]];
     const share = b[0] > a[0] ? Math.min(1, Math.max(0, (time - a[0]) / (b[0] - a[0]))) : 0;
-    const [x, z, yaw] = [1, 2, 3].map(i => a[i] + share * (b[i] - a[i]));
-    return {x, z, yaw};
+    const [x, z, yaw, y, pitch, roll] = [1, 2, 3, 4, 5, 6].map(i => a[i] + share * (b[i] - a[i]));
+    return {x, z, yaw, y, pitch, roll};
   }
 }

@@ -79,8 +79,8 @@ class Stage {
     this.ice.markFailures(failures, broken);
     this.colour(frame, broken);
     const structure = replay.structureAt(time);
-    this.structure.position.set(structure.x, 0, structure.z);
-    this.structure.rotation.y = structure.yaw;
+    this.structure.position.set(structure.x, structure.y, structure.z);
+    this.structure.rotation.set(structure.roll, structure.yaw, structure.pitch, 'YZX'); // yaw, then pitch, then roll
     this.arrows.show([towArrow(replay, time), ...lineArrows(replay, frame), ...forceArrows(replay, frame, time, this.longer / this.newtons, this.shows)]);
     const camera = this.orbit.camera(this.aspect, structure);
     this.ice.lookFrom(camera);
