@@ -32,6 +32,7 @@ namespace {
 struct NewOptions {
     std::string file;
     bool full_scale = false;
+    bool moored = false;
     bool design = false;
     bool paper = false;
 };
@@ -39,6 +40,7 @@ struct NewOptions {
 /// The text of the configuration `name`, which floes config --check accepts.
 std::string text_of(const NewOptions& options, const std::string& name) {
     const char* file = options.full_scale ? "full_scale.toml"
+                       : options.moored   ? "moored.toml"
                        : options.design   ? "design.toml"
                        : options.paper    ? "paper.toml"
                                           : "tank.toml";
@@ -79,8 +81,11 @@ void add_new(CommandLine& line) {
         verb.flag("--full-scale", options->full_scale, "A floater of 70 m in floes of 20 m, instead of model ice");
     Option design = verb.flag("--design", options->design, "A design over two keys: how the load depends on them");
     Option paper = verb.flag("--paper", options->paper, "The paper's Table 3, with few arrangements");
+    Option moored = verb.flag("--moored", options->moored,
+                              "A moored hull that floats among floes of mixed shapes, at full scale");
     design.excludes(full_scale);
     paper.excludes(full_scale).excludes(design);
+    moored.excludes(full_scale).excludes(design).excludes(paper);
     verb.runs([options] { return make(*options); });
 }
 

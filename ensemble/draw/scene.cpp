@@ -31,12 +31,13 @@ double round_number(double value) {
     return 10 * power;
 }
 
-/// A bar of this length with ends, and its words behind it.
-void draw_bar(Canvas& canvas, const Vec2& at, double length, const std::string& words, double unit) {
+/// A bar of this length with ends, and its words behind it; where the next one begins.
+double draw_bar(Canvas& canvas, const Vec2& at, double length, const std::string& words, double unit) {
     const double end = 5 * unit;
     canvas.line(at, at + Vec2(length, 0), bright, 2 * unit);
     for (const double x : {0.0, length}) canvas.line(at + Vec2(x, -end), at + Vec2(x, end), bright, 2 * unit);
-    canvas.text(at + Vec2(length + 10 * unit, 5 * unit), words, bright, 13 * unit);
+    return at.x() + length + 10 * unit +
+           canvas.text(at + Vec2(length + 10 * unit, 5 * unit), words, bright, 13 * unit) + 20 * unit;
 }
 
 /// A length of line in this colour, and what it means; where the next one begins.
@@ -109,17 +110,19 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Projection& projectio
     const Vec2 corner(size.x() - width, size.y() - height);
     draw_ground(canvas, corner, size);
     const double left = corner.x() + 14 * unit;
-    const double metres = round_number(60 * unit / projection.scale());
-    draw_bar(canvas, {left, corner.y() + 18 * unit}, metres * projection.scale(), fmt::format("{:g} m", metres), unit);
+    const double least = 45 * unit;  // a bar is at most two and a half times as long: two and their words fit
+    const double metres = round_number(least / projection.scale());
+    const double next = draw_bar(canvas, {left, corner.y() + 18 * unit}, metres * projection.scale(),
+                                 fmt::format("{:g} m", metres), unit);
     const double speed = std::abs(stage.subject().scenario.structure.speed);
     const double second = corner.y() + (both ? 46 : 23) * unit;
     if (!both) {
         draw_sample(canvas, {left + 165 * unit, second}, tow_orange, fmt::format("tow, {:g} m/s", speed), unit);
         return;
     }
-    const double force = round_number(60 * unit / newton);
+    const double force = round_number(least / newton);
     const Units::Shown newtons = Units(10 * force).of("N");  // the shorter number
-    draw_bar(canvas, {left + 150 * unit, corner.y() + 18 * unit}, force * newton,
+    draw_bar(canvas, {next, corner.y() + 18 * unit}, force * newton,
              fmt::format("{:g} {unit}; on floes {:g} {unit}", force * newtons.factor,
                          force * newtons.factor / contact_stretch, fmt::arg("unit", newtons.name)),
              unit);

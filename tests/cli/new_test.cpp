@@ -41,6 +41,8 @@ TEST_F(New, WritesCampaignsThatAreAccepted) {
     EXPECT_LE(member_count(tank), 8) << "it is to be done within a minute";
     const Campaign floater = load_campaign(make("--full-scale"), {});
     EXPECT_GT(floater.cases.at(0).scenario.floe.length, 10);
+    const Scenario moored = load_campaign(make("--moored"), {}).cases.at(0).scenario;
+    EXPECT_TRUE(moored.moorings.floats() && moored.shapes.any() && moored.field.endless());
     const Campaign design = load_campaign(make("--design"), {});
     EXPECT_EQ(design.cases.size(), 6u);
 }
@@ -51,7 +53,7 @@ TEST_F(New, TheFirstCampaignNamesNeitherTheSolverNorItsNumbers) {
 
 TEST_F(New, SaysUnitAndRangeOfEveryKey) {
     const std::vector<KeyDescription> keys = reference();
-    for (const char* options : {"", "--full-scale", "--design", "--paper"}) {
+    for (const char* options : {"", "--full-scale", "--moored", "--design", "--paper"}) {
         std::istringstream text(file_text(make(options)));
         std::string table;
         std::string before;
