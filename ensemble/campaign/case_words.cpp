@@ -294,6 +294,15 @@ std::string floe_words(const Scenario& scenario) {
                        scenario.field.concentration / unit::percent, placing_words(scenario.arrangement.method));
 }
 
+namespace {
+
+std::string enumerated(const std::vector<std::string>& words) {
+    if (words.size() < 2) return fmt::format("{}", fmt::join(words, ""));
+    return fmt::format("{} and {}", fmt::join(words.begin(), words.end() - 1, ", "), words.back());
+}
+
+}  // namespace
+
 std::string motion_words(const Scenario& scenario) {
     const Moorings& moorings = scenario.moorings;
     if (!moorings.give_way()) {
@@ -310,7 +319,7 @@ std::string motion_words(const Scenario& scenario) {
     if (!moorings.turret_curve.empty()) holds.emplace_back("a turret");
     if (moorings.thrusters.any()) holds.emplace_back("thrusters");
     return fmt::format("{:.4g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
-                       name_list(free), fmt::join(holds, ", "), scenario.closing_speed());
+                       enumerated(free), fmt::join(holds, ", "), scenario.closing_speed());
 }
 
 }  // namespace floes

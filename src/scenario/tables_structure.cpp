@@ -285,42 +285,8 @@ void add_thrusters(Keys& keys, Thrusters& thrusters, const auto& held) {
                    "with the water's."))));
 }
 
-}  // namespace
-
-void add_path(Keys& keys, Path& path) {
-    const auto of_legs = [&path](Key key) {
-        return late_key(only_with(
-            "path.legs", [&path] { return !path.legs.empty(); }, std::move(key)));
-    };
-    keys.push_back(late_key({"path.legs", leg_rows(path.legs), "none: straight on along +x at structure.speed_m_s",
-                             "Legs that follow one another: heading at the beginning (0 along +x, 90 towards +z), "
-                             "speed (0: it stops), time, and by how much the heading turns in a second: 0 for a "
-                             "straight leg, else an arc of the radius speed / turn. "
-                             "After the last leg the structure stands."}));
-    keys.push_back(of_legs(word_key("path.of", path.of, {"structure", "ice"}, "the structure moves in the simulation",
-                                    "Whose legs these are. ice: headings and speeds are of ice that drifts past a "
-                                    "structure that stands; it then moves the other way through ice at rest.")));
-    keys.push_back(of_legs(word_key("path.bow", path.bow, {"ahead", "unturned"}, "a hull that is moored stays",
-                                    "ahead: the structure turns with its heading, as a ship does; unturned: its bow "
-                                    "stays towards +x.")));
-    keys.push_back(of_legs(
-        number_key("path.ramp_s", path.ramp, unit::one, at_least(0).at_most(farthest_way), "none: at once, as the tow",
-                   "Time at the beginning of each leg in which speed and heading change evenly from those of the leg "
-                   "before; the first begins from rest. At most the shortest leg.")));
-    keys.push_back(late_key({"path.places", place_rows(path.table), "none",
-                             "In place of legs: times, places from the start (x and z), and yaw (positive turns +z "
-                             "towards +x). Between two "
-                             "rows speed and turning are constant; after the last one the structure stands."}));
-}
-
-void add_moorings(Keys& keys, Moorings& moorings) {
-    const auto held = [&moorings](Key key) {
-        return late_key(only_with(
-            "moorings.mass_t > 0", [&moorings] { return moorings.give_way(); }, std::move(key)));
-    };
-    const auto number = [&](std::string_view path, double& field, double unit, std::string_view doc) {
-        keys.push_back(held(number_key(path, field, unit, at_least(0).at_most(1e9), "none", doc)));
-    };
+/// The hull: what moves, and in which motions.
+void add_hull_mass(Keys& keys, Moorings& moorings, const auto& held, const auto& number) {
     keys.push_back(late_key(number_key(
         "moorings.mass_t", moorings.mass, unit::tonne, at_least(0).at_most(1e9), "none: it moves as prescribed",
         "Mass of a structure that gives way on its moorings, without the water that moves with it; its centre is on "
@@ -361,6 +327,9 @@ void add_moorings(Keys& keys, Moorings& moorings) {
         "surge, sway, heave, roll, pitch, yaw with x ahead, y to port and z up, about the axis at the calm water.");
     matrix("moorings.radiation_damping", moorings.radiation_damping,
            "Damping by the waves that the hull makes, in the same form: t/s, t m/s, t m²/s.");
+}
+
+void add_springs(Keys& keys, Moorings& moorings, const auto& held, const auto& number) {
     number("moorings.surge_kN_m", moorings.surge, unit::kilonewton,
            "Stiffness in surge of a linear spring, in addition to moorings.lines.");
     number("moorings.sway_kN_m", moorings.sway, unit::kilonewton, "Stiffness in sway of a linear spring.");
@@ -382,6 +351,9 @@ void add_moorings(Keys& keys, Moorings& moorings) {
     quadratic("moorings.quadratic_heave_kN_s2_m2", Motion::heave, "The same in heave.");
     quadratic("moorings.quadratic_pitch_kN_m_s2", Motion::pitch, "The same in pitch, kN m s²/rad².");
     quadratic("moorings.quadratic_roll_kN_m_s2", Motion::roll, "The same in roll, kN m s²/rad².");
+}
+
+void add_lines(Keys& keys, Moorings& moorings, const auto& held) {
     keys.push_back(
         held({"moorings.lines", line_rows(moorings.lines), "none",
               "Mooring lines: fairlead from the structure's axis (x ahead, z), azimuth towards which the line leads (0 "
@@ -397,6 +369,47 @@ void add_moorings(Keys& keys, Moorings& moorings) {
         held({"moorings.line_curve", curve_rows(moorings.curve, "extension_m", "tension_kN"), "none: lines are linear",
               "Tension of each line over its horizontal distance, both rising: a catenary, for example. The pretension "
               "says where on it a line begins; stiffness in moorings.lines has to be 0 then."}));
+}
+
+}  // namespace
+
+void add_path(Keys& keys, Path& path) {
+    const auto of_legs = [&path](Key key) {
+        return late_key(only_with(
+            "path.legs", [&path] { return !path.legs.empty(); }, std::move(key)));
+    };
+    keys.push_back(late_key({"path.legs", leg_rows(path.legs), "none: straight on along +x at structure.speed_m_s",
+                             "Legs that follow one another: heading at the beginning (0 along +x, 90 towards +z), "
+                             "speed (0: it stops), time, and by how much the heading turns in a second: 0 for a "
+                             "straight leg, else an arc of the radius speed / turn. "
+                             "After the last leg the structure stands."}));
+    keys.push_back(of_legs(word_key("path.of", path.of, {"structure", "ice"}, "the structure moves in the simulation",
+                                    "Whose legs these are. ice: headings and speeds are of ice that drifts past a "
+                                    "structure that stands; it then moves the other way through ice at rest.")));
+    keys.push_back(of_legs(word_key("path.bow", path.bow, {"ahead", "unturned"}, "a hull that is moored stays",
+                                    "ahead: the structure turns with its heading, as a ship does; unturned: its bow "
+                                    "stays towards +x.")));
+    keys.push_back(of_legs(
+        number_key("path.ramp_s", path.ramp, unit::one, at_least(0).at_most(farthest_way), "none: at once, as the tow",
+                   "Time at the beginning of each leg in which speed and heading change evenly from those of the leg "
+                   "before; the first begins from rest. At most the shortest leg.")));
+    keys.push_back(late_key({"path.places", place_rows(path.table), "none",
+                             "In place of legs: times, places from the start (x and z), and yaw (positive turns +z "
+                             "towards +x). Between two "
+                             "rows speed and turning are constant; after the last one the structure stands."}));
+}
+
+void add_moorings(Keys& keys, Moorings& moorings) {
+    const auto held = [&moorings](Key key) {
+        return late_key(only_with(
+            "moorings.mass_t > 0", [&moorings] { return moorings.give_way(); }, std::move(key)));
+    };
+    const auto number = [&](std::string_view path, double& field, double unit, std::string_view doc) {
+        keys.push_back(held(number_key(path, field, unit, at_least(0).at_most(1e9), "none", doc)));
+    };
+    add_hull_mass(keys, moorings, held, number);
+    add_springs(keys, moorings, held, number);
+    add_lines(keys, moorings, held);
     add_turret(keys, moorings, held);
     add_thrusters(keys, moorings.thrusters, held);
 }

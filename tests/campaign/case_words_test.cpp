@@ -89,7 +89,9 @@ TEST(CaseWords, SayWhatAMooredHullDisplaces) {
         said[0],
         "case E60: the hull is 1.228 m long and 1.228 m wide at the waterline with a draught of 0.443 m; it "
         "displaces 0.52467 m³, 0.52467 t, with the centre of buoyancy 0.2215 m below the water, and its waterplane "
-        "of 1.184 m² puts the metacentre 0.2128 m above that in roll and 0.2128 m in pitch.");
+        "of 1.184 m² puts the metacentre 0.2128 m above that in roll and 0.2128 m in pitch; without damping the moored "
+        "hull "
+        "swings with natural periods of 5.088 s in surge, 5.44 s in sway, 6.333 s in yaw.");
 }
 
 // Bad input ends in a sentence with file, line and key.

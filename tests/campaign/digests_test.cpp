@@ -135,6 +135,7 @@ TEST(Digests, OfATextThatHasAnotherValueOfEveryKey) {
                                                 "arrangement.start",  // a key of then, without effect now
                                                 "general.tolerance_mm_s",
                                                 "joint.failure",
+                                                "joint.averaging_s",
                                                 "floe.elements",
                                                 "floe.elements_draw",
                                                 "ice.fracture_energy_J_m2",
