@@ -81,8 +81,8 @@ void add_new(CommandLine& line) {
         verb.flag("--full-scale", options->full_scale, "A floater of 70 m in floes of 20 m, instead of model ice");
     Option design = verb.flag("--design", options->design, "A design over two keys: how the load depends on them");
     Option paper = verb.flag("--paper", options->paper, "The paper's Table 3, with few arrangements");
-    Option moored = verb.flag("--moored", options->moored,
-                              "A moored hull that floats among floes of mixed shapes, at full scale");
+    Option moored =
+        verb.flag("--moored", options->moored, "A moored hull that floats among floes of mixed shapes, at full scale");
     design.excludes(full_scale);
     paper.excludes(full_scale).excludes(design);
     moored.excludes(full_scale).excludes(design).excludes(paper);

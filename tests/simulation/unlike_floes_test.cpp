@@ -120,7 +120,8 @@ struct Pairs {
         scenario.general.solver = SolverKind::direct;
         scenario.joint.model = JointModel::beam;
         scenario.joint.damping_ratio = 1;
-        scenario.joint.averaging = scenario.general.time_step;  // without weight a plate on water has no time of its own
+        scenario.joint.averaging =
+            scenario.general.time_step;  // without weight a plate on water has no time of its own
         return scenario;
     }
 
