@@ -260,17 +260,22 @@ void check_inertia(const Scenario& scenario, Contradictions& found) {
         return refuse(found, {"moorings.free"},
                       "moorings.free = [] holds the structure in all motions; name one, or take moorings.mass_t = 0");
     }
-    constexpr std::array<const char*, 6> gyration{
+    constexpr std::array<const char*, 6> gyrations{
         "", "", "moorings.gyration_m", "", "moorings.gyration_pitch_m", "moorings.gyration_roll_m"};
     const Mat6 inertia = moorings.inertia();
     for (const int k : directions) {
         const auto motion = static_cast<std::size_t>(k);
+        const std::string gyration = gyrations.at(motion);
         if (inertia(k, k) > 0) continue;
-        refuse(
-            found, {*gyration.at(motion) ? gyration.at(motion) : "moorings.added_mass", "moorings.free"},
-            fmt::format("{} = 0 leaves nothing to turn; give the radius of gyration, or take a moorings.free without "
-                        "\"{}\"",
-                        *gyration.at(motion) ? gyration.at(motion) : "moorings.mass_t", motion_names.at(motion)));
+        if (inertia(k, k) < 0 || gyration.empty())
+            refuse(found, {"moorings.added_mass", "moorings.mass_t"},
+                   fmt::format("mass and added mass together are {:.4g} {} in {}; they have to be above 0",
+                               inertia(k, k) / unit::tonne, gyration.empty() ? "t" : "t m²", motion_names.at(motion)));
+        else
+            refuse(found, {gyration, "moorings.free"},
+                   fmt::format("{} = 0 leaves nothing to turn; give the radius of gyration, or take a moorings.free "
+                               "without \"{}\"",
+                               gyration, motion_names.at(motion)));
     }
     if (!found.empty()) return;
     const Mat6 even = 0.5 * (inertia + inertia.transpose());

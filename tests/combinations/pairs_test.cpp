@@ -56,7 +56,12 @@ const std::vector<std::vector<Option>> choices{
     {{"a towed structure", ""},
      {"moorings",
       "moorings.mass_t = 0.5\nmoorings.gyration_m = 0.44\nmoorings.surge_kN_m = 0.8\nmoorings.sway_kN_m = 0.8\n"
-      "moorings.yaw_kN_m_rad = 0.3\n"}},
+      "moorings.yaw_kN_m_rad = 0.3\n"},
+     {"a hull that floats",
+      "moorings.free = ['surge', 'sway', 'yaw', 'heave', 'pitch', 'roll']\nmoorings.mass_t = 0.5\n"
+      "moorings.gyration_m = 0.44\nmoorings.gyration_pitch_m = 0.4\nmoorings.gyration_roll_m = 0.4\n"
+      "moorings.centre_m = -0.3\nmoorings.surge_kN_m = 0.8\nmoorings.sway_kN_m = 0.8\nmoorings.yaw_kN_m_rad = 0.3\n"
+      "moorings.hanging_lines = [[0.6, -0.2, 0.0, 0.0, 3.0, 1.0, 3.2, 5.0, 10.0, 0.5, 0.0]]\n"}},
     {{"a straight way", ""}, {"a path", "path.legs = [[0.0, 0.1, 10.0, 0.0], [20.0, 0.1, 10.0, 1.0]]\n"}}};
 
 constexpr const char* common =

@@ -98,6 +98,52 @@ TEST(Motion, MooringsThatDoNotHoldAreRefused) {
                 HasSubstr("moorings.line_curve[2] does not have more extension and more tension"));
 }
 
+TEST(Motion, HullsThatCannotFloatAreRefused) {
+    const auto floating = [](const std::function<void(Scenario&)>& change) {
+        return sentence([&](Scenario& s) {
+            s.moorings.free = {true, true, true, true, true, true};
+            s.moorings.pitch_gyration = s.moorings.roll_gyration = 0.4;
+            s.moorings.height = -0.3;
+            change(s);
+        });
+    };
+    EXPECT_EQ(floating([](Scenario&) {}), "consistent");
+    EXPECT_THAT(floating([](Scenario& s) { s.moorings.height = 0.5; }),
+                HasSubstr("the hull does not float upright: with its centre at moorings.centre_m = 0.5, in pitch its "
+                          "weight turns it over"));
+    EXPECT_THAT(floating([](Scenario& s) {
+                    s.moorings.height = 0;
+                    s.moorings.roll_gyration = 0;
+                }),
+                HasSubstr("moorings.gyration_roll_m = 0 leaves nothing to turn; give the radius of gyration, or take a "
+                          "moorings.free without \"roll\""));
+    EXPECT_THAT(floating([](Scenario& s) { s.moorings.free = {}; }), HasSubstr("holds the structure in all motions"));
+    const auto with = [&](int row, int column, double tonnes) {
+        return floating([&](Scenario& s) {
+            s.moorings.added_mass.assign(6, std::vector<double>(6, 0.0));
+            s.moorings.added_mass[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = 1000 * tonnes;
+        });
+    };
+    EXPECT_EQ(with(2, 2, 0.3), "consistent");
+    EXPECT_THAT(with(2, 2, -1), HasSubstr("mass and added mass together are -0.5 t in heave; they have to be above 0"));
+    EXPECT_THAT(with(0, 4, 1), HasSubstr("moorings.added_mass[4][0] and [0][4] differ, 0 and 1; such a matrix is"));
+    EXPECT_THAT(floating([](Scenario& s) { s.moorings.added_mass.assign(5, std::vector<double>(6, 0.0)); }),
+                HasSubstr("moorings.added_mass has 5 rows of six"));
+    const auto hangs = [&](double depth, double length, double breaks) {
+        return floating([&](Scenario& s) {
+            s.moorings.hanging.push_back({.fairlead = {0.5, -0.2, 0},
+                                          .distance = 3,
+                                          .depth = depth,
+                                          .cable = {length, 10, 1e5, 0},
+                                          .break_load = breaks});
+        });
+    };
+    EXPECT_EQ(hangs(1, 3.2, 0), "consistent");
+    EXPECT_THAT(hangs(0.1, 3.2, 0), HasSubstr("moorings.hanging_lines[0] has its fairlead 0.1 m below its anchor"));
+    EXPECT_THAT(hangs(1, 2, 0), HasSubstr("is 2 m long and would be stretched to 3.105 m"));
+    EXPECT_THAT(hangs(1, 3.2, 1), HasSubstr("at rest, more than its break load"));
+}
+
 TEST(Motion, ThrustersAndTurretsThatCannotBeAreRefused) {
     EXPECT_EQ(sentence([](Scenario& s) {
                   s.moorings.surge = s.moorings.sway = s.moorings.yaw = 0;
