@@ -87,8 +87,10 @@ std::string soft_in_compression(const Case& one) {
 std::string few_sweeps(const Case& one) {
     constexpr int few = 10;
     if (one.scenario.general.iterations >= few) return {};
-    return fmt::format("{} leaves contacts unsolved, and the load depends on it; 20 are enough with solver direct",
-                       given(one.scenario, "general.iterations"));
+    return fmt::format(
+        "{} leaves contacts unsolved, and the load depends on it; 20 are enough with solver direct where ice does not "
+        "jam",
+        given(one.scenario, "general.iterations"));
 }
 
 std::string long_steps(const Case& one) {

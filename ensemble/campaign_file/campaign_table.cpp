@@ -84,7 +84,10 @@ CaseRow case_row(const Case& one) {
             scenario.wind,
             scenario.joint,
             floe_words(scenario),
-            motion_words(scenario)};
+            motion_words(scenario),
+            scenario.general.tolerance > 0 && scenario.general.solver == SolverKind::direct
+                ? scenario.general.iterations
+                : 0};
 }
 
 CampaignTable table_without_members(const Campaign& campaign) {

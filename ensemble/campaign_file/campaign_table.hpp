@@ -44,6 +44,7 @@ struct CaseRow {
     Joint joint = {};
     std::string floes = {};   ///< floe_words()
     std::string motion = {};  ///< motion_words()
+    int most_sweeps = 0;      ///< of a step, where a tolerance ends them; 0: all steps take as many
 
     double window_steps() const { return analysis.window / time_step; }
 };

@@ -82,6 +82,30 @@ std::string joint_text(const CampaignTable& table, const Summary& summary) {
                        all > most ? fmt::format("; and {} more", counted(static_cast<int>(all - most), "case")) : "");
 }
 
+/// Cases in which most steps end before contacts are solved: in ice that jams loads are then too low
+/// (docs/fracture.md).
+std::string unsolved_text(const CampaignTable& table, const Summary& summary) {
+    constexpr double nearly_all = 0.9;
+    std::vector<std::string> lines;
+    int most = 0;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const std::vector<const MemberRow*> members = done_members(table, k);
+        const int allowed = table.cases[k].most_sweeps;
+        double sum = 0;
+        for (const MemberRow* row : members) sum += row->mean_sweeps;
+        const double mean = sum / static_cast<double>(members.size());
+        if (members.empty() || allowed == 0 || !(mean > nearly_all * allowed)) continue;
+        lines.push_back(fmt::format("{}, {:.3g} of at most {}", summary.label_of(k), mean, allowed));
+        most = std::max(most, allowed);
+    }
+    if (lines.empty()) return "";
+    return fmt::format(
+        "Contacts are not solved in most steps (sweeps a step: {}): where ice jams, loads are too low, by a quarter "
+        "and "
+        "more on a wall. Try general.iterations = {}.",
+        fmt::join(lines, "; "), 10 * most);
+}
+
 /// Members whose mean load is far above the others'.
 std::string standing_out_text(const CampaignTable& table, const Summary& summary) {
     std::vector<std::string> lines;
@@ -151,6 +175,8 @@ std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& 
         sentences.push_back(std::move(joint));
     else if (more_than_chance(found.rising + found.falling, found.done))
         sentences.push_back(unsteady_text(found));
+    if (std::string unsolved = unsolved_text(table, summary); !unsolved.empty())
+        sentences.push_back(std::move(unsolved));
     if (std::string out = standing_out_text(table, summary); !out.empty()) sentences.push_back(std::move(out));
     if (std::string few = few_text(summary); !few.empty()) sentences.push_back(std::move(few));
     return sentences;

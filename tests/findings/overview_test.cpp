@@ -18,6 +18,7 @@ namespace overview_test {
 
 using testing::ContainsRegex;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -90,6 +91,23 @@ TEST(Warnings, SayWhatFailedAndWhatIsMissing) {
     EXPECT_EQ(told[0], "1 of 12 members failed and counts in no figure. Member 4: floe 3 sank.");
     EXPECT_THAT(told[1], StartsWith("1 of 12 members has no result yet. Short runs finish first"));
     EXPECT_THAT(told[2], StartsWith("n = 2 (E60): no interval worth printing; "));
+}
+
+TEST(Warnings, SayWhereMostStepsEndBeforeContactsAreSolved) {
+    CampaignTable table = whole();
+    const auto with = [&](int most, double sweeps) {
+        for (CaseRow& one : table.cases) one.most_sweeps = 0;
+        table.cases[1].most_sweeps = most;
+        for (MemberRow& row : table.members) row.mean_sweeps = sweeps;
+        return warnings_of(table, summarise(table));
+    };
+    EXPECT_THAT(with(20, 17.9), IsEmpty());
+    EXPECT_THAT(with(0, 20), IsEmpty()) << "all steps take as many";
+    const std::vector<std::string> told = with(20, 19.7);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_THAT(told[0], StartsWith("Contacts are not solved in most steps (sweeps a step: " +
+                                    summarise(table).label_of(1) + ", 19.7 of at most 20)"));
+    EXPECT_THAT(told[0], EndsWith("Try general.iterations = 200."));
 }
 
 TEST(Warnings, SayWhereIceNeverTouchedTheStructure) {
