@@ -149,7 +149,7 @@ void check_hanging(const Moorings& moorings, Contradictions& found) {
             refuse(found, {"moorings.hanging_lines"}, fmt::format("moorings.hanging_lines[{}] {}", row, what));
         };
         const double drop = line.depth + line.fairlead.y();
-        if (!(drop > 0)) {
+        if (!(drop > 1e-4 * line.distance)) {  // ten times what the stiffness is found with
             wrong(fmt::format("has its fairlead {:g} m below its anchor; depth_m is of the anchor below the calm water",
                               -drop));
             continue;

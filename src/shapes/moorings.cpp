@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/error.hpp"
+
 namespace floes {
 
 namespace {
@@ -185,7 +187,9 @@ LinePull pull(const HangingLine& line, const Vec6& offset) {
     found.anchor.y() = -line.depth;
     const Vec2 way(found.anchor.x() - found.fairlead.x(), found.anchor.z() - found.fairlead.z());
     const double distance = way.norm();
-    const CablePull hangs = hang(line.cable, distance, found.fairlead.y() + line.depth);
+    const double drop = found.fairlead.y() + line.depth;
+    if (!(drop > 0)) throw MemberFailure("The fairlead of a mooring line has come down to the depth of its anchor.");
+    const CablePull hangs = hang(line.cable, distance, drop);
     found.tension = hangs.tension();
     const Vec2 along = distance > 0 ? Vec2(hangs.along / distance * way) : Vec2(Vec2::Zero());
     const Vec3 force(along.x(), -hangs.down, along.y());

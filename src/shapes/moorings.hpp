@@ -154,6 +154,7 @@ struct LinePull {
 
 /// Pull of a line at an offset of the structure.
 LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec6& offset);
+/// Throws MemberFailure where the fairlead is no longer above the anchor.
 LinePull pull(const HangingLine& line, const Vec6& offset);
 /// Of all lines by their numbers, hanging ones last.
 LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset);

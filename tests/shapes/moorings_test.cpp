@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/error.hpp"
+#include "support/oc3_spar.hpp"
+
 namespace floes {
 namespace moorings_test {
 
@@ -107,12 +110,7 @@ TEST(Moorings, PeriodsAreThoseOfMassAndStiffness) {
 // matrix about the still water line (forums.nrel.gov/t/6095), in its own axes, which differ in the signs of pitch.
 TEST(Moorings, HangingLinesOfTheOC3SparHaveThePublishedStiffness) {
     Moorings moorings{.free = {true, true, true, true, true, true}, .mass = 7.46633e6};
-    for (const double azimuth : {0.0, 2 * pi / 3, -2 * pi / 3})
-        moorings.hanging.push_back({.fairlead = {5.2 * std::cos(azimuth), -70, 5.2 * std::sin(azimuth)},
-                                    .azimuth = azimuth,
-                                    .distance = 853.87 - 5.2,
-                                    .depth = 320,
-                                    .cable = {902.2, 698.09, 3.84243e8, 0.001}});
+    moorings.hanging = test::oc3_lines();
     const Mat6 found = moorings.stiffness();
     const auto of = [&](Motion a, Motion b) { return found(static_cast<int>(a), static_cast<int>(b)); };
     EXPECT_NEAR(of(Motion::surge, Motion::surge) / 41180, 1, 1e-3);
@@ -123,6 +121,9 @@ TEST(Moorings, HangingLinesOfTheOC3SparHaveThePublishedStiffness) {
     EXPECT_NEAR(of(Motion::pitch, Motion::pitch) / 3.111e8, 1, 3e-3);
     EXPECT_NEAR(of(Motion::roll, Motion::roll) / 3.111e8, 1, 3e-3);
     EXPECT_NEAR(of(Motion::yaw, Motion::yaw) / 1.156e7, 1, 3e-3);
+    Vec6 sunk = Vec6::Zero();
+    sunk[3] = -250;
+    EXPECT_THROW(pull(moorings.hanging[0], sunk), MemberFailure);
     double down = 0;
     for (const HangingLine& line : moorings.hanging) down -= pull(line, Vec6::Zero()).force[3];
     EXPECT_NEAR(down / 1607181, 1, 1e-4);

@@ -10,6 +10,7 @@
 
 #include "shapes/hydrostatics.hpp"
 #include "simulation/structure_motion.hpp"
+#include "support/oc3_spar.hpp"
 
 namespace floes {
 namespace floating_motion_test {
@@ -46,12 +47,15 @@ Moorings spar_moorings() {
     found.added_mass.assign(6, std::vector<double>(6, 0.0));
     found.added_mass[0][4] = found.added_mass[4][0] = -8e6 * 62;
     found.added_mass[1][3] = found.added_mass[3][1] = 8e6 * 62;
-    for (const double azimuth : {0.0, 2 * pi / 3, -2 * pi / 3})
-        found.hanging.push_back({.fairlead = {5.2 * std::cos(azimuth), -70, 5.2 * std::sin(azimuth)},
-                                 .azimuth = azimuth,
-                                 .distance = 853.87 - 5.2,
-                                 .depth = 320,
-                                 .cable = {902.2, 698.09, 3.84243e8, 0.001}});
+    found.hanging = test::oc3_lines();
+    return found;
+}
+
+/// With springs in place of its lines, so that all is linear.
+Moorings spar_on_springs() {
+    Moorings found = spar_moorings();
+    found.hanging.clear();
+    found.surge = found.sway = 41180;
     return found;
 }
 
@@ -123,9 +127,7 @@ TEST(FloatingMotion, HeelsUnderALoadAtAHeight) {
 
 // Released in a natural mode it comes back after its period, whatever couples its motions: the exponential is exact.
 TEST(FloatingMotion, SwingsWithTheEigenvalues) {
-    Moorings moorings = spar_moorings();
-    moorings.hanging.clear();
-    moorings.surge = moorings.sway = 41180;
+    const Moorings moorings = spar_on_springs();
     const Mat6 water = water_of(spar(), moorings);
     const Mat6 stiffness = moorings.held(water);
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(stiffness),
@@ -145,9 +147,7 @@ TEST(FloatingMotion, SwingsWithTheEigenvalues) {
 
 // The work of the load is the energy of motion and springs, to rounding.
 TEST(FloatingMotion, KeepsEnergy) {
-    Moorings moorings = spar_moorings();
-    moorings.hanging.clear();
-    moorings.surge = moorings.sway = 41180;
+    const Moorings moorings = spar_on_springs();
     const Mat6 water = water_of(spar(), moorings);
     const Mat6 stiffness = moorings.held(water);
     MooredMotion motion(moorings, water, 0.5);
