@@ -88,8 +88,9 @@ std::string few_sweeps(const Case& one) {
     constexpr int few = 10;
     if (one.scenario.general.iterations >= few) return {};
     return fmt::format(
-        "{} leaves contacts unsolved, and the load depends on it; 20 are enough with solver direct where ice does not "
-        "jam",
+        "{} leaves contacts unsolved, and the load depends on it; with solver direct the default is the most that a "
+        "step "
+        "may take, and most take few",
         given(one.scenario, "general.iterations"));
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "campaign_file/campaign_table.hpp"
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
 #include "member/member_outputs.hpp"
@@ -132,7 +133,7 @@ namespace {
 
 /// For the members that `wanted` takes.
 void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
-                   const std::function<void(const SurgeHistory&)>& use) {
+                   const std::function<void(const StoredHistory&)>& use) {
     const hdf5::QuietErrors quiet;
     const Campaign& campaign = file.campaign();
     const ArrayPlaces places(campaign);
@@ -150,17 +151,15 @@ void for_histories(const CampaignFile& file, const ArrayOutput& array, const std
 
 }  // namespace
 
-void for_each_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use) {
+void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use,
+                      std::string_view path) {
+    const auto array = std::ranges::find(array_outputs, path, &ArrayOutput::path);
+    FLOES_EXPECTS(array != array_outputs.end());
     for_histories(
-        file, array_output("history/surge_load"), [](int) { return true; }, use);
+        file, *array, [](int) { return true; }, use);
 }
 
-void for_each_mooring_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use) {
-    for_histories(
-        file, array_output("history/surge_mooring"), [](int) { return true; }, use);
-}
-
-void with_history(const CampaignFile& file, int member, const std::function<void(const SurgeHistory&)>& use) {
+void with_history(const CampaignFile& file, int member, const std::function<void(const StoredHistory&)>& use) {
     for_histories(
         file, array_output("history/surge_load"), [member](int one) { return one == member; }, use);
 }
@@ -257,14 +256,14 @@ void measure(MemberRow& row, std::span<const double> window, double step, const 
 
 }  // namespace
 
-std::span<const double> in_window(const SurgeHistory& history, const Analysis& analysis) {
+std::span<const double> in_window(const StoredHistory& history, const Analysis& analysis) {
     const auto count = static_cast<std::size_t>(std::llround(analysis.window / history.step));
-    return history.surge.last(std::min(count, history.surge.size()));
+    return history.values.last(std::min(count, history.values.size()));
 }
 
 CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const std::vector<Analysis>& windows) {
     for (std::size_t k = 0; k < table.cases.size(); ++k) table.cases[k].analysis = windows.at(k);
-    for_each_history(file, [&](const SurgeHistory& history) {
+    for_each_history(file, [&](const StoredHistory& history) {
         MemberRow& row = table.members.at(static_cast<std::size_t>(history.member));
         const CaseRow& about = table.cases.at(static_cast<std::size_t>(row.case_index));
         if (about.analysis.history_stride > 1)

@@ -82,23 +82,21 @@ struct PieceRow {
 /// The pieces of all floes that cracked through, in order of member and floe; empty where the file keeps none.
 std::vector<PieceRow> read_pieces(const CampaignFile& file);
 
-// The load histories of a campaign file, member by member: all of them at once may not fit into memory.
+// The histories of a campaign file, member by member: all of them at once may not fit into memory.
 
-struct SurgeHistory {
+struct StoredHistory {
     int member = 0;
-    double step = 0;                ///< s from value to value: the case's Δt times its history_stride
-    std::span<const double> surge;  ///< N, from t = 0 to the end of the run; means over history_stride steps each
+    double step = 0;                 ///< s from value to value: the case's Δt times its history_stride
+    std::span<const double> values;  ///< SI, from t = 0 to the end of the run; means over history_stride steps each
 };
 
-/// Calls `use` for each done member with a stored history, in member order: never where the file has no
-/// /history/surge_load, so that who reads must say when there was none. Throws as read_campaign_file() does.
-void for_each_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use);
-
-/// The same of the force of springs and lines against the surge load, of members whose structure gave way.
-void for_each_mooring_history(const CampaignFile& file, const std::function<void(const SurgeHistory&)>& use);
+/// Calls `use` for each done member with the stored history, in member order: never where the file has none, so that
+/// who reads must say when there was none. `path`: of one of array_outputs. Throws as read_campaign_file() does.
+void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use,
+                      std::string_view path = "history/surge_load");
 
 /// The loads of one member.
-void with_history(const CampaignFile& file, int member, const std::function<void(const SurgeHistory&)>& use);
+void with_history(const CampaignFile& file, int member, const std::function<void(const StoredHistory&)>& use);
 
 // Where the load of each member acts, as the campaign file has it.
 
@@ -114,7 +112,7 @@ CampaignTable read_campaign_file(const CampaignFile& file);
 // The loads of a campaign file in other windows than those it was run with.
 
 /// The part of a history that lies in the window, which ends the run.
-std::span<const double> in_window(const SurgeHistory& history, const Analysis& analysis);
+std::span<const double> in_window(const StoredHistory& history, const Analysis& analysis);
 
 /// The table of the file with every done member's surge load, and the steps that it counted above levels,
 /// measured anew in the window of its case: `windows`, one a case, each ending the run. Nothing else changes. Throws

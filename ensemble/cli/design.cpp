@@ -1,4 +1,4 @@
-// floes design --regimes: the loads of a year.
+// floes design --regimes: the loads of a year, and how all of floes design is written to files.
 
 #include <algorithm>
 #include <cstdio>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "campaign/read.hpp"
 #include "campaign/variations.hpp"
@@ -50,13 +51,15 @@ void tell_year(const YearOptions& options);
 
 namespace {
 
-std::string command_of(const YearOptions& options) {
-    std::string command = fmt::format("{} design {} --regimes {} --averaging-s {:g} --scale {:g} --peaks {:g}",
-                                      typed_program(options.program), options.file, options.regimes,
-                                      options.load.averaging, options.load.scale, options.load.share);
-    if (options.load.rising) command += " --rising";
-    if (options.automatic_window) command += " --window auto";
-    return command + " -o " + options.output;
+/// `asked`: what the answer is of, "--regimes year.toml".
+std::string command_of(const std::string& program, const std::string& file, const std::string& asked,
+                       const DesignLoadRequest& load, bool automatic_window, const std::string& output) {
+    std::string command =
+        fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}", typed_program(program),
+                    quoted(file), asked, load.averaging, load.scale, load.share);
+    if (load.rising) command += " --rising";
+    if (automatic_window) command += " --window auto";
+    return command + " -o " + quoted(output);
 }
 
 void write_sheets(const std::string& output, const std::vector<Section>& sections) {
@@ -69,15 +72,27 @@ void write_sheets(const std::string& output, const std::vector<Section>& section
     rename_into_place(aside, output);
 }
 
-void write_output(const YearOptions& options, const std::vector<Section>& sections, const Year& year,
-                  const YearRequest& request) {
-    if (options.output.ends_with(".xlsx"))
-        write_sheets(options.output, sections);
-    else if (options.output.ends_with(".svg"))
-        write_page(options.output, figure_file(year_figure(year, request), year_units(year, request)));
+/// A workbook or a page, by its name.
+void write_output(const std::string& output, const char* title, const std::vector<Section>& sections,
+                  const std::string& command, const Units& units) {
+    if (output.ends_with(".xlsx"))
+        write_sheets(output, sections);
     else
-        write_page(options.output,
-                   sections_page("Loads of a year", sections, command_of(options), year_units(year, request)));
+        write_page(output, sections_page(title, sections, command, units));
+    std::fprintf(stderr, "floes: %s is written\n", output.c_str());
+}
+
+void write_year(const YearOptions& options, const std::vector<Section>& sections, const Year& year,
+                const YearRequest& request) {
+    const Units units = year_units(year, request);
+    if (!options.output.ends_with(".svg")) {
+        write_output(options.output, "Loads of a year", sections,
+                     command_of(options.program, options.file, "--regimes " + quoted(options.regimes), options.load,
+                                options.automatic_window, options.output),
+                     units);
+        return;
+    }
+    write_page(options.output, figure_file(year_figure(year, request), units));
     std::fprintf(stderr, "floes: %s is written\n", options.output.c_str());
 }
 
@@ -104,7 +119,7 @@ void tell_year(const YearOptions& options) {
     if (options.next) sections.push_back(year_next(evidence, year, typed_program(options.program)));
     std::fputs(written(sections, options.format, year_units(year, request)).c_str(), stdout);
     if (options.next && options.format != "table") std::fputs(sections.back().before.c_str(), stderr);
-    if (!options.output.empty()) write_output(options, sections, year, request);
+    if (!options.output.empty()) write_year(options, sections, year, request);
 }
 
 // floes contour: environmental contours of two inputs, as a table, a picture, or cases to run.
@@ -261,6 +276,8 @@ struct DesignOptions {
     std::string format = "table";
     std::string window = "given";
     std::string of = "load";
+    std::string output;
+    std::string program;
     YearOptions year;
     MooringOptions mooring;
 };
@@ -278,7 +295,7 @@ struct Answer {
 
 /// Design mooring forces instead of loads, and what they come from.
 Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscillator& hull) {
-    request.force = DesignLoadRequest::Force::k_x;
+    request.of = design_of_k_x;
     const MooredRequest asked{hull, request.scale, request.averaging};
     const std::vector<MooredCase> found = find_moored(evidence, asked);
     const std::vector<CasePeaks> peaks = moored_peaks(evidence.table, found);
@@ -288,33 +305,44 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
     return {std::move(sections), designs, request};
 }
 
-/// Design mooring forces of structures that gave way in the simulation, and how those moved.
-Answer simulated(const Evidence& evidence, DesignLoadRequest request) {
-    request.force = DesignLoadRequest::Force::moorings;
-    const std::vector<CasePeaks> peaks = simulated_mooring_peaks(evidence);
-    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request, peaks);
-    std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
-    sections.front().before = mooring_notes(evidence) + sections.front().before;
-    if (std::optional<Section> moved = moored_runs_section(evidence)) sections.push_back(std::move(*moved));
-    return {std::move(sections), designs, request};
-}
-
 Answer sections_of(const DesignOptions& options, const Evidence& evidence, const DesignLoadRequest& request) {
-    if (options.of == "mooring_force") return simulated(evidence, request);
+    if (options.of != "load") {
+        SimulatedDesign made = simulated_design(evidence, request);
+        return {std::move(made.sections), made.of_cases, request};
+    }
     if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
     return {design_load_sections(evidence.summary, designs, request), designs, request};
 }
 
+/// What the answer is of, as options.
+std::string asked(const DesignOptions& options) {
+    std::string text =
+        fmt::format("--exposure-h {:g} --quantile {:g}", options.exposure_h, fmt::join(options.request.quantiles, ","));
+    if (options.of != "load") text += " --of " + options.of;
+    return text + options.mooring.text();
+}
+
 int answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
+    request.of = *std::ranges::find(design_ofs, options.of, &DesignOf::word);
+    if (!options.output.empty() && !options.output.ends_with(".html") && !options.output.ends_with(".xlsx"))
+        throw InputError(
+            fmt::format("{} would be a page or a workbook: give a name that ends with .html or .xlsx; the "
+                        "curve (.svg) is of a year, with --regimes.",
+                        options.output));
     expect_campaign_file(options.file);
     const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
     Answer found = sections_of(options, evidence, request);
     std::string& before = found.sections.front().before;
     before = warning_lines(warnings_of(evidence.table, evidence.summary)) + before;
     std::fputs(written(found.sections, options.format, found.units).c_str(), stdout);
+    if (!options.output.empty())
+        write_output(options.output, "Design values", found.sections,
+                     command_of(options.program, options.file, asked(options), request, options.window == "auto",
+                                options.output),
+                     found.units);
     return found.given ? 0 : 1;
 }
 
@@ -325,6 +353,7 @@ void answer_of_year(const DesignOptions& options, const std::string& program) {
     year.format = options.format;
     year.automatic_window = options.window == "auto";
     year.program = program;
+    year.output = options.output;
     expect_campaign_file(year.file);
     tell_year(year);
 }
@@ -343,9 +372,12 @@ void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Optio
         .needs(regimes);
     verb.flag("--next", year.next, "Of a year: the command that runs what its loads are least certain of")
         .needs(regimes);
-    verb.option("-o,--output", year.output,
-                "Of a year: write a page (.html), the exceedance curve (.svg) or a workbook (.xlsx)")
-        .needs(regimes);
+}
+
+std::vector<std::string> words_of() {
+    std::vector<std::string> words;
+    for (const DesignOf& of : design_ofs) words.emplace_back(of.word);
+    return words;
 }
 
 }  // namespace
@@ -374,11 +406,13 @@ void add_design(CommandLine& line) {
     verb.flag("--rising", options->request.rising, "Extrapolate also a load that still rises in the measured window");
     Option mooring = add_mooring(verb, options->mooring);
     Option of = verb.option("--of", options->of,
-                            "load, or mooring_force: what springs and lines bear of the surge load, of structures that "
-                            "give way in the simulation");
-    of.one_of({"load", "mooring_force"}).shows_default().excludes(mooring);
+                            "What is extrapolated. All but the load are of structures that give way in the simulation: "
+                            "what springs and lines bear of the surge load, offsets and angles");
+    of.one_of(words_of()).shows_default().excludes(mooring);
     add_year(verb, options->year, exposure, quantile, mooring, of);
     add_window(verb, options->window);
+    verb.option("-o,--output", options->output,
+                "Write a page (.html) or a workbook (.xlsx) too; of a year also the exceedance curve (.svg)");
     add_format(verb, options->format);
     verb.footer(
         "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"
@@ -389,8 +423,10 @@ void add_design(CommandLine& line) {
         "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale\n"
         "  floes design full_scale.h5 --mooring-kN-m 2600 --mass-t 42000 --damping-percent 10    of a moored hull\n"
         "  floes design moored_free.h5 --scale 57 --of mooring_force                      of one that gives way\n"
+        "  floes design floating.h5 --of pitch -o pitch.html                              how far it pitches\n"
         "  floes design table3_physical.h5 --regimes year.toml                            10^-2 and 10^-4 a year");
     verb.runs([options, &line] {
+        options->program = line.program_name();
         if (!options->year.regimes.empty()) {
             answer_of_year(*options, line.program_name());
             return 0;

@@ -1,5 +1,7 @@
 #include "cli/mooring_options.hpp"
 
+#include <fmt/format.h>
+
 #include "core/units.hpp"
 
 namespace floes {
@@ -11,6 +13,12 @@ std::optional<Oscillator> MooringOptions::hull() const {
                           unit::percent * damping_percent.value()};
     check_hull(hull);
     return hull;
+}
+
+std::string MooringOptions::text() const {
+    if (!stiffness_kn_m) return "";
+    return fmt::format(" --mooring-kN-m {:g} --mass-t {:g} --damping-percent {:g}", *stiffness_kn_m, mass_t.value(),
+                       damping_percent.value());
 }
 
 Option add_mooring(OptionList& verb, MooringOptions& options) {

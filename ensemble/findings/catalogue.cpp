@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "findings/answer.hpp"
 #include "findings/cases.hpp"
@@ -120,9 +121,11 @@ Section steady(Evidence& evidence) {
 /// As `floes design` has it by default.
 std::vector<Section> design(Evidence& evidence) {
     const DesignLoads& found = designs_of(evidence);
-    if (!found.of_cases.empty()) return design_load_sections(evidence.summary, found.of_cases, found.asked);
-    return {
+    std::vector<Section> sections{
         {.missing = "Design load: unknown, because the members did not average their load (analysis.averaging_s).\n"}};
+    if (!found.of_cases.empty()) sections = design_load_sections(evidence.summary, found.of_cases, found.asked);
+    std::ranges::move(simulated_designs(evidence), std::back_inserter(sections));
+    return sections;
 }
 
 Section members(Evidence& evidence) {

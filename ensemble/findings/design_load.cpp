@@ -41,8 +41,8 @@ double DesignLoadRequest::model_averaging() const {
     return averaging / std::sqrt(scale);
 }
 
-double DesignLoadRequest::force_factor() const {
-    return scale * scale * scale;
+double DesignLoadRequest::factor() const {
+    return std::pow(scale, of.power);
 }
 
 double averaging_time(const CampaignTable& table, const DesignLoadRequest& request) {
@@ -197,22 +197,30 @@ Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>&
                       const DesignLoadRequest& request) {
     const std::vector<Paired> pairs = pairs_of(designs);
     if (pairs.empty()) return {};
-    Results results{.place = "design/pairs",
-                    .columns = {{.words = "pair"}, {"first"}, {"second"}, estimates("difference", "difference", "N")},
-                    .in_csv = false};
+    Results results{.place = "design/pairs", .columns = {{.words = "pair"}, {"first"}, {"second"}}, .in_csv = false};
+    results.columns.push_back(estimates("difference", "difference", std::string(request.of.shown_unit())));
     for (const Paired& pair : pairs) {
         const std::size_t first = pair.first->case_index;
         const std::size_t second = pair.second->case_index;
         results.add({fmt::format("{} - {}", summary.label_of(second), summary.label_of(first)), summary.name_of(first),
                      summary.name_of(second),
-                     shown_figure(pair.difference, request.force_factor(),
+                     shown_figure(pair.difference, request.factor() * request.of.shown_factor(),
                                   pair.first->load.arrangements >= fewest_for_interval)});
     }
     return {.results = {std::move(results)},
             .after = fmt::format(
-                "\nDifferences of the load exceeded with {:.3g} %, by both tails, over the same arrangements, with "
+                "\nDifferences of the {} exceeded with {:.3g} %, by both tails, over the same arrangements, with "
                 "members taken as alike.\n",
-                (1 - request.quantiles.front()) / unit::percent)};
+                request.of.noun, (1 - request.quantiles.front()) / unit::percent)};
+}
+
+bool is_averaged(const DesignLoadRequest& request) {
+    return request.of.word == "load";
+}
+
+/// Of the column for programs: forces are loads.
+std::string value_key(const DesignLoadRequest& request) {
+    return request.of.unit == "N" ? "load" : std::string(request.of.word);
 }
 
 /// A row for each case, method and figure, for programs.
@@ -221,14 +229,14 @@ Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& des
     Results results{.place = "design/loads",
                     .columns = program_columns("case method averaging exposure_h scale figure probability"),
                     .view = Results::View::none};
-    results.columns.push_back(estimates("load", "", "N"));
-    const Datum averaging = request.force == DesignLoadRequest::Force::load ? Datum(request.averaging) : Undefined{};
+    results.columns.push_back(estimates(value_key(request), "", std::string(request.of.unit)));
+    const Datum averaging = is_averaged(request) ? Datum(request.averaging) : Undefined{};
     for (const CaseDesignLoad& design : designs)
         for (const DesignLoadEstimate& made : design.load.estimates) {
             const auto add = [&](const char* figure, double probability, const DesignLoadFigure& load) {
                 results.add({summary.named(design.case_index), name_of(made.method), averaging,
                              request.exposure / unit::hour, request.scale, figure, probability,
-                             shown_figure(load, request.force_factor(), true)});
+                             shown_figure(load, request.factor(), true)});
             };
             add("expected", std::nan(""), made.expected);
             for (std::size_t k = 0; k < made.quantiles.size(); ++k)
@@ -287,9 +295,10 @@ Results basis_rows(const Summary& summary, const std::vector<CaseDesignLoad>& de
 }
 
 /// The first quantile over the share of the peaks that the tails are fitted to.
-Results threshold_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+Results threshold_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                       const DesignLoadRequest& request) {
     Results results{.place = "design/over_thresholds",
-                    .columns = program_columns("case share load"),
+                    .columns = program_columns("case share " + value_key(request)),
                     .view = Results::View::none,
                     .in_csv = false};
     for (const CaseDesignLoad& design : designs)
@@ -299,9 +308,10 @@ Results threshold_rows(const Summary& summary, const std::vector<CaseDesignLoad>
 }
 
 /// Peaks above each of them, with the rate that each tail gives, at the scale of the campaign.
-Results rate_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+Results rate_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                  const DesignLoadRequest& request) {
     Results results{.place = "design/rates",
-                    .columns = program_columns("case load seen_per_s pareto_per_s weibull_per_s"),
+                    .columns = program_columns("case " + value_key(request) + " seen_per_s pareto_per_s weibull_per_s"),
                     .view = Results::View::none,
                     .in_csv = false};
     const auto tail = [](const Tail& fitted, double load) {
@@ -371,16 +381,12 @@ std::string scale_words(const DesignLoadRequest& request) {
     return fmt::format(
         "\nFull scale by Froude, 1 : {0:g}: lengths x {0:g}, times x {1:.3g}, loads x {2:.3g}. The strength of the ice "
         "and its modulus are then {0:g} times those of the campaign.\n",
-        request.scale, std::sqrt(request.scale), request.force_factor());
+        request.scale, std::sqrt(request.scale), std::pow(request.scale, 3));
 }
 
 std::string design_title(const DesignLoadRequest& request) {
-    if (request.force == DesignLoadRequest::Force::k_x)
-        return fmt::format("Design mooring force: the largest k x in {:g} h", request.exposure / unit::hour);
-    if (request.force == DesignLoadRequest::Force::moorings)
-        return fmt::format("Design mooring force: the largest force of springs and lines along the tow in {:g} h",
-                           request.exposure / unit::hour);
-    return fmt::format("Design load: the largest load averaged over {:g} s in {:g} h", request.averaging,
+    return fmt::format("{}: the largest {}{} in {:g} h", request.of.title, request.of.largest,
+                       is_averaged(request) ? fmt::format(" averaged over {:g} s", request.averaging) : "",
                        request.exposure / unit::hour);
 }
 
@@ -393,9 +399,10 @@ std::string doubt_text(const CaseDesignLoad& one) {
 
 Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                       const DesignLoadRequest& request) {
-    Results table{.columns = {{.words = "case"}, estimates("", "expected", "N")}};
+    const std::string shown_unit(request.of.shown_unit());
+    Results table{.columns = {{.words = "case"}, estimates("", "expected", shown_unit)}};
     for (const double p : request.quantiles)
-        table.columns.push_back(estimates("", fmt::format("exceeded with {}", percent(1 - p)), "N"));
+        table.columns.push_back(estimates("", fmt::format("exceeded with {}", percent(1 - p)), shown_unit));
     for (ResultColumn& column : table.columns) column.digits = 3;
     std::vector<std::string> too_few;
     std::vector<std::string> steadiness;
@@ -416,8 +423,8 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
                                           : fmt::format("  {}", name_of(made.method))};
             const auto add = [&](const DesignLoadFigure& figure) {
                 const int runs = static_cast<int>(one.load.arrangements);
-                line.emplace_back(
-                    shown_figure(figure, request.force_factor(), says_something(figure.value, figure.interval, runs)));
+                line.emplace_back(shown_figure(figure, request.factor() * request.of.shown_factor(),
+                                               says_something(figure.value, figure.interval, runs)));
             };
             add(made.expected);
             for (const DesignLoadFigure& figure : made.quantiles) add(figure);
@@ -425,7 +432,7 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         }
     }
     const std::vector<Results> records{load_rows(summary, designs, request), basis_rows(summary, designs, request),
-                                       threshold_rows(summary, designs), rate_rows(summary, designs)};
+                                       threshold_rows(summary, designs, request), rate_rows(summary, designs, request)};
     if (too_few.size() == designs.size())
         return {.title = design_title(request),
                 .before = fmt::format("{}\n", fmt::join(too_few, "\n")),
@@ -461,7 +468,8 @@ Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& d
     };
     using Design = const CaseDesignLoad&;
     const double times = std::sqrt(request.scale);
-    const double forces = request.force_factor();
+    const double factor = request.factor() * request.of.shown_factor();
+    const std::string shown_unit(request.of.shown_unit());
     table.columns.push_back({.words = "what it rests on"});
     for (std::size_t k = 0; k < designs.size(); ++k) rows[k].emplace_back(summary.label_of(designs[k].case_index));
     add({.words = "arrangements"}, [](Design one) { return one.load.arrangements; });
@@ -478,7 +486,8 @@ Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& d
     add({.words = "  p, if members are alike", .digits = 3}, [](Design one) { return one.load.unlike.dispersion_p; });
     add({.words = "not steady"}, [&](Design one) { return summary.cases[one.case_index].not_steady; });
     add({.words = "peaks at least apart, s", .digits = 3}, [&](Design one) { return one.separation * times; });
-    add({.words = "threshold", .unit = "N", .digits = 3}, [&](Design one) { return forces * one.load.threshold; });
+    add({.words = "threshold", .unit = shown_unit, .digits = 3},
+        [&](Design one) { return factor * one.load.threshold; });
     add({.words = "peaks above"}, [](Design one) { return one.load.peaks; });
     add({.words = "ξ of the Pareto tail", .decimals = 2},
         of_one_kind([](Design one) { return one.load.pareto.shape; }));
@@ -487,9 +496,9 @@ Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& d
     add({.words = "weight of the Weibull tail", .decimals = 2}, [](Design one) { return one.load.weibull_weight; });
     for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
         add({.words = fmt::format("with the highest {} of the peaks", percent(threshold_shares[k])),
-             .unit = "N",
+             .unit = shown_unit,
              .digits = 3},
-            of_one_kind([&, k](Design one) { return forces * one.over_shares[k]; }));
+            of_one_kind([&, k](Design one) { return factor * one.over_shares[k]; }));
     add({.words = "methods differ by", .unit = "share", .decimals = 0},
         of_one_kind([](Design one) { return disagreement(one.load); }));
     add({.words = "resamples without a fit"},
@@ -505,12 +514,12 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     return {
         .results = {basis_table(summary, designs, request)},
         .after = fmt::format(
-            "\nEach tail is fitted to the highest {} of the peaks; both tails average over more and fewer. A kind "
+            "\nEach tail is fitted to the highest {1} of the peaks; both tails average over more and fewer. A kind "
             "of member as rare as \"unseen, up to\" is missing from one sample of this size in twenty, and then from "
-            "the loads. ξ below 0: the load is bounded; above "
-            "0: its tail is heavy. c: 1 exponential, 2 Gaussian. The load with other shares of the "
-            "peaks, and the methods' difference, are of the load exceeded with {}.\n",
-            percent(request.share), percent(1 - request.quantiles.front()))};
+            "these figures. ξ below 0: the {0} is bounded; above "
+            "0: its tail is heavy. c: 1 exponential, 2 Gaussian. The {0} with other shares of the "
+            "peaks, and the methods' difference, are of the {0} exceeded with {2}.\n",
+            request.of.noun, percent(request.share), percent(1 - request.quantiles.front()))};
 }
 
 }  // namespace
@@ -521,7 +530,7 @@ Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadR
         for (const DesignLoadEstimate& made : shown(design))
             for (const DesignLoadFigure& figure : made.quantiles)
                 if (figure.value > largest) largest = figure.value;
-    return Units(largest * request.force_factor());
+    return request.of.unit == "N" ? Units(largest * request.factor()) : Units();
 }
 
 std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,

@@ -1,8 +1,10 @@
 #pragma once
 // The averaged loads of a case's members, as tails are fitted to them.
 
+#include <array>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign_file/campaign_table.hpp"
@@ -10,6 +12,7 @@
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
 #include "inference/design_load.hpp"
+#include "shapes/moorings.hpp"
 #include "tables/section.hpp"
 #include "tables/units.hpp"
 
@@ -27,23 +30,54 @@ CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double tim
 
 // The design load of each case: the largest averaged load in an exposure, by every method, and what it rests on.
 
+/// What a design value is of. All but the load are of structures that give way.
+struct DesignOf {
+    std::string_view word;     ///< of the option --of
+    std::string_view title;    ///< "Design offset"
+    std::string_view largest;  ///< "offset along the surge load"
+    std::string_view noun;     ///< of one value: "offset"
+    std::string_view unit;     ///< SI
+    int power;                 ///< of the scale, by Froude
+    std::string_view history;  ///< of the campaign file, that it is the largest of; empty: of averaged loads
+    bool amount;               ///< either way
+    Motion motion;             ///< whose natural period its peaks are apart
+
+    /// For people, who are shown angles in degrees.
+    std::string_view shown_unit() const { return unit == "rad" ? "°" : unit; }
+    double shown_factor() const { return unit == "rad" ? 1 / unit::degree : 1; }
+};
+
+inline constexpr std::array design_ofs{
+    DesignOf{"load", "Design load", "load", "load", "N", 3, "", false, Motion::surge},
+    DesignOf{"mooring_force", "Design mooring force", "force of springs and lines along the tow", "force", "N", 3,
+             "history/surge_mooring", false, Motion::surge},
+    DesignOf{"surge_offset", "Design offset", "offset along the surge load", "offset", "m", 1, "history/surge_offset",
+             false, Motion::surge},
+    DesignOf{"sway_offset", "Design offset abeam", "offset abeam either way", "offset", "m", 1, "history/sway_offset",
+             true, Motion::sway},
+    DesignOf{"yaw", "Design yaw", "yaw either way", "yaw", "rad", 0, "history/structure_yaw", true, Motion::yaw},
+    DesignOf{"heave", "Design heave", "heave up or down", "heave", "m", 1, "history/heave_offset", true, Motion::heave},
+    DesignOf{"pitch", "Design pitch", "pitch either way", "pitch", "rad", 0, "history/pitch", true, Motion::pitch},
+    DesignOf{"roll", "Design roll", "roll either way", "roll", "rad", 0, "history/roll", true, Motion::roll}};
+
+/// The mooring force k x that stored loads of a fixed hull make.
+inline constexpr DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", 3, "",
+                                        false, Motion::surge};
+
 /// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
 /// cube.
 struct DesignLoadRequest {
-    /// What the peaks are of: the load, the mooring force k x that stored loads make, or that of the simulation.
-    enum class Force { load, k_x, moorings };
-
     double exposure = 3 * unit::hour;    ///< s
     std::vector<double> quantiles{0.9};  ///< probabilities of not being exceeded, each in (0, 1)
     double averaging = 1;                ///< s, that the load is averaged over
     double scale = 1;                    ///< length at full scale / length in the campaign
     bool rising = false;                 ///< extrapolate a load that still rises in the measured window
     double share = 0.25;                 ///< of the peaks, the highest, that the tails are fitted to
-    Force force = Force::load;
+    DesignOf of = design_ofs.front();
 
     double model_exposure() const;   ///< s
     double model_averaging() const;  ///< s
-    double force_factor() const;     ///< load at full scale / load in the campaign
+    double factor() const;           ///< value at full scale / value in the campaign
 };
 
 struct CaseDesignLoad {

@@ -113,13 +113,13 @@ constexpr std::size_t most_tabled = 4;  // whose bins are shown; of more they ar
 
 std::vector<LoadWindow> windows_of(const Evidence& evidence) {
     std::vector<LoadWindow> windows;
-    for_each_history(evidence.file, [&](const SurgeHistory& history) {
+    for_each_history(evidence.file, [&](const StoredHistory& history) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
         const Analysis& analysis = evidence.table.cases[static_cast<std::size_t>(member.case_index)].analysis;
         const auto first = static_cast<std::size_t>(std::lround(analysis.steady_start / history.step));
         const auto count = static_cast<std::size_t>(std::lround(analysis.window / history.step));
-        if (first + count > history.surge.size()) return;
-        const auto loads = history.surge.subspan(first, count);
+        if (first + count > history.values.size()) return;
+        const auto loads = history.values.subspan(first, count);
         const double averaging = analysis.averaging.empty() ? 0 : std::ranges::min(analysis.averaging);
         windows.push_back({static_cast<std::size_t>(member.case_index), history.step, averaging,
                            std::vector<double>(loads.begin(), loads.end())});
@@ -132,12 +132,12 @@ std::vector<LoadWindow> moored_windows(const Evidence& evidence, const MooredReq
     std::vector<bool> answered(evidence.table.cases.size(), false);
     for (const MooredCase& one : find_moored(evidence, request)) answered[one.case_index] = one.refused.empty();
     std::vector<LoadWindow> windows;
-    for_each_history(evidence.file, [&](const SurgeHistory& history) {
+    for_each_history(evidence.file, [&](const StoredHistory& history) {
         const auto index =
             static_cast<std::size_t>(evidence.table.members[static_cast<std::size_t>(history.member)].case_index);
         if (!answered[index]) return;
         LoadWindow& window = windows.emplace_back(LoadWindow{index, request.time_factor() * history.step, 0, {}});
-        window.loads = mooring_force(history.surge, history.step, evidence.table.cases[index].analysis, request);
+        window.loads = mooring_force(history.values, history.step, evidence.table.cases[index].analysis, request);
         for (double& force : window.loads) force *= request.force_factor();
     });
     return windows;

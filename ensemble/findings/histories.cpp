@@ -21,11 +21,11 @@ struct DrawnHistory {
 };
 
 /// The smallest and the largest value of each column, in order of time, so that peaks are kept.
-Figure::Points thinned(const SurgeHistory& history) {
+Figure::Points thinned(const StoredHistory& history) {
     Figure::Points points;
-    const std::size_t width = std::max<std::size_t>(1, history.surge.size() / drawn_columns);
-    for (std::size_t first = 0; first < history.surge.size(); first += width) {
-        const auto column = history.surge.subspan(first, std::min(width, history.surge.size() - first));
+    const std::size_t width = std::max<std::size_t>(1, history.values.size() / drawn_columns);
+    for (std::size_t first = 0; first < history.values.size(); first += width) {
+        const auto column = history.values.subspan(first, std::min(width, history.values.size() - first));
         const auto [low, high] = std::ranges::minmax_element(column);
         const auto [early, late] = std::minmax(low, high);
         for (const auto& value : {early, late})
@@ -90,7 +90,7 @@ Section histories_section(Evidence& evidence) {
     std::vector<DrawnHistory> histories;
     const int arrangement = common_arrangement(evidence.table);
     const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
-    for_each_history(evidence.file, [&](const SurgeHistory& history) {
+    for_each_history(evidence.file, [&](const StoredHistory& history) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
         if (member.arrangement == arrangement && std::ranges::count(drawn, static_cast<std::size_t>(member.case_index)))
             histories.push_back({static_cast<std::size_t>(member.case_index), thinned(history)});

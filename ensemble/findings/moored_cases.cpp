@@ -39,10 +39,10 @@ double MooredCase::velocity_ratio() const {
 std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredRequest& request) {
     check_hull(request.hull);
     std::map<std::size_t, Stored> stored;
-    for_each_history(evidence.file, [&](const SurgeHistory& history) {
+    for_each_history(evidence.file, [&](const StoredHistory& history) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
         const auto index = static_cast<std::size_t>(member.case_index);
-        MooredRun run = moored_run(history.surge, history.step, evidence.table.cases[index].analysis, request);
+        MooredRun run = moored_run(history.values, history.step, evidence.table.cases[index].analysis, request);
         run.member = history.member;
         const auto [at, fresh] = stored.try_emplace(index, Stored{history.step, run.first_load, {}});
         at->second.first_load = std::min(at->second.first_load, run.first_load);

@@ -33,14 +33,24 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
 /// The peaks of k x as tails are fitted to them, one for each case of the table, at the scale of the campaign.
 std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vector<MooredCase>& found);
 
-/// The same of the force of springs and lines against the surge load, in cases whose structure gave way in the
-/// simulation. Reads the file. Throws InputError where there are none, and for histories or windows too coarse or too
-/// short for the natural period in surge.
-std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence);
+/// The same of what the simulation has of a structure that gives way: the force of springs and lines, or a motion.
+/// Reads the file. Throws InputError where there is none, and for histories or windows too coarse or too short for the
+/// natural period.
+std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of);
 
-/// Sentences on cases in which lines broke, whose force is that of what was left, or which thrusters alone hold, so
-/// that there is none; empty without such cases.
-std::string mooring_notes(const Evidence& evidence);
+/// The design values of structures that gave way in the simulation, and how those moved.
+struct SimulatedDesign {
+    DesignLoadRequest asked;
+    std::vector<CaseDesignLoad> of_cases;
+    std::vector<Section> sections;
+};
+
+/// `request.of` is not of the load. Throws as simulated_peaks() and find_design_loads() do.
+SimulatedDesign simulated_design(const Evidence& evidence, const DesignLoadRequest& request);
+
+/// All design values of structures that give way, over 3 h and exceeded with 10 %, for people; `design --of` has them
+/// for programs. Empty where nothing gives way or the file keeps no histories.
+std::vector<Section> simulated_designs(const Evidence& evidence);
 
 /// The line of each case.
 Section moored_section(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request);

@@ -159,7 +159,7 @@ struct Ratios {
 std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredRequest>& hulls) {
     const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
     std::map<std::size_t, Ratios> found;
-    for_each_history(evidence.file, [&](const SurgeHistory& history) {
+    for_each_history(evidence.file, [&](const StoredHistory& history) {
         const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
         const auto index = static_cast<std::size_t>(member.case_index);
         if (std::ranges::find(drawn, index) == drawn.end() ||
@@ -170,7 +170,7 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
         one.of_hull.resize(hulls.size());
         for (std::size_t k = 0; k < hulls.size(); ++k) {
             const MooredRun run =
-                moored_run(history.surge, history.step, evidence.table.cases[index].analysis, hulls[k]);
+                moored_run(history.values, history.step, evidence.table.cases[index].analysis, hulls[k]);
             one.first_load = std::min(one.first_load, run.first_load);
             if (run.load.mean_maximum > 0) one.of_hull[k].push_back(run.amplification());
         }
@@ -257,10 +257,18 @@ namespace {
 
 /// Peaks nearer than a natural period, or than the time in which the hull's own damping lets a swing fall to 1/e, are
 /// one event, as of a hull that stored loads move. Without damping of its own only the ice lets it fade.
-double separation_of(const Analysis& analysis, const Moorings& moorings) {
-    const double period = moorings.period(Motion::surge);
+double separation_of(const Analysis& analysis, const Moorings& moorings, double period) {
     const double fade = moorings.damping > 0 ? period / (2 * std::numbers::pi * moorings.damping) : 0;
     return std::max({analysis.peak_separation, period, fade});
+}
+
+/// s, of the mode that is mostly this motion; 0 where it is held.
+double period_of(const Scenario& scenario, Motion motion) {
+    if (!scenario.moorings.give_way() || !scenario.moorings.is_free(motion)) return 0;
+    if (!scenario.moorings.floats()) return scenario.moorings.period(motion);
+    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness()))
+        if (mode.motion == motion) return mode.period;
+    return scenario.moorings.period(motion);  // more than one motion in each mode
 }
 
 bool by_thrusters_alone(const Case& one) {
@@ -269,44 +277,55 @@ bool by_thrusters_alone(const Case& one) {
 
 }  // namespace
 
-std::vector<CasePeaks> simulated_mooring_peaks(const Evidence& evidence) {
+std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of) {
     const CampaignTable& table = evidence.table;
     std::vector<CasePeaks> all(table.cases.size());
+    std::vector<double> periods;
     for (std::size_t index = 0; index < all.size(); ++index) {
         const Analysis& analysis = table.cases[index].analysis;
+        const Scenario& scenario = evidence.campaign.cases[index].scenario;
+        periods.push_back(period_of(scenario, of.motion));
         all[index].measured = {analysis.window, analysis.window / analysis.segments,
-                               separation_of(analysis, evidence.campaign.cases[index].scenario.moorings), 0};
+                               separation_of(analysis, scenario.moorings, periods.back()), 0};
     }
-    for_each_mooring_history(evidence.file, [&](const SurgeHistory& history) {
+    std::vector<double> amounts;
+    const auto take = [&](const StoredHistory& history) {
         const MemberRow& member = table.members[static_cast<std::size_t>(history.member)];
         const auto index = static_cast<std::size_t>(member.case_index);
+        if (periods[index] == 0) return;  // held in this motion
         const Analysis& analysis = table.cases[index].analysis;
-        const double period = evidence.campaign.cases[index].scenario.moorings.period(Motion::surge);
-        if (const std::string words = period_refusal(analysis, history.step, period, 1); !words.empty())
-            throw InputError(fmt::format("Design mooring force: {}: {}.", evidence.summary.label_of(index), words));
-        const auto window = static_cast<std::size_t>(std::llround(analysis.window / history.step));
-        const std::span<const double> force = history.surge.last(std::min(window, history.surge.size()));
+        if (const std::string words = period_refusal(analysis, history.step, periods[index], 1); !words.empty())
+            throw InputError(fmt::format("{}: {}: {}.", of.title, evidence.summary.label_of(index), words));
+        const std::span<const double> window = in_window(history, analysis);
+        amounts.assign(window.begin(), window.end());
+        if (of.amount) std::ranges::transform(amounts, amounts.begin(), [](double value) { return std::abs(value); });
         CasePeaks& made = all[index];
-        const AveragedLoad as_it_is = averaged_load(force, {.time_step = history.step,
-                                                            .segments = analysis.segments,
-                                                            .times = std::span(&history.step, 1),
-                                                            .peak_separation = made.measured.separation})
+        const AveragedLoad as_it_is = averaged_load(amounts, {.time_step = history.step,
+                                                              .segments = analysis.segments,
+                                                              .times = std::span(&history.step, 1),
+                                                              .peak_separation = made.measured.separation})
                                           .front();
         made.rows.push_back({as_it_is.peaks, as_it_is.segment_maximum});
         made.arrangements.push_back(member.arrangement);
         made.members.push_back(history.member);
-        made.measured.mean += mean_of(force);
-    });
+        made.measured.mean += mean_of(amounts);
+    };
+    for_each_history(evidence.file, take, of.history);
     if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
-        throw InputError(
-            "The file has no histories of mooring forces: they are of structures that give way in the simulation, "
-            "which moorings.mass_t makes them do, with analysis.history_steps of 1 or more. --mooring-kN-m, --mass-t "
-            "and --damping-percent move a hull by the stored loads of a fixed one.");
+        throw InputError(fmt::format(
+            "{0}: no case gives way in {1} with stored histories. moorings.mass_t makes a structure give way, "
+            "moorings.free says in which motions, analysis.history_steps of 1 or more stores them. --mooring-kN-m, "
+            "--mass-t and --damping-percent move a hull by the stored loads of a fixed one.",
+            of.title, motion_names.at(at(of.motion))));
     for (CasePeaks& one : all)
         if (!one.rows.empty()) one.measured.mean /= static_cast<double>(one.rows.size());
     return all;
 }
 
+namespace {
+
+/// Sentences on cases in which lines broke, whose force is that of what was left, or which thrusters alone hold, so
+/// that there is none; empty without such cases.
 std::string mooring_notes(const Evidence& evidence) {
     const Quantity& broken = *find_quantity("broken_lines");
     std::string text;
@@ -327,6 +346,54 @@ std::string mooring_notes(const Evidence& evidence) {
                 label, count, members.size());
     }
     return text;
+}
+
+}  // namespace
+
+namespace {
+
+bool gives_way_in(const Case& one, Motion motion) {
+    return one.scenario.moorings.give_way() && one.scenario.moorings.is_free(motion) &&
+           one.scenario.analysis.keep_history;
+}
+
+}  // namespace
+
+SimulatedDesign simulated_design(const Evidence& evidence, const DesignLoadRequest& request) {
+    SimulatedDesign made{
+        request, find_design_loads(evidence.table, request, simulated_peaks(evidence, request.of)), {}};
+    std::erase_if(made.of_cases, [&](const CaseDesignLoad& one) {
+        return !gives_way_in(evidence.campaign.cases[one.case_index], request.of.motion);
+    });
+    made.sections = design_load_sections(evidence.summary, made.of_cases, request);
+    if (request.of.word == "mooring_force")
+        made.sections.front().before = mooring_notes(evidence) + made.sections.front().before;
+    if (std::optional<Section> moved = moored_runs_section(evidence)) made.sections.push_back(std::move(*moved));
+    return made;
+}
+
+namespace {
+
+/// Without what is for programs, and without the conditions, which stand beside the load.
+Section for_people(const Evidence& evidence, const DesignOf& of) try {
+    const DesignLoadRequest request{.of = of};
+    SimulatedDesign made = simulated_design(evidence, request);
+    Section& section = made.sections.at(1);
+    std::erase_if(section.results, [](const Results& one) { return one.view == Results::View::none; });
+    return std::move(section);
+} catch (const InputError& refused) {
+    return {.missing = fmt::format("{}\n", refused.what())};
+}
+
+}  // namespace
+
+std::vector<Section> simulated_designs(const Evidence& evidence) {
+    std::vector<Section> sections;
+    if (evidence.file.empty()) return sections;
+    for (const DesignOf& of : std::span(design_ofs).subspan(1))
+        if (std::ranges::any_of(evidence.campaign.cases, [&](const Case& one) { return gives_way_in(one, of.motion); }))
+            sections.push_back(for_people(evidence, of));
+    return sections;
 }
 
 }  // namespace floes

@@ -80,11 +80,11 @@ struct Histories {
     std::vector<std::vector<double>> parts;
     double step = 0;
 
-    void add(const SurgeHistory& history) {
+    void add(const StoredHistory& history) {
         step = history.step;
-        sum.resize(std::max(sum.size(), history.surge.size()));
-        for (std::size_t i = 0; i < history.surge.size(); ++i) sum[i] += history.surge[i];
-        if (history.surge.size() >= steady_batches) parts.push_back(part_means(history.surge, steady_batches));
+        sum.resize(std::max(sum.size(), history.values.size()));
+        for (std::size_t i = 0; i < history.values.size(); ++i) sum[i] += history.values[i];
+        if (history.values.size() >= steady_batches) parts.push_back(part_means(history.values, steady_batches));
     }
 
     /// Whether the members' loads have a trend together from that part on.
@@ -151,13 +151,13 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
 SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table) {
     SteadyReport report;
     std::vector<Histories> histories(table.cases.size());
-    for_each_history(file, [&](const SurgeHistory& history) {
+    for_each_history(file, [&](const StoredHistory& history) {
         const auto of_case =
             static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(history.member)).case_index);
         histories.at(of_case).add(history);
         MemberSteady member{history.member, {}, 0, 0};
         const Analysis& analysis = table.cases[of_case].analysis;
-        if (const auto start = steady_start(history.surge)) member.start = static_cast<double>(*start) * history.step;
+        if (const auto start = steady_start(history.values)) member.start = static_cast<double>(*start) * history.step;
         std::optional<double> variance;  // of single steps: means over several steps underestimate it
         const double sd = table.members[static_cast<std::size_t>(history.member)].load.sd;
         if (analysis.history_stride > 1) variance = sd * sd;

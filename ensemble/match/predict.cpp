@@ -200,8 +200,8 @@ PredictedDesignLoad of_case(CaseRuns all, const AtPoints& mean_maximum, const Ov
     const std::span<const DividedRun> runs = all.runs;
     made.growth_lower_half = growth_of(runs.first(runs.size() / 2), all.measured, exposure);
     made.growth_upper_half = growth_of(runs.subspan(runs.size() / 2), all.measured, exposure);
-    const AtPoints expected = grown(mean_maximum, made.growth_expected, request.force_factor());
-    const AtPoints quantile = grown(mean_maximum, made.growth_quantile, request.force_factor());
+    const AtPoints expected = grown(mean_maximum, made.growth_expected, request.factor());
+    const AtPoints quantile = grown(mean_maximum, made.growth_quantile, request.factor());
     made.expected = left.even(expected);
     made.expected_weighed = left.weighed(expected);
     made.quantile = left.even(quantile);

@@ -67,7 +67,7 @@ std::string doubt_lines(const Year& year, const YearRequest& request) {
 }
 
 Estimate at_scale(const YearFigure& load, const YearRequest& request, bool said = true) {
-    const double factor = request.load.force_factor();
+    const double factor = request.load.factor();
     return {factor * load.value, factor * load.interval.low, factor * load.interval.high, said};
 }
 
@@ -194,7 +194,7 @@ Units year_units(const Year& year, const YearRequest& request) {
     double largest = 0;
     for (const YearLevel& level : year.levels)
         if (level.load.value > largest) largest = level.load.value;
-    return Units(largest * request.load.force_factor());
+    return Units(largest * request.load.factor());
 }
 
 std::vector<Section> year_sections(const Evidence& evidence, const Year& year, const YearRequest& request) {
@@ -217,7 +217,7 @@ std::vector<Section> year_sections(const Evidence& evidence, const Year& year, c
 
 Figure year_figure(const Year& year, const YearRequest& request) {
     constexpr std::size_t most_told_apart = 6;
-    const double factor = request.load.force_factor();
+    const double factor = request.load.factor();
     std::vector<double> values;
     Figure::Points low, high, middle;
     for (const YearCurvePoint& point : year.curve) {

@@ -1,6 +1,9 @@
 #include "page/section_html.hpp"
 
 #include <sstream>
+#include <utility>
+
+#include <fmt/ranges.h>
 
 #include "page/plot.hpp"
 
@@ -10,19 +13,25 @@ namespace {
 
 constexpr std::size_t most_open_rows = 40;
 
-/// A paragraph for each block of lines.
+/// A paragraph for each block of lines, and one for each warning.
 std::string paragraphs(const std::string& text) {
+    constexpr std::string_view warns = "! ";
     std::istringstream lines(text);
     std::string html;
-    std::string block;
+    std::vector<std::string> block;
+    const auto end_block = [&] {
+        if (!block.empty()) html += fmt::format("<p>{}</p>\n", fmt::join(std::exchange(block, {}), "<br>\n"));
+    };
     for (std::string line; std::getline(lines, line);) {
-        if (!line.empty()) {
-            block += (block.empty() ? "" : " ") + line;
-        } else if (!block.empty()) {
-            html += paragraph(std::exchange(block, ""));
-        }
+        const bool warning = line.starts_with(warns);
+        if (line.empty() || warning) end_block();
+        if (warning)
+            html += fmt::format("<p class=\"warning\">{}</p>\n", html_escaped(line.substr(warns.size())));
+        else if (!line.empty())
+            block.push_back(html_escaped(line));
     }
-    return block.empty() ? html : html + paragraph(block);
+    end_block();
+    return html;
 }
 
 std::string closed_table(const std::string& title, const Table& table) {

@@ -36,10 +36,10 @@ void compare_quantities(const MemberRow& stored, const MemberResult& now, std::v
 }
 
 void compare_histories(const CampaignFile& file, int member, const MemberResult& now, std::vector<std::string>& found) {
-    with_history(file, member, [&](const SurgeHistory& stored) {
+    with_history(file, member, [&](const StoredHistory& stored) {
         const std::vector<double>& surge = now.history.surge;
-        const auto [there, here] = std::ranges::mismatch(stored.surge, surge, same_bits);
-        if (there == stored.surge.end() && here == surge.end()) return;
+        const auto [there, here] = std::ranges::mismatch(stored.values, surge, same_bits);
+        if (there == stored.values.end() && here == surge.end()) return;
         found.push_back(fmt::format("the surge load differs from t = {:.2f} s on.",
                                     stored.step * static_cast<double>(here - surge.begin() + 1)));
     });
@@ -120,11 +120,11 @@ ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& tabl
 
 double time_of_largest_load(const ReplaySubject& subject) {
     double time = std::numeric_limits<double>::quiet_NaN();
-    with_history(subject.file, subject.about.member, [&](const SurgeHistory& history) {
+    with_history(subject.file, subject.about.member, [&](const StoredHistory& history) {
         const std::span<const double> window = in_window(history, subject.about.scenario.analysis);
         if (window.empty()) return;
         const auto largest = std::ranges::max_element(window);
-        const auto before = history.surge.size() - window.size();
+        const auto before = history.values.size() - window.size();
         time = history.step * static_cast<double>(before + static_cast<std::size_t>(largest - window.begin()) + 1);
     });
     return time;

@@ -173,7 +173,7 @@ enum class FormDragOn { outline, every_element };  ///< edge faces that form dra
 /// Time stepping and the constraint solver.
 struct General {
     double time_step = 0.02;  ///< Δt, s (Table 1)
-    int iterations = 20;      ///< projected Gauss-Seidel sweeps a step; direct: over contacts
+    int iterations = 500;     ///< projected Gauss-Seidel sweeps a step; direct: over contacts, at most
     /// m/s, of direct: sweeps end after one that changed no contact's velocity by this, for the paper's thickness of
     /// ice; 0: after `iterations`
     double tolerance = 1e-3;

@@ -43,17 +43,24 @@ void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<
 }
 
 int DirectContacts::solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, const Sweeps& sweeps) {
-    double* impulse = floes.arrays().impulse;
-    kernels.direct.start_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows());
-    const LimitArrays limits = limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{};
     if (order_.rows() == 0) return 0;
-    for (int i = 1; i < sweeps.most; ++i) {
-        const double change =
-            kernels.direct.solve_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows(), limits);
-        if (change < sweeps.tolerance) return i;
+    const auto* columns = floes.columns();
+    kernels.direct.start_contacts(all.delta, columns, order_.packs(), rows());
+    const LimitArrays limits = limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{};
+    const Acceleration::State state{{impulse_[0].data(), impulse_[1].data(), impulse_[2].data()},
+                                    order_.slots(),
+                                    order_.rows() * static_cast<std::size_t>(width_),
+                                    all.delta,
+                                    floes.touched_slots()};
+    acceleration_.begin(state);
+    int used = 1;
+    while (kernels.direct.solve_contacts(all.delta, columns, order_.packs(), rows(), limits) >= sweeps.tolerance &&
+           used < sweeps.most) {
+        acceleration_.move_ahead(state);
+        ++used;
     }
-    kernels.direct.solve_contacts(all.delta, impulse, floes.columns(), order_.packs(), rows(), limits);
-    return sweeps.most;
+    kernels.direct.sum_contacts(floes.arrays().impulse, columns, order_.packs(), rows());
+    return used;
 }
 
 void DirectContacts::finish(std::span<SolverContact> contacts) const {

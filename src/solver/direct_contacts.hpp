@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "solver/acceleration.hpp"
 #include "solver/aligned_array.hpp"
 #include "solver/contact_law.hpp"
 #include "solver/contact_order.hpp"
@@ -36,6 +37,7 @@ class DirectContacts {
     int width_ = 1;
     std::vector<ContactOrder::Contact> to_order_;
     ContactOrder order_;
+    Acceleration acceleration_;
     AlignedArray<double> points_, friction_start_, row_;
     std::array<AlignedArray<double>, 3> target_, impulse_;
     std::array<AlignedArray<double>, 2> scale_;

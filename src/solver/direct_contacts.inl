@@ -168,23 +168,19 @@ struct DirectPair {
 }
 
 /// Applies the impulse in each lane to the piece of the lane's body.
-[[gnu::always_inline]] inline void pass_to_piece(double* delta, double* impulse, const ComplianceColumn* columns,
+[[gnu::always_inline]] inline void pass_to_piece(double* delta, const ComplianceColumn* columns,
                                                  const std::uint32_t* slots, const Flat& on) {
     alignas(64) double by_lane[lanes][8];
     scatter_flat([&](int lane) { return by_lane[lane]; }, on);
     for (int lane = 0; lane < lanes; ++lane) {
         const ComplianceColumn& column = columns[slots[lane]];
         if (column.blocks == nullptr || is_nothing(by_lane[lane])) continue;
-        double* total = impulse + static_cast<std::size_t>(slots[lane]) * 8;
-#pragma GCC unroll 8
-        for (int part = 0; part < 8; part += lanes)
-            store(total + part, 0, load(total + part, 0) + load(by_lane[lane] + part, 0));
         add_velocity_changes(delta, column, by_lane[lane]);
     }
 }
 
 template <class Solve>
-[[gnu::always_inline]] inline void for_each_direct_row(double* delta, double* impulse, const ComplianceColumn* columns,
+[[gnu::always_inline]] inline void for_each_direct_row(double* delta, const ComplianceColumn* columns,
                                                        const ContactPacks& packs, const double* rows,
                                                        const Solve& solve) {
     const std::uint32_t* slots = packs.slots;
@@ -196,17 +192,17 @@ template <class Solve>
         for (std::uint32_t i = packs.packs[k].first_row; i < packs.packs[k].end_row; ++i) {
             solve(static_cast<int>(i), rows + static_cast<std::size_t>(i) * (direct_field::count * lanes), pair);
         }
-        pass_to_piece(delta, impulse, columns, slots, pair.on_a);
-        pass_to_piece(delta, impulse, columns, slots + lanes, pair.on_b);
+        pass_to_piece(delta, columns, slots, pair.on_a);
+        pass_to_piece(delta, columns, slots + lanes, pair.on_b);
     }
 }
 
-void start_direct_contacts(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
+void start_direct_contacts(double* delta, const ComplianceColumn* columns, const ContactPacks& packs,
                            const DirectRowArrays& all) {
     const auto start = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
         for (int k = 0; k < 3; ++k) push(row, k, pair, load(all.impulse[k], i));
     };
-    for_each_direct_row(delta, impulse, columns, packs, all.row, start);
+    for_each_direct_row(delta, columns, packs, all.row, start);
 }
 
 /// One contact while its three rows are solved.
@@ -250,7 +246,7 @@ inline double largest_of(Pack x) {
 }
 
 template <bool limited>
-double solve_all_direct(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
+double solve_all_direct(double* delta, const ComplianceColumn* columns, const ContactPacks& packs,
                         const DirectRowArrays& all, const LimitArrays& limits) {
     const ConeArrays cones{{all.target[0], all.target[1], all.target[2]},
                            {all.impulse[0], all.impulse[1], all.impulse[2]}};
@@ -258,12 +254,44 @@ double solve_all_direct(double* delta, double* impulse, const ComplianceColumn* 
     const auto solve = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
         solve_cone<limited>(cones, limits, i, PieceContact{row, pair, largest});
     };
-    for_each_direct_row(delta, impulse, columns, packs, all.row, solve);
+    for_each_direct_row(delta, columns, packs, all.row, solve);
     return largest_of(largest);
 }
 
-double solve_direct_contacts(double* delta, double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
+double solve_direct_contacts(double* delta, const ComplianceColumn* columns, const ContactPacks& packs,
                              const DirectRowArrays& all, const LimitArrays& limits) {
     const auto solve = limits.yield == nullptr ? solve_all_direct<false> : solve_all_direct<true>;
-    return solve(delta, impulse, columns, packs, all, limits);
+    return solve(delta, columns, packs, all, limits);
+}
+
+/// Adds the impulse in each lane to that of the lane's body.
+inline void add_to_bodies(double* impulse, const ComplianceColumn* columns, const std::uint32_t* slots,
+                          const Flat& on) {
+    alignas(64) double by_lane[lanes][8];
+    scatter_flat([&](int lane) { return by_lane[lane]; }, on);
+    for (int lane = 0; lane < lanes; ++lane) {
+        if (columns[slots[lane]].blocks == nullptr) continue;
+        double* total = impulse + static_cast<std::size_t>(slots[lane]) * 8;
+#pragma GCC unroll 8
+        for (int part = 0; part < 8; part += lanes)
+            store(total + part, 0, load(total + part, 0) + load(by_lane[lane] + part, 0));
+    }
+}
+
+void sum_direct_contacts(double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
+                         const DirectRowArrays& all) {
+    const std::uint32_t* slots = packs.slots;
+    for (std::size_t k = 0; k < packs.count; ++k, slots += 2 * lanes) {
+        Flat on_a{}, on_b{};
+        for (std::uint32_t i = packs.packs[k].first_row; i < packs.packs[k].end_row; ++i) {
+            const double* row = all.row + static_cast<std::size_t>(i) * (direct_field::count * lanes);
+            for (int j = 0; j < 3; ++j) {
+                const Pack pressed = load(all.impulse[j], static_cast<int>(i));
+                on_a = on_a + load_flat(row, direct_field::on_a + 6 * j) * pressed;
+                on_b = on_b - load_flat(row, direct_field::on_b + 6 * j) * pressed;
+            }
+        }
+        add_to_bodies(impulse, columns, slots, on_a);
+        add_to_bodies(impulse, columns, slots + lanes, on_b);
+    }
 }

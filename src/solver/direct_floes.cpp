@@ -41,6 +41,7 @@ DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const Sol
         }
     }
     touched_bodies_.reserve(bodies_.size());
+    touched_slots_.reserve(bodies_.size());
     touched_pieces_.reserve(bodies_.size());
     // One piece of all bodies, which is then split by its joints.
     Piece all;
@@ -195,7 +196,9 @@ void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> co
         pieces_[piece].touched_within.clear();
     }
     touched_pieces_.clear();
+    touched_slots_.clear();
     for (const std::uint32_t body : touched_bodies_) {
+        touched_slots_.push_back(slots_.body[body]);
         Piece& piece = pieces_[piece_of_body_[body]];
         if (piece.touched_slots.empty()) touched_pieces_.push_back(piece_of_body_[body]);
         piece.touched_slots.push_back(slots_.body[body]);

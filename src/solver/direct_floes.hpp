@@ -53,6 +53,9 @@ class DirectFloes {
     /// By slot of a body, and for the spare slot after them; valid from touch() on.
     const ComplianceColumn* columns() const { return columns_.data(); }
 
+    /// Of the bodies in contacts whose velocities impulses change; valid from touch() on.
+    std::span<const std::uint32_t> touched_slots() const { return touched_slots_; }
+
     /// The piece of a body: two of one piece move together.
     std::uint32_t piece(std::size_t body) const { return piece_of_body_[body]; }
 
@@ -93,7 +96,7 @@ class DirectFloes {
     AlignedArray<double> local_, spring_, impulse_;
     AlignedArray<double> carried_;  ///< empty as long as no body carries water
     std::vector<ComplianceColumn> columns_;
-    std::vector<std::uint32_t> touched_pieces_, touched_bodies_;
+    std::vector<std::uint32_t> touched_pieces_, touched_bodies_, touched_slots_;
     std::vector<std::uint8_t> is_touched_;  ///< by body
     std::vector<double> piece_impulse_, piece_change_;
 };

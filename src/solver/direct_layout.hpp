@@ -99,11 +99,12 @@ struct DirectKernels {
                              const double* points, const double* friction_start, const DirectRowArrays&,
                              const DirectContactStep&);
     /// What the impulses do that rows begin with; one sweep over all contacts.
-    void (*start_contacts)(double* delta, double* impulse, const ComplianceColumn*, const ContactPacks&,
-                           const DirectRowArrays&);
+    void (*start_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&);
     /// Returns the largest change of velocity at a contact by its own new impulse, m/s.
-    double (*solve_contacts)(double* delta, double* impulse, const ComplianceColumn*, const ContactPacks&,
-                             const DirectRowArrays&, const LimitArrays&);
+    double (*solve_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&,
+                             const LimitArrays&);
+    /// Adds the impulses of all rows to those of their bodies.
+    void (*sum_contacts)(double* impulse, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&);
 };
 
 }  // namespace floes

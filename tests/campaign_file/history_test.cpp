@@ -42,10 +42,10 @@ TEST(History, HasATimeOfItsOwnWhereItIsThinned) {
     EXPECT_DOUBLE_EQ(times(path)[0], 0.2);
     EXPECT_DOUBLE_EQ(times(path).back(), 2.2);
     int members = 0;
-    for_each_history(path, [&](const SurgeHistory& history) {
+    for_each_history(path, [&](const StoredHistory& history) {
         ++members;
         EXPECT_DOUBLE_EQ(history.step, 0.2);
-        EXPECT_EQ(history.surge.size(), history.member % 3 == 2 ? 10u : 11u);
+        EXPECT_EQ(history.values.size(), history.member % 3 == 2 ? 10u : 11u);
     });
     EXPECT_EQ(members, 10);
     EXPECT_EQ(read_campaign_file(path).cases[2].analysis.history_stride, 10);
@@ -57,10 +57,10 @@ TEST(History, CountsValuesWhereCasesAreThinnedDifferently) {
     publish_thinned(path, synthetic::campaign(), {1, 10, 5});
     EXPECT_EQ(times(path).size(), 110u);
     EXPECT_EQ(times(path)[2], 3);
-    for_each_history(path, [&](const SurgeHistory& history) {
+    for_each_history(path, [&](const StoredHistory& history) {
         const int of_case = history.member % 3;
         EXPECT_DOUBLE_EQ(history.step, of_case == 0 ? 0.02 : of_case == 1 ? 0.2 : 0.1);
-        EXPECT_EQ(history.surge.size(), of_case == 0 ? 110u : of_case == 1 ? 11u : 20u);
+        EXPECT_EQ(history.values.size(), of_case == 0 ? 110u : of_case == 1 ? 11u : 20u);
     });
 }
 
@@ -76,7 +76,7 @@ TEST(History, IsNotMissedWhereItWasTakenOut) {
     };
     const auto count = [&] {
         int members = 0;
-        for_each_history(path, [&](const SurgeHistory& history) {
+        for_each_history(path, [&](const StoredHistory& history) {
             ++members;
             EXPECT_DOUBLE_EQ(history.step, 0.02);
         });

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "campaign_file/publish.hpp"
+#include "cli/config.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "findings/moored_cases.hpp"
@@ -123,7 +124,10 @@ void publish_moored(const std::filesystem::path& file) {
         for (int step = 0; step < scenario.step_count(); ++step) {
             for (const auto one : motion_histories) (motion.*one).push_back(0);
             const double time = (step + 0.5) * scenario.general.time_step;
-            motion.surge_mooring.back() = 100 + swing * std::sin(2 * std::numbers::pi * time);
+            const double phase = std::sin(2 * std::numbers::pi * time);
+            motion.surge_mooring.back() = 100 + swing * phase;
+            motion.surge_offset.back() = 0.5 + 1e-3 * swing * phase;
+            motion.yaw.back() = -1e-3 * swing * std::abs(phase);
         }
     }
     records.front().result.moored.broken_lines = 1;
@@ -134,7 +138,7 @@ void publish_moored(const std::filesystem::path& file) {
 TEST_F(Design, ExtrapolatesTheMooringForceOfAHullThatGivesWay) {
     publish_moored(file_);
     const Evidence evidence = read_evidence(CampaignFile(file_));
-    const std::vector<CasePeaks> peaks = simulated_mooring_peaks(evidence);
+    const std::vector<CasePeaks> peaks = simulated_peaks(evidence, design_ofs.at(1));
     ASSERT_EQ(peaks.size(), 1u);
     EXPECT_NEAR(peaks[0].measured.separation, 1, 1e-12);
     EXPECT_NEAR(peaks[0].measured.mean, 100, 0.2);
@@ -149,6 +153,42 @@ TEST_F(Design, ExtrapolatesTheMooringForceOfAHullThatGivesWay) {
     EXPECT_THAT(told, HasSubstr("Design mooring force: the largest force of springs and lines along the tow in 3 h"));
     EXPECT_THAT(told, HasSubstr("! soft: lines broke in 1 of 4 members"));
     EXPECT_THAT(told, HasSubstr("Structures that give way in the simulation"));
+}
+
+// Offsets are lengths, which grow with the scale; angles are turned either way, told in degrees and stored in radians.
+TEST_F(Design, ExtrapolatesMotionsInTheirOwnUnits) {
+    publish_moored(file_);
+    const Evidence evidence = read_evidence(CampaignFile(file_));
+    const auto peaks_of = [&](std::string_view word) {
+        return simulated_peaks(evidence, *std::ranges::find(design_ofs, word, &DesignOf::word)).at(0);
+    };
+    EXPECT_NEAR(peaks_of("surge_offset").measured.mean, 0.5, 1e-3);
+    EXPECT_NEAR(peaks_of("surge_offset").rows.at(1).peaks.front(), 0.52, 1e-3);
+    EXPECT_NEAR(peaks_of("yaw").rows.at(1).peaks.front(), 0.02, 1e-3);
+    EXPECT_THAT(design("--of surge_offset --scale 9 --averaging-s 3", no_load),
+                HasSubstr("Design offset: the largest offset along the surge load in 3 h"));
+    DesignLoadRequest request{.scale = 9};
+    for (const auto& [word, factor] : {std::pair("load", 729.0), {"surge_offset", 9.0}, {"yaw", 1.0}}) {
+        request.of = *std::ranges::find(design_ofs, word, &DesignOf::word);
+        EXPECT_DOUBLE_EQ(request.factor(), factor) << word;
+    }
+    const std::string told = design("--of yaw --format json", no_load);
+    const auto rows = nlohmann::json::parse(told).at("design").at("loads");
+    EXPECT_EQ(rows.size(), 0u);  // four members of six peaks are too few to fit
+    EXPECT_THAT(refusal([&] { design("--of heave"); }),
+                testing::AllOf(HasSubstr("Design heave: no case gives way in heave"), HasSubstr("moorings.free")));
+}
+
+TEST_F(Design, WritesEveryAnswerAsAPageOrAWorkbook) {
+    publish_moored(file_);
+    const std::string page = file_.string() + ".html";
+    design("--of surge_offset -o " + page, no_load);
+    EXPECT_THAT(read_text(page), testing::AllOf(HasSubstr("Design values"), HasSubstr("--of surge_offset"),
+                                                HasSubstr("the largest offset along the surge load")));
+    const std::string book = file_.string() + ".xlsx";
+    design("--averaging-s 0.4 -o " + book, no_load);
+    EXPECT_GT(std::filesystem::file_size(book), 1000u);
+    EXPECT_THAT(refusal([&] { design("-o curve.svg"); }), HasSubstr("with --regimes"));
 }
 
 TEST_F(Design, RefusesTheMooringForceOfAFixedHull) {

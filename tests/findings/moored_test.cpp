@@ -177,7 +177,7 @@ TEST(Moored, GivesItsPeaksToTheTails) {
     EXPECT_EQ(peaks[0].members.size(), 40u);
     EXPECT_EQ(peaks[0].measured.mean, 20);
     DesignLoadRequest request;
-    request.force = DesignLoadRequest::Force::k_x;
+    request.of = design_of_k_x;
     const std::vector<CaseDesignLoad> designs = find_design_loads(campaign.table, request, peaks);
     EXPECT_EQ(designs.at(0).separation, 0.01);
     const double exact = 30 + 20 * std::log(10800 / 6.0 / -std::log(0.9));

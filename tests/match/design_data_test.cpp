@@ -217,7 +217,7 @@ TEST(MatchData, RefusesWavesThatDoNotBelongTogether) {
                 HasSubstr("a.h5 has the axes ice.thickness_m, joint.cfm, and b.h5 has ice.thickness_m"));
     EXPECT_THAT(with(list + other_points + "[general]\niterations = 21\n"),
                 HasSubstr("a.h5 (there) and b.h5 (here) are not waves of one matching, because keys that are not axes "
-                          "differ: general.iterations: 20 there, 21 here"));
+                          "differ: general.iterations: 500 there, 21 here"));
     EXPECT_THAT(with(list + two_axes), HasSubstr("the simulations of a.h5's case"));
     EXPECT_THAT(refused({wave("b.h5", list + other_points, thickness_load)}, mean_target()),
                 HasSubstr("the axis ice.thickness_m has the one value 0.025"));

@@ -30,14 +30,15 @@ Results rows_of(const std::vector<std::pair<std::string, Results::For>>& words) 
 
 TEST(SectionHtml, TellsWhatTheTextTellsAndShowsRowsAndFiguresOfThePageAlone) {
     const Section told{.title = "Loads",
-                       .before = "One.\nTwo.\n\nThree.\n",
+                       .before = "! Beware.\nOne.\nTwo.\n\nThree.\n",
                        .results = {rows_of({{"x", Results::For::everybody}, {"y", Results::For::on_page}})},
                        .after = "\nMeaning.\n",
                        .notes = {"First.", "Second."},
                        .figures = {figure_of("A caption")}};
     const std::string html = section_html(told, "Everything");
     EXPECT_THAT(html,
-                AllOf(HasSubstr("<h3>Loads</h3>"), HasSubstr("<p>One. Two.</p>\n<p>Three.</p>"),
+                AllOf(HasSubstr("<h3>Loads</h3>"),
+                      HasSubstr("<p class=\"warning\">Beware.</p>\n<p>One.<br>\nTwo.</p>\n<p>Three.</p>"),
                       HasSubstr("<tr><td>x</td><td>1</td></tr>\n</table>"),
                       HasSubstr("<details><summary>Further rows</summary>"), HasSubstr("<tr><td>y</td><td>1</td></tr>"),
                       HasSubstr("<p class=\"note\">\nMeaning."), HasSubstr("<li>First.</li>\n<li>Second.</li>"),

@@ -97,7 +97,7 @@ inline Bytes pieces_read(const std::filesystem::path& path) {
 
 inline Bytes histories_read(const std::filesystem::path& path) {
     ByteWriter out;
-    for_each_history(path, [&](const SurgeHistory& history) { out.doubles(history.surge); });
+    for_each_history(path, [&](const StoredHistory& history) { out.doubles(history.values); });
     return out.take();
 }
 
