@@ -362,6 +362,9 @@ std::string none_text(const std::string& name, const CaseDesignLoad& one, const 
     if (load.arrangements < fewest_members)
         return fmt::format("{}: {} of the {} arrangements that a design load needs; 8 or more are a beginning.", name,
                            load.arrangements, fewest_members);
+    if (load.peaks >= fewest_peaks)
+        return fmt::format("{}: its {} peaks give no tail, or reach down to its mean; take fewer (--peaks).", name,
+                           load.peaks);
     const double more =
         load.peaks > 0
             ? std::ceil(static_cast<double>(fewest_peaks * load.arrangements) / static_cast<double>(load.peaks))

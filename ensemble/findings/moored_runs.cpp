@@ -262,13 +262,16 @@ double separation_of(const Analysis& analysis, const Moorings& moorings, double 
     return std::max({analysis.peak_separation, period, fade});
 }
 
-/// s, of the mode that is mostly this motion; 0 where it is held.
+/// s, of the mode that is mostly this motion, the longest where none is; 0 where the motion is held.
 double period_of(const Scenario& scenario, Motion motion) {
     if (!scenario.moorings.give_way() || !scenario.moorings.is_free(motion)) return 0;
     if (!scenario.moorings.floats()) return scenario.moorings.period(motion);
-    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness()))
+    double longest = 0;
+    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
         if (mode.motion == motion) return mode.period;
-    return scenario.moorings.period(motion);  // more than one motion in each mode
+        longest = std::max(longest, mode.period);
+    }
+    return longest;
 }
 
 bool by_thrusters_alone(const Case& one) {
@@ -379,6 +382,9 @@ Section for_people(const Evidence& evidence, const DesignOf& of) try {
     const DesignLoadRequest request{.of = of};
     SimulatedDesign made = simulated_design(evidence, request);
     Section& section = made.sections.at(1);
+    if (std::ranges::none_of(made.of_cases, [](const CaseDesignLoad& one) { return one.load.valid(); }))
+        return {.missing =
+                    fmt::format("{}: not known of any case; floes design --of {} says why.\n", of.title, of.word)};
     std::erase_if(section.results, [](const Results& one) { return one.view == Results::View::none; });
     return std::move(section);
 } catch (const InputError& refused) {
