@@ -100,9 +100,9 @@ std::string unsolved_text(const CampaignTable& table, const Summary& summary) {
     }
     if (lines.empty()) return "";
     return fmt::format(
-        "Contacts are not solved in most steps (sweeps a step: {}): where ice jams, loads are too low, by a quarter "
-        "and "
-        "more on a wall. Try general.iterations = {}.",
+        "Contacts are not solved in most steps (sweeps a step: {}): where ice jams, loads are too low, on a wall by "
+        "half "
+        "and more. Try general.iterations = {}.",
         fmt::join(lines, "; "), 10 * most);
 }
 
