@@ -88,9 +88,8 @@ std::string few_sweeps(const Case& one) {
     constexpr int few = 10;
     if (one.scenario.general.iterations >= few) return {};
     return fmt::format(
-        "{} leaves contacts unsolved, and the load depends on it; with solver direct the default is the most that a "
-        "step "
-        "may take, and most take few",
+        "{} leaves contacts unsolved, and the load depends on it; with solver direct steps end by themselves, and the "
+        "default is only the most that one may take",
         given(one.scenario, "general.iterations"));
 }
 

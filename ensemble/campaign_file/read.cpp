@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "campaign_file/campaign_table.hpp"
-#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
 #include "member/member_outputs.hpp"
@@ -151,12 +150,14 @@ void for_histories(const CampaignFile& file, const ArrayOutput& array, const std
 
 }  // namespace
 
-void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use,
-                      std::string_view path) {
-    const auto array = std::ranges::find(array_outputs, path, &ArrayOutput::path);
-    FLOES_EXPECTS(array != array_outputs.end());
+void for_each_history(const CampaignFile& file, const ArrayOutput& of,
+                      const std::function<void(const StoredHistory&)>& use) {
     for_histories(
-        file, *array, [](int) { return true; }, use);
+        file, of, [](int) { return true; }, use);
+}
+
+void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use) {
+    for_each_history(file, array_output("history/surge_load"), use);
 }
 
 void with_history(const CampaignFile& file, int member, const std::function<void(const StoredHistory&)>& use) {

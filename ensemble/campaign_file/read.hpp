@@ -84,6 +84,8 @@ std::vector<PieceRow> read_pieces(const CampaignFile& file);
 
 // The histories of a campaign file, member by member: all of them at once may not fit into memory.
 
+struct ArrayOutput;
+
 struct StoredHistory {
     int member = 0;
     double step = 0;                 ///< s from value to value: the case's Δt times its history_stride
@@ -91,9 +93,11 @@ struct StoredHistory {
 };
 
 /// Calls `use` for each done member with the stored history, in member order: never where the file has none, so that
-/// who reads must say when there was none. `path`: of one of array_outputs. Throws as read_campaign_file() does.
-void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use,
-                      std::string_view path = "history/surge_load");
+/// who reads must say when there was none. Throws as read_campaign_file() does.
+void for_each_history(const CampaignFile& file, const ArrayOutput& of,
+                      const std::function<void(const StoredHistory&)>& use);
+/// Of the surge load.
+void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use);
 
 /// The loads of one member.
 void with_history(const CampaignFile& file, int member, const std::function<void(const StoredHistory&)>& use);

@@ -307,8 +307,11 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
 
 Answer sections_of(const DesignOptions& options, const Evidence& evidence, const DesignLoadRequest& request) {
     if (options.of != "load") {
-        SimulatedDesign made = simulated_design(evidence, request);
-        return {std::move(made.sections), made.of_cases, request};
+        const std::vector<CaseDesignLoad> designs = find_simulated_designs(evidence, request);
+        std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
+        if (options.of == "mooring_force") sections.front().before = mooring_notes(evidence) + sections.front().before;
+        if (std::optional<Section> moved = moored_runs_section(evidence)) sections.push_back(std::move(*moved));
+        return {std::move(sections), designs, request};
     }
     if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
@@ -346,13 +349,13 @@ int answer(const DesignOptions& options) {
     return found.given ? 0 : 1;
 }
 
-void answer_of_year(const DesignOptions& options, const std::string& program) {
+void answer_of_year(const DesignOptions& options) {
     YearOptions year = options.year;
     year.file = options.file;
     year.load = options.request;
     year.format = options.format;
     year.automatic_window = options.window == "auto";
-    year.program = program;
+    year.program = options.program;
     year.output = options.output;
     expect_campaign_file(year.file);
     tell_year(year);
@@ -428,7 +431,7 @@ void add_design(CommandLine& line) {
     verb.runs([options, &line] {
         options->program = line.program_name();
         if (!options->year.regimes.empty()) {
-            answer_of_year(*options, line.program_name());
+            answer_of_year(*options);
             return 0;
         }
         return answer(*options);

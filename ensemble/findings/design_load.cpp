@@ -12,9 +12,29 @@
 #include "findings/conditions.hpp"
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
+#include "member/array_output.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {
+
+constinit const std::array<DesignOf, 8> design_ofs{{
+    {"load", "Design load", "load", "load", "N", 3, nullptr, false, Motion::surge},
+    {"mooring_force", "Design mooring force", "force of springs and lines along the tow", "force", "N", 3,
+     &array_output("history/surge_mooring"), false, Motion::surge},
+    {"surge_offset", "Design offset", "offset along the surge load", "offset", "m", 1,
+     &array_output("history/surge_offset"), false, Motion::surge},
+    {"sway_offset", "Design offset abeam", "offset abeam either way", "offset", "m", 1,
+     &array_output("history/sway_offset"), true, Motion::sway},
+    {"yaw", "Design yaw", "yaw either way", "yaw", "rad", 0, &array_output("history/structure_yaw"), true, Motion::yaw},
+    {"heave", "Design heave", "heave up or down", "heave", "m", 1, &array_output("history/heave_offset"), true,
+     Motion::heave},
+    {"pitch", "Design pitch", "pitch either way", "pitch", "rad", 0, &array_output("history/pitch"), true,
+     Motion::pitch},
+    {"roll", "Design roll", "roll either way", "roll", "rad", 0, &array_output("history/roll"), true, Motion::roll},
+}};
+
+constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", 3, nullptr,
+                                       false, Motion::surge};
 
 CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time) {
     CasePeaks made;
@@ -400,8 +420,10 @@ std::string doubt_text(const CaseDesignLoad& one) {
     return apart > much_disagreement ? fmt::format(" (methods differ by {:.0f} %)", apart / unit::percent) : "";
 }
 
-Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                      const DesignLoadRequest& request) {
+}  // namespace
+
+Section design_values_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                              const DesignLoadRequest& request) {
     const std::string shown_unit(request.of.shown_unit());
     Results table{.columns = {{.words = "case"}, estimates("", "expected", shown_unit)}};
     for (const double p : request.quantiles)
@@ -454,6 +476,8 @@ Section loads_section(const Summary& summary, const std::vector<CaseDesignLoad>&
                 scale_words(request),
             .notes = std::move(notes)};
 }
+
+namespace {
 
 /// For people, a line for each figure.
 Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
@@ -540,7 +564,7 @@ std::vector<Section> design_load_sections(const Summary& summary, const std::vec
                                           const DesignLoadRequest& request) {
     const std::string conditions = fmt::format("{}", fmt::join(condition_lines(summary), "\n"));
     return {{.before = fmt::format("{}Campaign {}.\n{}\n", doubt_lines(summary, designs), summary.title, conditions)},
-            loads_section(summary, designs, request),
+            design_values_section(summary, designs, request),
             basis_section(summary, designs, request),
             pairs_section(summary, designs, request)};
 }

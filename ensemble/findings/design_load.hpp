@@ -30,39 +30,30 @@ CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double tim
 
 // The design load of each case: the largest averaged load in an exposure, by every method, and what it rests on.
 
+struct ArrayOutput;
+
 /// What a design value is of. All but the load are of structures that give way.
 struct DesignOf {
-    std::string_view word;     ///< of the option --of
-    std::string_view title;    ///< "Design offset"
-    std::string_view largest;  ///< "offset along the surge load"
-    std::string_view noun;     ///< of one value: "offset"
-    std::string_view unit;     ///< SI
-    int power;                 ///< of the scale, by Froude
-    std::string_view history;  ///< of the campaign file, that it is the largest of; empty: of averaged loads
-    bool amount;               ///< either way
-    Motion motion;             ///< whose natural period its peaks are apart
+    std::string_view word;       ///< of the option --of
+    std::string_view title;      ///< "Design offset"
+    std::string_view largest;    ///< "offset along the surge load"
+    std::string_view noun;       ///< of one value: "offset"
+    std::string_view unit;       ///< SI
+    int power;                   ///< of the scale, by Froude
+    const ArrayOutput* history;  ///< that it is the largest of; null: of other loads
+    bool amount;                 ///< either way
+    Motion motion;               ///< whose natural period its peaks are apart
 
     /// For people, who are shown angles in degrees.
     std::string_view shown_unit() const { return unit == "rad" ? "°" : unit; }
     double shown_factor() const { return unit == "rad" ? 1 / unit::degree : 1; }
 };
 
-inline constexpr std::array design_ofs{
-    DesignOf{"load", "Design load", "load", "load", "N", 3, "", false, Motion::surge},
-    DesignOf{"mooring_force", "Design mooring force", "force of springs and lines along the tow", "force", "N", 3,
-             "history/surge_mooring", false, Motion::surge},
-    DesignOf{"surge_offset", "Design offset", "offset along the surge load", "offset", "m", 1, "history/surge_offset",
-             false, Motion::surge},
-    DesignOf{"sway_offset", "Design offset abeam", "offset abeam either way", "offset", "m", 1, "history/sway_offset",
-             true, Motion::sway},
-    DesignOf{"yaw", "Design yaw", "yaw either way", "yaw", "rad", 0, "history/structure_yaw", true, Motion::yaw},
-    DesignOf{"heave", "Design heave", "heave up or down", "heave", "m", 1, "history/heave_offset", true, Motion::heave},
-    DesignOf{"pitch", "Design pitch", "pitch either way", "pitch", "rad", 0, "history/pitch", true, Motion::pitch},
-    DesignOf{"roll", "Design roll", "roll either way", "roll", "rad", 0, "history/roll", true, Motion::roll}};
+/// The first one is the load.
+extern const std::array<DesignOf, 8> design_ofs;
 
 /// The mooring force k x that stored loads of a fixed hull make.
-inline constexpr DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", 3, "",
-                                        false, Motion::surge};
+extern const DesignOf design_of_k_x;
 
 /// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
 /// cube.
@@ -122,6 +113,10 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
 
 /// That suit these loads at full scale.
 Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request);
+
+/// The design values of each case alone, the second of the sections below.
+Section design_values_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
+                              const DesignLoadRequest& request);
 
 /// The loads, what they rest on, and the differences between cases with the same arrangements whose members are of one
 /// kind. For programs "design/loads" at full scale, and at the scale of the campaign "design/basis",

@@ -38,15 +38,13 @@ std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vecto
 /// natural period.
 std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of);
 
-/// The design values of structures that gave way in the simulation, and how those moved.
-struct SimulatedDesign {
-    DesignLoadRequest asked;
-    std::vector<CaseDesignLoad> of_cases;
-    std::vector<Section> sections;
-};
+/// The design values of the cases that give way in the motion of `request.of`, which is not the load. Throws as
+/// simulated_peaks() does.
+std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request);
 
-/// `request.of` is not of the load. Throws as simulated_peaks() and find_design_loads() do.
-SimulatedDesign simulated_design(const Evidence& evidence, const DesignLoadRequest& request);
+/// Sentences on cases in which lines broke, whose force is that of what was left, or which thrusters alone hold, so
+/// that there is none; empty without such cases.
+std::string mooring_notes(const Evidence& evidence);
 
 /// All design values of structures that give way, over 3 h and exceeded with 10 %, for people; `design --of` has them
 /// for programs. Empty where nothing gives way or the file keeps no histories.

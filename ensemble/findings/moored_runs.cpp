@@ -313,7 +313,7 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
         made.members.push_back(history.member);
         made.measured.mean += mean_of(amounts);
     };
-    for_each_history(evidence.file, take, of.history);
+    for_each_history(evidence.file, *of.history, take);
     if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
         throw InputError(fmt::format(
             "{0}: no case gives way in {1} with stored histories. moorings.mass_t makes a structure give way, "
@@ -325,10 +325,6 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
     return all;
 }
 
-namespace {
-
-/// Sentences on cases in which lines broke, whose force is that of what was left, or which thrusters alone hold, so
-/// that there is none; empty without such cases.
 std::string mooring_notes(const Evidence& evidence) {
     const Quantity& broken = *find_quantity("broken_lines");
     std::string text;
@@ -351,8 +347,6 @@ std::string mooring_notes(const Evidence& evidence) {
     return text;
 }
 
-}  // namespace
-
 namespace {
 
 bool gives_way_in(const Case& one, Motion motion) {
@@ -362,31 +356,27 @@ bool gives_way_in(const Case& one, Motion motion) {
 
 }  // namespace
 
-SimulatedDesign simulated_design(const Evidence& evidence, const DesignLoadRequest& request) {
-    SimulatedDesign made{
-        request, find_design_loads(evidence.table, request, simulated_peaks(evidence, request.of)), {}};
-    std::erase_if(made.of_cases, [&](const CaseDesignLoad& one) {
+std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request) {
+    std::vector<CaseDesignLoad> designs =
+        find_design_loads(evidence.table, request, simulated_peaks(evidence, request.of));
+    std::erase_if(designs, [&](const CaseDesignLoad& one) {
         return !gives_way_in(evidence.campaign.cases[one.case_index], request.of.motion);
     });
-    made.sections = design_load_sections(evidence.summary, made.of_cases, request);
-    if (request.of.word == "mooring_force")
-        made.sections.front().before = mooring_notes(evidence) + made.sections.front().before;
-    if (std::optional<Section> moved = moored_runs_section(evidence)) made.sections.push_back(std::move(*moved));
-    return made;
+    return designs;
 }
 
 namespace {
 
-/// Without what is for programs, and without the conditions, which stand beside the load.
+/// Without what is for programs.
 Section for_people(const Evidence& evidence, const DesignOf& of) try {
     const DesignLoadRequest request{.of = of};
-    SimulatedDesign made = simulated_design(evidence, request);
-    Section& section = made.sections.at(1);
-    if (std::ranges::none_of(made.of_cases, [](const CaseDesignLoad& one) { return one.load.valid(); }))
+    const std::vector<CaseDesignLoad> designs = find_simulated_designs(evidence, request);
+    if (std::ranges::none_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); }))
         return {.missing =
                     fmt::format("{}: not known of any case; floes design --of {} says why.\n", of.title, of.word)};
+    Section section = design_values_section(evidence.summary, designs, request);
     std::erase_if(section.results, [](const Results& one) { return one.view == Results::View::none; });
-    return std::move(section);
+    return section;
 } catch (const InputError& refused) {
     return {.missing = fmt::format("{}\n", refused.what())};
 }

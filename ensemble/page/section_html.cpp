@@ -13,6 +13,10 @@ namespace {
 
 constexpr std::size_t most_open_rows = 40;
 
+std::string warning_html(const std::string& text) {
+    return fmt::format("<p class=\"warning\">{}</p>\n", html_escaped(text));
+}
+
 /// A paragraph for each block of lines, and one for each warning.
 std::string paragraphs(const std::string& text) {
     constexpr std::string_view warns = "! ";
@@ -26,7 +30,7 @@ std::string paragraphs(const std::string& text) {
         const bool warning = line.starts_with(warns);
         if (line.empty() || warning) end_block();
         if (warning)
-            html += fmt::format("<p class=\"warning\">{}</p>\n", html_escaped(line.substr(warns.size())));
+            html += warning_html(line.substr(warns.size()));
         else if (!line.empty())
             block.push_back(html_escaped(line));
     }
@@ -82,8 +86,7 @@ std::string section_html(const Section& told, std::string_view heading, const Un
 
 std::string answer_html(const std::string& heading, const CampaignAnswer& answer) {
     std::string body;
-    for (const std::string& one : answer.warnings)
-        body += fmt::format("<p class=\"warning\">{}</p>\n", html_escaped(one));
+    for (const std::string& one : answer.warnings) body += warning_html(one);
     const std::size_t before = body.size();
     for (const std::string& one : answer.loads) body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
     if (body.size() == before) body += paragraph("No member is done yet.");

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -118,7 +117,8 @@ TEST(SlidingBox, HoldsByFrictionWithoutMovingAlong) {
                                                   .pose = {.position = {0, 0, 0}}});
             const BodyId low = world.add_sliding_box(sheet(-0.6));
             const BodyId high = world.add_sliding_box(sheet(0.6));
-            for (int i = 0; i < 60; ++i) {
+            if (solver == SolverKind::lanes && pull > 26) continue;  // off the end of the sheets
+            for (int i = 0; i < (solver == SolverKind::direct ? 60 : 100); ++i) {
                 float_up(world, box, mass);
                 world.apply(box, {{i < 20 ? 0 : pull, 0, 0}, Vec3::Zero()});
                 world.apply(low, {{0, 0, 40}, Vec3::Zero()});
@@ -126,8 +126,9 @@ TEST(SlidingBox, HoldsByFrictionWithoutMovingAlong) {
                 world.step();
             }
             const double friction = 2 * 0.3 * 40;
-            const double held = pull - mass * world.state(box).velocity.x() / (40 * step);
-            EXPECT_NEAR(held, std::min(pull, friction), 0.02 * friction) << pull;
+            const double expected =
+                pull < friction ? 0 : (pull - friction) / mass * (solver == SolverKind::direct ? 40 : 80) * step;
+            EXPECT_NEAR(world.state(box).velocity.x(), expected, 0.02) << pull;
             EXPECT_NEAR(world.state(high).position.x(), 0, 1e-9);
         }
     }
