@@ -32,13 +32,10 @@
 
 namespace floes {
 
-std::string read_text(const std::string& path) {
+std::string read_bytes(const std::string& path) {
     if (std::filesystem::is_directory(path)) {
         throw InputError(fmt::format("{}: this is a folder; name a file in it", path));
     }
-    if (const GivenFile kind = given_file(path); kind == GivenFile::hdf5 || kind == GivenFile::journal)
-        throw InputError(fmt::format("{}: this is {}, not a configuration; give the CONFIG.toml", path,
-                                     kind == GivenFile::hdf5 ? "an HDF5 file" : "the journal of a campaign"));
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(fmt::format("{}: this file cannot be read ({})", path, std::strerror(errno)));
     std::string text;
@@ -49,6 +46,13 @@ std::string read_text(const std::string& path) {
         file.read(some.data(), std::ssize(some));
     }
     return text;
+}
+
+std::string read_text(const std::string& path) {
+    if (const GivenFile kind = given_file(path); kind == GivenFile::hdf5 || kind == GivenFile::journal)
+        throw InputError(fmt::format("{}: this is {}, not a configuration; give the CONFIG.toml", path,
+                                     kind == GivenFile::hdf5 ? "an HDF5 file" : "the journal of a campaign"));
+    return read_bytes(path);
 }
 
 std::string find_config(const std::string& name) {

@@ -1,5 +1,5 @@
 #pragma once
-// The one place that opens configuration files.
+// The one place that opens configuration files and the files of other programs.
 
 #include <string>
 #include <vector>
@@ -8,7 +8,10 @@
 
 namespace floes {
 
-/// The text of a file. Throws InputError when it cannot be read.
+/// The whole of a file, of at most 64 MiB. Throws InputError when it cannot be read.
+std::string read_bytes(const std::string& path);
+
+/// The text of a file. Throws InputError when it cannot be read or has other things in it.
 std::string read_text(const std::string& path);
 
 /// Where a configuration lies: `name` itself, or, if there is no such file and `name` is a word such as "smoke", the

@@ -1,13 +1,9 @@
 #include "hdf5/pages.hpp"
 
 #include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <exception>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,6 +15,7 @@
 #include "core/contract.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/trial.hpp"
 #include "hdf5/handle.hpp"
 #include "hdf5/read.hpp"
 #include "store/file_calls.hpp"
@@ -303,9 +300,6 @@ namespace floes::hdf5 {
 
 namespace {
 
-constexpr rlim_t longest = 10;          // s of processor time, because the disk may be slow
-constexpr unsigned longest_wait = 600;  // s
-
 void read_structure(const std::filesystem::path& path) {
     const Handle access = access_without_locks();
     const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "H5Fopen", path.string());
@@ -323,26 +317,8 @@ void read_structure(const std::filesystem::path& path) {
 }  // namespace
 
 void try_out(const std::filesystem::path& path) {
-    const pid_t child = ::fork();
-    if (child < 0) return;  // then the trial is left out
-    if (child == 0) {
-        const rlimit processor{longest, longest};
-        const rlimit no_core{0, 0};
-        ::setrlimit(RLIMIT_CPU, &processor);
-        ::setrlimit(RLIMIT_CORE, &no_core);
-        ::alarm(longest_wait);
-        ::close(STDERR_FILENO);  // what a crash would print
-        try {
-            read_structure(path);
-        } catch (const std::exception&) {
-            ::_exit(0);
-        }
-        ::_exit(0);
-    }
-    int status = 0;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    if (WIFSIGNALED(status))
-        throw DamagedFile(path.string(), fmt::format("HDF5 cannot read it (it ends with signal {})", WTERMSIG(status)));
+    if (const int signal = signal_of_trial([&] { read_structure(path); }); signal != 0)
+        throw DamagedFile(path.string(), fmt::format("HDF5 cannot read it (it ends with signal {})", signal));
 }
 
 }  // namespace floes::hdf5

@@ -1,0 +1,41 @@
+#include "core/trial.hpp"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <exception>
+
+namespace floes {
+
+namespace {
+
+constexpr rlim_t longest = 10;          // s of processor time, because the disk may be slow
+constexpr unsigned longest_wait = 600;  // s
+
+}  // namespace
+
+int signal_of_trial(const std::function<void()>& work) {
+    const pid_t child = ::fork();
+    if (child < 0) return 0;
+    if (child == 0) {
+        const rlimit processor{longest, longest};
+        const rlimit no_core{0, 0};
+        ::setrlimit(RLIMIT_CPU, &processor);
+        ::setrlimit(RLIMIT_CORE, &no_core);
+        ::alarm(longest_wait);
+        ::close(STDERR_FILENO);  // what a crash would print
+        try {
+            work();
+        } catch (const std::exception&) {
+            ::_exit(0);
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+}
+
+}  // namespace floes

@@ -1,0 +1,13 @@
+#pragma once
+// Libraries that crash over damaged files, tried out in a child process first.
+
+#include <functional>
+
+namespace floes {
+
+/// Does `work` in a child process, whose exceptions and output are lost, and says which signal ended it; 0: none. More
+/// than ten seconds of processor time end it too. 0 where there is no child to be had, so that nothing was tried. Not
+/// for processes under MPI.
+int signal_of_trial(const std::function<void()>& work);
+
+}  // namespace floes

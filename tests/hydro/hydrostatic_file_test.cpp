@@ -1,0 +1,60 @@
+// The water's stiffness by other programs: units, and what is wrong.
+
+#include "hydro/hydrostatic_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/error.hpp"
+
+namespace floes {
+namespace hydrostatic_file_test {
+
+std::string message(const std::string& text) {
+    try {
+        read_hydrostatics(text, "hull.hst", {}, 9.81);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "read";
+}
+
+// C = C' ρ g L^k with k 2, 3, 4. The cylinder of WAMIT's example (WEC-Sim), R 0.35 m: 0.38375 m² by its panels.
+TEST(HydrostaticFile, OfWamitIsInTheUnitsOfDensityGravityAndLength) {
+    const Mat6 found = read_hydrostatics(
+        " WAMIT -- Force Output File -- cyl.hst\n 3 3 3.8375D-01\n 3 5 0.5\n\n 4 4 -6.449E-02\n", "cyl.hst",
+        {.density = 1000, .length = 2}, 9.81);
+    EXPECT_NEAR(found(2, 2), 0.38375 * 1000 * 9.81 * 4, 1e-9);
+    EXPECT_NEAR(found(2, 4), 0.5 * 1000 * 9.81 * 8, 1e-9);
+    EXPECT_NEAR(found(3, 3), -0.06449 * 1000 * 9.81 * 16, 1e-9);
+    EXPECT_EQ(found(4, 2), 0) << "an unsymmetric one stays one";
+}
+
+TEST(HydrostaticFile, OfNemohIsInSI) {
+    std::string rows;
+    for (int i = 0; i < 6; ++i) rows += i == 2 ? "0 0 1333210. 0 0 0\n" : "0 0 0 0 0 0\n";
+    EXPECT_EQ(read_hydrostatics(rows, "KH.dat", {.density = 1025, .length = 7}, 9.81)(2, 2), 1333210);
+    EXPECT_TRUE(is_hydrostatic(rows));
+    EXPECT_TRUE(is_hydrostatic(" a title\n 3 3 0.4\n"));
+    EXPECT_FALSE(is_hydrostatic("10 1 1 1.5 0.25\n"));
+    EXPECT_FALSE(is_hydrostatic(" -1 1 1 1.5\n"));
+    EXPECT_FALSE(is_hydrostatic(""));
+}
+
+TEST(HydrostaticFile, SaysWhatIsWrong) {
+    const std::string form =
+        "; a row of WAMIT's .hst is i, j and the stiffness, one of NEMOH's KH.dat six of them";
+    EXPECT_EQ(message("3 3 NaN\n"), "hull.hst:1: has a number that is not finite" + form);
+    EXPECT_EQ(message("title\n3 3 x\n"), "hull.hst:2: has a word that is no number" + form);
+    EXPECT_EQ(message("3 3 1\n9 9 1\n"), "hull.hst:2: is of a second body, and one body of six motions is read" + form);
+    EXPECT_EQ(message("3 3.5 1\n"),
+              "hull.hst:1: has something other than numbers of motions in its first two columns" + form);
+    EXPECT_EQ(message("3 3 1\n3 3\n"), "hull.hst:2: has 2 numbers" + form);
+    EXPECT_EQ(message("0 0 5 0 0 0\n"), "hull.hst: has 1 of six rows; was the file cut off?");
+    EXPECT_EQ(message("3 3 0\n"),
+              "hull.hst: has no stiffness in heave, which every hull in the waterline has; did the program write it?");
+}
+
+}  // namespace hydrostatic_file_test
+}  // namespace floes
