@@ -100,8 +100,7 @@ std::string matrix_text(const char* key, const Mat6& matrix) {
 std::string guard(const HydroOptions& options, const Surroundings& here, const RadiationFile& radiation) {
     const RadiationWater water =
         radiation.water.value_or(RadiationWater{here.units.density, here.gravity, here.depth, 0});
-    const std::optional<double> implied =
-        waterplane_by_waves(radiation, water.density, water.gravity, water.depth);
+    const std::optional<double> implied = waterplane_by_waves(radiation, water.density, water.gravity, water.depth);
     if (!implied) return "# its longest waves say nothing of the waterplane: no damping in heave\n";
     constexpr double most = 1.5;
     const auto differs = [&](double waterplane) { return std::abs(std::log(*implied / waterplane)) > std::log(most); };
@@ -134,7 +133,8 @@ std::array<double, 6> natural_frequencies(const RadiationFile& radiation, const 
     for (int round = 0; round < enough; ++round) {
         const Mat6 added = about_origin(radiation_at(radiation, found).added, reference);
         moorings.added_mass.assign(6, std::vector<double>(6, 0));
-        for (int k = 0; k < 6; ++k) moorings.added_mass[static_cast<std::size_t>(k)][static_cast<std::size_t>(k)] = added(k, k);
+        for (int k = 0; k < 6; ++k)
+            moorings.added_mass[static_cast<std::size_t>(k)][static_cast<std::size_t>(k)] = added(k, k);
         const Mat6 inertia = moorings.inertia();
         for (std::size_t k = 0; k < order.size(); ++k) {
             const auto own = static_cast<int>(order.at(k));
@@ -162,17 +162,17 @@ std::string radiation_text(const HydroOptions& options, const Surroundings& here
             periods.push_back(fmt::format("{} {:.4g} s", hydrodynamic_motions.at(k), period_of(frequencies.at(k))));
         when = fmt::format("at the natural period of each motion of {}: {}", options.hull, fmt::join(periods, ", "));
     } else {
-        throw InputError(
-            fmt::format("{}: give the period at which its values are to hold, --period-s, or the configuration of a "
-                        "hull on moorings, --hull, for those of its natural periods; the file has {:.4g} to {:.4g} s",
-                        options.file, period_of(radiation.points.back().frequency),
-                        period_of(radiation.points.front().frequency)));
+        throw InputError(fmt::format(
+            "{}: give the period at which its values are to hold, --period-s, or the configuration of a "
+            "hull on moorings, --hull, for those of its natural periods; the file has {:.4g} to {:.4g} s",
+            options.file, period_of(radiation.points.back().frequency), period_of(radiation.points.front().frequency)));
     }
     const RadiationPoint at = radiation_at(radiation, frequencies);
-    std::string out = fmt::format("# {}, {}\n# about {}\n", options.file, when,
-                                  reference.isZero() ? "its own reference point, taken as the axis at the calm water"
-                                                     : fmt::format("the axis at the calm water, from ({:g}, {:g}, {:g}) m",
-                                                                   reference.x(), reference.y(), reference.z()));
+    std::string out =
+        fmt::format("# {}, {}\n# about {}\n", options.file, when,
+                    reference.isZero() ? "its own reference point, taken as the axis at the calm water"
+                                       : fmt::format("the axis at the calm water, from ({:g}, {:g}, {:g}) m",
+                                                     reference.x(), reference.y(), reference.z()));
     for (const std::string& remark : radiation.remarks) out += "# " + remark + "\n";
     return out + guard(options, here, radiation) + matrix_text("added_mass", about_origin(at.added, reference)) +
            matrix_text("radiation_damping", about_origin(at.damping, reference));
@@ -187,9 +187,10 @@ std::string hydrostatic_text(const HydroOptions& options, const Surroundings& he
                         "have it inside, HydroDyn wants it outside",
                         options.file));
     const Mat6 theirs = read_hydrostatics(text, options.file, here.units, here.gravity);
-    std::string out = fmt::format("# {}, weight {}, is no key: floes has the water's stiffness from the hull\n"
-                                  "# waterplane {:.5g} m²\n",
-                                  options.file, options.weight, theirs(2, 2) / (here.units.density * here.gravity));
+    std::string out = fmt::format(
+        "# {}, weight {}, is no key: floes has the water's stiffness from the hull\n"
+        "# waterplane {:.5g} m²\n",
+        options.file, options.weight, theirs(2, 2) / (here.units.density * here.gravity));
     if (!here.hull) return out + "# give --hull to compare it with that hull\n";
     const bool inside = options.weight == "inside";
     const Moorings& moorings = here.hull->moorings;
@@ -204,8 +205,9 @@ std::string hydrostatic_text(const HydroOptions& options, const Surroundings& he
         const double our = ours(own, own);
         const double share = (their - our) / std::max(std::abs(our), std::numeric_limits<double>::min());
         worst = std::max(worst, std::abs(share));
-        out += fmt::format("# {}: {:.5g} {}, of the hull of {} {:.5g}: {:+.1f} %\n", motion_names.at(at(compared.at(k))),
-                           their, k == 0 ? "N/m" : "N m/rad", options.hull, our, 100 * share);
+        out +=
+            fmt::format("# {}: {:.5g} {}, of the hull of {} {:.5g}: {:+.1f} %\n", motion_names.at(at(compared.at(k))),
+                        their, k == 0 ? "N/m" : "N m/rad", options.hull, our, 100 * share);
     }
     return out + (worst <= most ? "# they are the same hull\n"
                                 : "# THEY DIFFER: is it the same hull, --weight right, --length-m its length, its "

@@ -88,15 +88,17 @@ json poses(const Recording& recording) {
     return all;
 }
 
-/// Fairlead and direction (x and z) of the mooring lines that hold in each frame; null without lines.
+/// Fairlead, and the way to what is seen of them, of the mooring lines that hold in each frame; null without lines.
 json lines(const Recording& recording) {
-    if (recording.subject().scenario.moorings.line_count() == 0) return nullptr;
+    const Scenario& scenario = recording.subject().scenario;
+    if (scenario.moorings.line_count() == 0) return nullptr;
+    const double seen_of_each = 1.5 * scenario.structure.shape.largest_radius();
     json all = json::array();
     for (int frame = 0; frame < recording.frames(); ++frame) {
         json& seen = all.emplace_back(json::array());
         for (const FrameLine& line : recording.lines(frame)) {
-            const Vec3 way = (line.anchor - line.fairlead).normalized();
-            seen.push_back({line.fairlead.x(), line.fairlead.z(), way.x(), way.z()});
+            const Vec3 way = beginning_of(scenario.moorings, line, seen_of_each).back() - line.fairlead;
+            seen.push_back({line.fairlead.x(), line.fairlead.y(), line.fairlead.z(), way.x(), way.y(), way.z()});
         }
     }
     return all;

@@ -54,13 +54,27 @@ void draw_ground(Canvas& canvas, const Vec2& from, const Vec2& to) {
                 {0.04, 0.10, 0.16, 0.62});
 }
 
+std::vector<Vec3> beginning_of(const Moorings& moorings, const FrameLine& line, double most) {
+    std::vector<Vec3> points = course(moorings, static_cast<std::size_t>(line.line), line.fairlead, line.anchor);
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        const double length = (points[k] - points[k - 1]).norm();
+        if (length < most) {
+            most -= length;
+            continue;
+        }
+        points[k] = points[k - 1] + most / length * (points[k] - points[k - 1]);
+        points.resize(k + 1);
+    }
+    return points;
+}
+
 void draw_lines(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
     const double most = 3 * stage.subject().scenario.structure.shape.largest_radius();
     for (const FrameLine& line : frame.lines) {
-        const Vec3 way = line.anchor - line.fairlead;
-        const Vec3 end = line.fairlead + std::min(1.0, most / way.norm()) * way;
-        if (!projection.before(line.fairlead) || !projection.before(end)) continue;
-        canvas.line(projection.at(line.fairlead), projection.at(end), ink, 2.5 * unit);
+        const std::vector<Vec3> points = beginning_of(stage.subject().scenario.moorings, line, most);
+        for (std::size_t k = 0; k + 1 < points.size(); ++k)
+            if (projection.before(points[k]) && projection.before(points[k + 1]))
+                canvas.line(projection.at(points[k]), projection.at(points[k + 1]), ink, 2.5 * unit);
     }
 }
 

@@ -51,6 +51,9 @@ class Stage {
 /// A dark ground for words, between two corners.
 void draw_ground(Canvas& canvas, const Vec2& from, const Vec2& to);
 
+/// Where a mooring line runs, from its fairlead as far as `most` m.
+std::vector<Vec3> beginning_of(const Moorings& moorings, const FrameLine& line, double most);
+
 /// Mooring lines, at most as far as three radii of the structure. `unit`: pixels that a line is thick, as below.
 void draw_lines(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit);
 

@@ -212,13 +212,13 @@ VtkMesh load_part(const Frame& frame) {
     return mesh;
 }
 
-VtkMesh moorings_part(const Frame& frame) {
+VtkMesh moorings_part(const Frame& frame, const Moorings& moorings) {
     VtkMesh mesh{.kind = VtkCells::lines};
     std::vector<float> tension;
     std::vector<std::int32_t> number;
     for (const FrameLine& line : frame.lines) {
-        for (const Vec3& end : {line.fairlead, line.anchor}) {
-            append(mesh.points, end);
+        for (const Vec3& point : course(moorings, static_cast<std::size_t>(line.line), line.fairlead, line.anchor)) {
+            append(mesh.points, point);
             mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
         }
         mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
@@ -463,7 +463,8 @@ void VtkSeries::add(const Frame& frame) {
     write("load", 2, load_part(frame), frame.time);
     write("contacts", 3, contacts_part(frame), frame.time);
     list("ice_sheets", 4, sheets_, frame.time);
-    if (subject_.scenario.moorings.line_count() > 0) write("moorings", 5, moorings_part(frame), frame.time);
+    if (subject_.scenario.moorings.line_count() > 0)
+        write("moorings", 5, moorings_part(frame, subject_.scenario.moorings), frame.time);
 
     if (frames_ == 0) state_.first_axis = frame.structure.position.x();
     state_.last_axis = frame.structure.position.x();

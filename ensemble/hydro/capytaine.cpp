@@ -147,8 +147,8 @@ std::vector<int> motions_of(const Dataset& data, const char* name) {
         std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
         const auto motion = std::ranges::find(hydrodynamic_motions, std::string_view(word));
         if (motion == hydrodynamic_motions.end())
-            throw data.wrong(fmt::format("has a motion \"{}\", and surge, sway, heave, roll, pitch and yaw are read",
-                                         word));
+            throw data.wrong(
+                fmt::format("has a motion \"{}\", and surge, sway, heave, roll, pitch and yaw are read", word));
         const auto number = static_cast<int>(motion - hydrodynamic_motions.begin());
         if (std::ranges::find(found, number) != found.end()) throw data.wrong(fmt::format("has {} twice", word));
         found.push_back(number);
@@ -208,8 +208,8 @@ std::vector<Mat6> matrices_of(const Dataset& data, const char* name, const std::
         Mat6& matrix = found.emplace_back(Mat6::Zero());
         for (std::size_t i = 0; i < influenced.size(); ++i)
             for (std::size_t j = 0; j < radiating.size(); ++j)
-                matrix(influenced[i], radiating[j]) = numbers.at(
-                    row * by_frequency.stride + i * by_influenced.stride + j * by_radiating.stride);
+                matrix(influenced[i], radiating[j]) =
+                    numbers.at(row * by_frequency.stride + i * by_influenced.stride + j * by_radiating.stride);
     }
     return found;
 }
@@ -247,8 +247,7 @@ RadiationFile read(std::string_view bytes, const std::string& file) {
     const std::vector<int> influenced = motions_of(data, "influenced_dof");
     const std::vector<Mat6> added = matrices_of(data, "added_mass", radiating, influenced);
     const std::vector<Mat6> damping = matrices_of(data, "radiation_damping", radiating, influenced);
-    if (damping.size() != added.size())
-        throw data.wrong("has not as many rows of damping as of added mass");
+    if (damping.size() != added.size()) throw data.wrong("has not as many rows of damping as of added mass");
     const std::vector<double> frequencies = frequencies_of(data, added.size());
 
     RadiationFile found;
@@ -269,11 +268,10 @@ RadiationFile read(std::string_view bytes, const std::string& file) {
     }
     std::ranges::sort(found.points, {}, &RadiationPoint::frequency);
     if (!left_out.empty())
-        found.remarks.push_back(
-            fmt::format("{}: {} of its {} frequencies have numbers that are none, at {:.4g} to {:.4g} rad/s, and are "
-                        "left out; in shallow water Capytaine has them where waves are longest",
-                        file, left_out.size(), frequencies.size(), std::ranges::min(left_out),
-                        std::ranges::max(left_out)));
+        found.remarks.push_back(fmt::format(
+            "{}: {} of its {} frequencies have numbers that are none, at {:.4g} to {:.4g} rad/s, and are "
+            "left out; in shallow water Capytaine has them where waves are longest",
+            file, left_out.size(), frequencies.size(), std::ranges::min(left_out), std::ranges::max(left_out)));
     if (const std::string missing = missing_motions(radiating); !missing.empty())
         found.remarks.push_back(fmt::format("{}: has nothing about {}, which is taken as 0", file, missing));
     const double density = data.number("rho").value_or(0);

@@ -163,10 +163,10 @@ void look_at_damping(RadiationFile& found, const std::string& file) {
             point.damping(k, k) = 0;
         }
         if (negative > 0)
-            found.remarks.push_back(
-                fmt::format("{}: the damping in {} is negative at {} of {} frequencies, the lowest {:.4g} rad/s, and "
-                            "taken as 0 there",
-                            file, hydrodynamic_motions.at(static_cast<std::size_t>(k)), negative, found.points.size(), first));
+            found.remarks.push_back(fmt::format(
+                "{}: the damping in {} is negative at {} of {} frequencies, the lowest {:.4g} rad/s, and "
+                "taken as 0 there",
+                file, hydrodynamic_motions.at(static_cast<std::size_t>(k)), negative, found.points.size(), first));
     }
 }
 

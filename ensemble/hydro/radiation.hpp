@@ -13,8 +13,7 @@
 
 namespace floes {
 
-inline constexpr std::array<std::string_view, 6> hydrodynamic_motions{"surge", "sway",  "heave",
-                                                                      "roll",  "pitch", "yaw"};
+inline constexpr std::array<std::string_view, 6> hydrodynamic_motions{"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 /// What a WAMIT file does not say; NEMOH's is in SI.
 struct WamitUnits {
@@ -23,9 +22,9 @@ struct WamitUnits {
 };
 
 struct RadiationPoint {
-    double frequency = 0;  ///< rad/s
-    Mat6 added = Mat6::Zero();       ///< kg, kg m, kg m²
-    Mat6 damping = Mat6::Zero();     ///< over s
+    double frequency = 0;         ///< rad/s
+    Mat6 added = Mat6::Zero();    ///< kg, kg m, kg m²
+    Mat6 damping = Mat6::Zero();  ///< over s
 };
 
 /// The water that a program computed in, and the hull in it, where its file says so: Capytaine's does.
@@ -39,8 +38,8 @@ struct RadiationWater {
 struct RadiationFile {
     std::vector<RadiationPoint> points{};  ///< of rising frequencies, at least one
     std::vector<std::string> remarks{};    ///< sentences about what the file lacks or seems to have wrong
-    std::optional<Mat6> at_zero{};      ///< added mass, kg
-    std::optional<Mat6> at_infinity{};  ///< likewise
+    std::optional<Mat6> at_zero{};         ///< added mass, kg
+    std::optional<Mat6> at_infinity{};     ///< likewise
     std::optional<RadiationWater> water{};
     std::optional<Vec3> reference{};  ///< about which its matrices are, if it says so: x ahead, y to port, z up, m
 };

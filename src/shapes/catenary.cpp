@@ -93,4 +93,30 @@ CablePull hang(const Cable& cable, double x, double z) {
     return {along, found, resting, anchor};
 }
 
+std::vector<Vec2> course(const Cable& cable, double x, double z, int parts) {
+    const CablePull pull = hang(cable, x, z);
+    const double hanging = cable.length - pull.resting;
+    const double lowest = pull.down - cable.weight * hanging;  // V where it leaves the bottom, or at the anchor
+    /// From there to the point `length` farther up.
+    const auto from_below = [&](double length) {
+        const double down = lowest + cable.weight * length;
+        const double rise = (std::hypot(pull.along, down) - std::hypot(pull.along, lowest)) / cable.weight +
+                            (down + lowest) / 2 * length / cable.stiffness;
+        if (pull.along == 0) return Vec2(0, rise);
+        return Vec2(pull.along / cable.weight * (std::asinh(down / pull.along) - std::asinh(lowest / pull.along)) +
+                        pull.along * length / cable.stiffness,
+                    rise);
+    };
+    const double leaves = x - from_below(hanging).x();
+    std::vector<Vec2> points;
+    for (int k = 0; k <= parts; ++k) {
+        const double length = cable.length * (parts - k) / parts;
+        if (length < pull.resting)
+            points.emplace_back(leaves * length / pull.resting, 0);
+        else
+            points.emplace_back(Vec2(leaves, 0) + from_below(length - pull.resting));
+    }
+    return points;
+}
+
 }  // namespace floes

@@ -16,6 +16,10 @@
 //
 // A line that is long enough hangs straight down, H = 0, and the rest of it lies on the bottom.
 
+#include <vector>
+
+#include "core/vector.hpp"
+
 namespace floes {
 
 /// SI.
@@ -40,5 +44,9 @@ struct CablePull {
 
 /// With the upper end x >= 0 m beside the anchor and z > 0 m above it. To 1e-10.
 CablePull hang(const Cable& cable, double x, double z);
+
+/// Where it runs, as hang() has it: from its upper end to the anchor in `parts` of equal length, (x from the anchor, z
+/// above it), m. What lies is drawn evenly from the anchor to where it leaves the bottom.
+std::vector<Vec2> course(const Cable& cable, double x, double z, int parts);
 
 }  // namespace floes

@@ -204,6 +204,21 @@ LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset) 
                                           : pull(moorings.hanging[number - moorings.lines.size()], offset);
 }
 
+std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec3& fairlead, const Vec3& anchor) {
+    const Vec3 way = anchor - fairlead;
+    const Vec3 level(way.x(), 0, way.z());
+    if (number < moorings.lines.size() || !(way.y() < 0)) return {fairlead, anchor};
+    const double distance = level.norm();
+    constexpr int parts = 64;
+    std::vector<Vec3> points;
+    for (const Vec2& point :
+         course(moorings.hanging[number - moorings.lines.size()].cable, distance, -way.y(), parts)) {
+        const double share = distance > 0 ? 1 - point.x() / distance : 1;
+        points.emplace_back(fairlead + share * level + Vec3(0, way.y() + point.y(), 0));
+    }
+    return points;
+}
+
 Vec6 turret_pull(const Moorings& moorings, const Vec6& offset) {
     if (moorings.turret_curve.empty()) return Vec6::Zero();
     const Vec2 arm = turned({moorings.turret, 0}, offset[2]);

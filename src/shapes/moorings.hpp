@@ -159,6 +159,9 @@ LinePull pull(const HangingLine& line, const Vec6& offset);
 /// Of all lines by their numbers, hanging ones last.
 LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset);
 
+/// Where a line of that number runs between these ends (m), from its fairlead: straight, or hanging.
+std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec3& fairlead, const Vec3& anchor);
+
 /// A force or an offset in the plane of the water, by Motion: surge, sway and yaw.
 Vec6 in_plane(const Vec3& of);
 

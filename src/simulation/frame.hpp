@@ -25,7 +25,7 @@ struct FrameContact {
 /// A mooring line that holds.
 struct FrameLine {
     int line = 0;                  ///< in the order of moorings.lines and hanging_lines
-    Vec3 fairlead = Vec3::Zero();  ///< m, at the height of the water
+    Vec3 fairlead = Vec3::Zero();  ///< m; of a line without weight at the height of the water
     Vec3 anchor = Vec3::Zero();    ///< m, likewise
     double tension = 0;            ///< N
 };

@@ -68,7 +68,8 @@ class File {
         const int density = define("rho", NC_DOUBLE, {});
         const int gravity = define("g", NC_DOUBLE, {});
         const int depth = define("water_depth", NC_DOUBLE, {});
-        const int speed = define("forward_speed", NC_DOUBLE, what.speeds > 1 ? std::vector<int>{speeds_} : std::vector<int>{});
+        const int speed =
+            define("forward_speed", NC_DOUBLE, what.speeds > 1 ? std::vector<int>{speeds_} : std::vector<int>{});
         int centre = -1;
         if (what.has_centre) {
             int three = 0;
@@ -133,9 +134,9 @@ class File {
         for (std::size_t row = 0; row < what_.omega.size(); ++row)
             for (std::size_t a = 0; a < what_.motions.size(); ++a)
                 for (std::size_t b = 0; b < what_.motions.size(); ++b)
-                    found.push_back(std::isnan(what_.omega[row]) ? nan
-                                                                 : factor * (what_.influenced_first ? element(row, a, b)
-                                                                                                    : element(row, b, a)));
+                    found.push_back(std::isnan(what_.omega[row])
+                                        ? nan
+                                        : factor * (what_.influenced_first ? element(row, a, b) : element(row, b, a)));
         return found;
     }
 

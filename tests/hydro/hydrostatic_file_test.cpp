@@ -22,9 +22,9 @@ std::string message(const std::string& text) {
 
 // C = C' ρ g L^k with k 2, 3, 4. The cylinder of WAMIT's example (WEC-Sim), R 0.35 m: 0.38375 m² by its panels.
 TEST(HydrostaticFile, OfWamitIsInTheUnitsOfDensityGravityAndLength) {
-    const Mat6 found = read_hydrostatics(
-        " WAMIT -- Force Output File -- cyl.hst\n 3 3 3.8375D-01\n 3 5 0.5\n\n 4 4 -6.449E-02\n", "cyl.hst",
-        {.density = 1000, .length = 2}, 9.81);
+    const Mat6 found =
+        read_hydrostatics(" WAMIT -- Force Output File -- cyl.hst\n 3 3 3.8375D-01\n 3 5 0.5\n\n 4 4 -6.449E-02\n",
+                          "cyl.hst", {.density = 1000, .length = 2}, 9.81);
     EXPECT_NEAR(found(2, 2), 0.38375 * 1000 * 9.81 * 4, 1e-9);
     EXPECT_NEAR(found(2, 4), 0.5 * 1000 * 9.81 * 8, 1e-9);
     EXPECT_NEAR(found(3, 3), -0.06449 * 1000 * 9.81 * 16, 1e-9);
@@ -43,8 +43,7 @@ TEST(HydrostaticFile, OfNemohIsInSI) {
 }
 
 TEST(HydrostaticFile, SaysWhatIsWrong) {
-    const std::string form =
-        "; a row of WAMIT's .hst is i, j and the stiffness, one of NEMOH's KH.dat six of them";
+    const std::string form = "; a row of WAMIT's .hst is i, j and the stiffness, one of NEMOH's KH.dat six of them";
     EXPECT_EQ(message("3 3 NaN\n"), "hull.hst:1: has a number that is not finite" + form);
     EXPECT_EQ(message("title\n3 3 x\n"), "hull.hst:2: has a word that is no number" + form);
     EXPECT_EQ(message("3 3 1\n9 9 1\n"), "hull.hst:2: is of a second body, and one body of six motions is read" + form);

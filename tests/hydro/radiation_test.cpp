@@ -78,8 +78,9 @@ TEST(Radiation, SaysWhatAFileLacksOrHasWrong) {
     EXPECT_EQ(message("10 1 1 1.5\n"), "hull.1:1: has 4 numbers" + form);
     EXPECT_EQ(message("title\n10 1 1 1.5 x\n"), "hull.1:2: has a word that is no number" + form);
     EXPECT_EQ(message("10 7 1 1.5 1\n"), "hull.1:1: is of a second body, and one body of six motions is read" + form);
-    EXPECT_EQ(message("title\n"),
-              "hull.1: has no periods; it is to be WAMIT's .1, NEMOH's RadiationCoefficients.tec or Capytaine's NetCDF");
+    EXPECT_EQ(
+        message("title\n"),
+        "hull.1: has no periods; it is to be WAMIT's .1, NEMOH's RadiationCoefficients.tec or Capytaine's NetCDF");
 }
 
 TEST(Radiation, OfNemohHasAZoneForEachMotion) {

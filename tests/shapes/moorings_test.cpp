@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
-#include "support/oc3_spar.hpp"
+#include "support/published_lines.hpp"
 
 namespace floes {
 namespace moorings_test {

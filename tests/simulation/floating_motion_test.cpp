@@ -10,7 +10,7 @@
 
 #include "shapes/hydrostatics.hpp"
 #include "simulation/structure_motion.hpp"
-#include "support/oc3_spar.hpp"
+#include "support/published_lines.hpp"
 
 namespace floes {
 namespace floating_motion_test {
@@ -75,6 +75,106 @@ TEST(FloatingMotion, PeriodsOfTheOC3SparAreThePublishedOnes) {
     EXPECT_NEAR(modes[3].period / 30.8, 1, 0.02);
     EXPECT_EQ(modes[4].motion, Motion::pitch);
     EXPECT_NEAR(modes[4].period / 29.6, 1, 0.05);
+}
+
+/// A semi-submersible by what others published of it, without a shape of its own.
+struct Published {
+    Moorings moorings{};
+    Mat6 water = Mat6::Zero();
+};
+
+/// ρgA of the waterplane in heave, and of pitch and roll what the water gives without the weight, less what the weight
+/// takes.
+Mat6 water_of(const Moorings& moorings, double heave, double turns_without_weight) {
+    Mat6 found = Mat6::Zero();
+    found(number(Motion::heave), number(Motion::heave)) = heave;
+    for (const Motion turn : {Motion::pitch, Motion::roll})
+        found(number(turn), number(turn)) = turns_without_weight - moorings.mass * gravity * moorings.height;
+    return found;
+}
+
+/// OC4 (NREL/TP-5000-60601: platform 1.3473e7 kg at -13.46 m, 6.827e9 and 1.226e10 kg m² about its centre) with tower
+/// and turbine (249,718 kg at 43.4 m, 350,000 kg at 89.6 m); C33 and C44 of its report, added mass of RAFT's WAMIT file
+/// (marin_semi.1) at 125.7 s.
+Published oc4() {
+    const double mass = 1.3473e7 + 249718 + 350000;
+    const double height = (-1.3473e7 * 13.46 + 249718 * 43.4 + 350000 * 89.6) / mass;
+    const double about_water =
+        6.827e9 + 1.3473e7 * 13.46 * 13.46 + 1.1824e8 + 249718 * 43.4 * 43.4 + 350000 * 89.6 * 89.6;
+    const double gyration = std::sqrt(about_water / mass - height * height);
+    Published found;
+    found.moorings = {.free = {true, true, true, true, true, true},
+                      .mass = mass,
+                      .height = height,
+                      .gyration = std::sqrt(1.226e10 / mass),
+                      .pitch_gyration = gyration,
+                      .roll_gyration = gyration,
+                      .added = {8.749e6, 8.749e6, 6.433e9, 1.517e7, 7.629e9, 7.629e9}};
+    found.moorings.added_mass.assign(6, std::vector<double>(6, 0.0));
+    found.moorings.added_mass[0][4] = found.moorings.added_mass[4][0] = -1.077e8;
+    found.moorings.added_mass[1][3] = found.moorings.added_mass[3][1] = 1.077e8;
+    found.moorings.hanging = test::oc4_lines();
+    found.water = water_of(found.moorings, 3.836e6, -3.776e8);
+    return found;
+}
+
+double period(const Published& hull, Motion motion) {
+    for (const NaturalMode& mode : natural_modes(hull.moorings, hull.water))
+        if (mode.motion == motion) return mode.period;
+    return 0;
+}
+
+// RAFT with the same WAMIT file: 113, 17.4, 25.0, 79.8 s in surge, heave, pitch and yaw; tests in the tank 107, 17.5,
+// 26.8, 82 s.
+TEST(FloatingMotion, PeriodsOfTheOC4SemiAreThePublishedOnes) {
+    const Published hull = oc4();
+    EXPECT_NEAR(period(hull, Motion::surge) / 113, 1, 0.02);
+    EXPECT_NEAR(period(hull, Motion::sway) / 113, 1, 0.02);
+    EXPECT_NEAR(period(hull, Motion::heave) / 17.4, 1, 0.02);
+    EXPECT_NEAR(period(hull, Motion::pitch) / 25.0, 1, 0.03);
+    EXPECT_NEAR(period(hull, Motion::roll) / 25.0, 1, 0.03);
+    EXPECT_NEAR(period(hull, Motion::yaw) / 79.8, 1, 0.02);
+    const Mat6 lines = hull.moorings.stiffness();
+    EXPECT_NEAR(lines(0, 0) / 7.08e4, 1, 0.002) << "OC4's report";
+    EXPECT_NEAR(lines(3, 3) / 1.91e4, 1, 0.003);
+    EXPECT_NEAR(lines(5, 5) / 8.73e7, 1, 0.002);
+}
+
+// The IEA 15 MW semi-submersible: 20,093 t, C33/ρg 443.05 m² and added mass of its WAMIT file (NREL/ROSCO). Published
+// (NREL/TP-5000-76773): 0.007 Hz in surge, 0.049 Hz in heave, 0.011 Hz in yaw.
+TEST(FloatingMotion, FrequenciesOfTheIEA15SemiAreThePublishedOnes) {
+    Published hull;
+    hull.moorings = {.free = {true, false, false, true, false, false}, .mass = 20.093e6};
+    hull.moorings.added[at(Motion::surge)] = 1.26e7;   // of long periods
+    hull.moorings.added[at(Motion::heave)] = 2.763e7;  // at 20 s
+    hull.moorings.hanging = test::iea15_lines();
+    hull.water = water_of(hull.moorings, 443.05 * density * gravity, 0);
+    EXPECT_NEAR(1 / period(hull, Motion::surge), 0.007, 0.0005);
+    EXPECT_NEAR(1 / period(hull, Motion::heave), 0.049, 0.0005);
+}
+
+// DeepCwind in surge, released 3.391 m aside: extremes of a reference series (HydroChrono demos/, NREL_LC_42). Its mass
+// is 1.4196e7 kg; its springs and damping are not said, so that three numbers are fitted: the period, and linear and
+// quadratic damping. The eleven extremes follow.
+TEST(FloatingMotion, DecaysInSurgeAsDeepCwind) {
+    const double mass = 1.4196e7 + 8.749e6;
+    Moorings moorings{.free = {true, false, false}, .mass = mass, .damping = 0.033};
+    moorings.surge = mass * std::pow(2 * pi / 108.2, 2);
+    moorings.quadratic[at(Motion::surge)] = 0.025 * mass;
+    const double step = 0.1;
+    MooredMotion motion(moorings, Mat6::Zero(), step);
+    motion.place({.offset = along(Motion::surge, -3.391)});
+    std::vector<double> extremes;
+    double before = 0;
+    for (int k = 0; k < 6000; ++k) {
+        motion.advance(Vec6::Zero(), step * (k + 1));
+        const double speed = motion.state().velocity[0];
+        if (k > 0 && speed * before < 0) extremes.push_back(std::abs(motion.state().offset[0]));
+        before = speed;
+    }
+    const std::vector<double> published{2.765, 2.263, 1.94, 1.659, 1.396, 1.196, 1.063, 0.9304, 0.7905, 0.6932, 0.629};
+    ASSERT_GE(extremes.size(), published.size());
+    for (std::size_t k = 0; k < published.size(); ++k) EXPECT_NEAR(extremes[k] / published[k], 1, 0.03) << k;
 }
 
 // Upright cylinder: T = 2π √((m + A) / (ρ g A_w)) in heave, 2π √((m k² + I) / (ρ g ∇ GM)) in roll; a box by GM = B²/12T

@@ -99,9 +99,8 @@ function towArrow(replay, time) {
 function lineArrows(replay, frame) {
   const {structure: {radius}, lines} = replay.header;
   if (!lines) return [];
-  return (lines[frame] || []).map(([x, z, alongX, alongZ]) => ({start: [x, 0.02 * radius, z],
-    along: [1.5 * radius * alongX, 0, 1.5 * radius * alongZ], colour: new THREE.Color(styled('ink')).toArray(),
-    thick: 0.015 * radius}));
+  return (lines[frame] || []).map(([x, y, z, ...along]) => ({start: [x, y + 0.02 * radius, z], along,
+    colour: new THREE.Color(styled('ink')).toArray(), thick: 0.015 * radius}));
 }
 
 // The arrows of the paper's Fig. 5 at a frame. `metres` is the length of 1 N.
