@@ -19,6 +19,7 @@ class Floes(CMakePackage):
     depends_on("random123")
     depends_on("boost@1.74:")
     depends_on("assimp")
+    depends_on("netcdf-c~mpi")
     depends_on("nlopt")
     depends_on("xxhash")
     depends_on("mpi")

@@ -30,6 +30,7 @@ HALLMARKS = {
     "MPL-2.0": r"Mozilla Public License|MPL-2",
     "OpenLDAP-2.8": r"OpenLDAP Public License|OpenLDAP-2\.8",
     "Zlib": r"License: Zlib|provided 'as-is'",
+    "public domain": r"License: PD",
     "curl (MIT-like)": r"License: curl",
     "libpng": r"License: libpng",
 }
