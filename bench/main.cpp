@@ -17,6 +17,7 @@
 #include "member/run_member.hpp"
 #include "peer.hpp"
 #include "scene.hpp"
+#include "shapes/hydrostatics.hpp"
 #include "simulation/simulation.hpp"
 
 namespace floes::bench {
@@ -38,6 +39,33 @@ void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(),
     for (auto _ : state) simulation.step();
     state.counters["surge_N"] = simulation.loads().surge.back();
     state.counters["broken_floes"] = simulation.ice().broken_floes();
+}
+
+/// The hull on three hanging lines, which gives way in the plane or in all six motions: TowStep/direct/late_physical with
+/// a hull that moves.
+void moored_step(benchmark::State& state, bool six) {
+    const Scene scene = late_scene();
+    Scenario scenario = tow_scenario(SolverKind::direct, scene.wall);
+    scenario.contact = with_preset({}, ContactPreset::physical);
+    scenario.moorings = {.free = {true, true, true, six, six, six},
+                         .mass = scenario.water.density * hydrostatics(scenario.structure.shape).volume,
+                         .gyration = 0.4,
+                         .pitch_gyration = 0.4,
+                         .roll_gyration = 0.4,
+                         .surge = 1000,
+                         .sway = 1000,
+                         .yaw = 500,
+                         .damping = 0.1};
+    for (const double azimuth : {0.0, 2.1, -2.1})
+        scenario.moorings.hanging.push_back({.fairlead = {0.3 * std::cos(azimuth), -0.4, 0.3 * std::sin(azimuth)},
+                                             .azimuth = azimuth,
+                                             .distance = 5,
+                                             .depth = 2,
+                                             .cable = {5.45, 3, 2e5, 0.5}});
+    Simulation simulation(scenario, floes_at(scenario, scene.poses), scene.state);
+    for (int i = 0; i < warm_up; ++i) simulation.step();
+    for (auto _ : state) simulation.step();
+    state.counters["surge_N"] = simulation.loads().surge.back();
 }
 
 void peer_step(benchmark::State& state, std::unique_ptr<Peer> (*make_peer)(const PeerScene&), Scene (*make_scene)()) {
@@ -109,6 +137,8 @@ void add_all(int steps) {
     add("TowStep/direct/late_steep_physical", tow_step, SolverKind::direct, late_steep_scene, physical, 0);
     add("TowStep/direct/early_physical", tow_step, SolverKind::direct, early_scene, physical, 0);
     add("TowStep/lanes/early_physical", tow_step, SolverKind::lanes, early_scene, physical, 0);
+    add("MooredStep/three", moored_step, false);
+    add("MooredStep/six", moored_step, true);
     add("Peer/bullet/late", peer_step, make_bullet, late_scene);
     add("Peer/ode/late", peer_step, make_ode, late_scene);
     const auto add_member = [](const std::string& name, SolverKind solver, double wake_radius, ContactLaw law = {}) {

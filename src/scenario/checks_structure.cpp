@@ -252,6 +252,17 @@ void check_matrix(const std::vector<std::vector<double>>& rows, const std::strin
     }
 }
 
+/// Waves take energy from a motion. Radiation programs have negative damping where they are out of their depth.
+void check_damping(const std::vector<std::vector<double>>& rows, Contradictions& found) {
+    for (std::size_t k = 0; k < rows.size() && rows.size() == 6; ++k) {
+        if (rows[k][k] >= 0) continue;
+        return refuse(found, {"moorings.radiation_damping"},
+                      fmt::format("moorings.radiation_damping[{}][{}] is {:g}, which would drive that motion on; give 0 "
+                                  "or more, as floes hydro does",
+                                  k, k, rows[k][k] / unit::tonne));
+    }
+}
+
 /// Something to move in every motion in which it gives way.
 void check_inertia(const Scenario& scenario, Contradictions& found) {
     const Moorings& moorings = scenario.moorings;
@@ -316,6 +327,7 @@ void check_moorings(const Scenario& scenario, Contradictions& found) {
     check_thrusters(scenario, found);
     check_matrix(moorings.added_mass, "moorings.added_mass", found);
     check_matrix(moorings.radiation_damping, "moorings.radiation_damping", found);
+    check_damping(moorings.radiation_damping, found);
     if (found.size() > before) return;
     check_inertia(scenario, found);
     if (scenario.path.any() && scenario.path.bow == PathBow::ahead && !scenario.path.legs.empty()) {
