@@ -1,0 +1,86 @@
+// floes hydro: keys from the files of other programs, and the questions that these files leave open.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "cli/verb_output.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+namespace hydro_test {
+
+using testing::HasSubstr;
+
+/// A file of this test.
+std::string file(const std::string& name, const std::string& text) {
+    std::string path = testing::TempDir() + "hydro_test_" + name;
+    std::ofstream(path) << text;
+    return path;
+}
+
+/// A cylinder of 0.7 m that floats 0.63 m deep, as in WAMIT's example (WEC-Sim), on springs.
+std::string cylinder() {
+    return file("cylinder.toml",
+                "[hull]\nshape = \"cylinder\"\ndiameter_m = 0.7\ndraught_m = 0.63\nfreeboard_m = 0.2\n"
+                "[moorings]\nfree = [\"surge\", \"sway\", \"yaw\", \"heave\", \"roll\", \"pitch\"]\n"
+                "mass_t = 0.248\ncentre_m = -0.4\ngyration_m = 0.3\ngyration_pitch_m = 0.3\ngyration_roll_m = 0.3\n"
+                "surge_kN_m = 1.0\nsway_kN_m = 1.0\nyaw_kN_m_rad = 0.2\n");
+}
+
+/// Added mass in heave falls from 0.4 to 0.1 of ρ L³; the damping of 100 s is that of the cylinder's waterplane.
+std::string radiation() {
+    const std::string long_waves = "1.0E+02 3 3 0.4 2.98E-05\n1.0E+02 1 1 0.17 0\n1.0E+02 1 3 1E-05 0\n";
+    return file("cylinder.1", long_waves + "1.0E+00 3 3 0.1 0.02\n1.0E+00 1 1 0.17 0\n1.0E+00 1 3 -1E-05 0\n");
+}
+
+std::string hydro(const std::string& arguments) {
+    return verb_output(add_hydro, "hydro " + arguments);
+}
+
+std::string message(const std::string& arguments) {
+    try {
+        return hydro(arguments);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+}
+
+TEST(Hydro, TakesEachMotionAtItsNaturalPeriod) {
+    const std::string keys = hydro(radiation() + " --hull " + cylinder());
+    EXPECT_THAT(keys, HasSubstr("at the natural period of each motion of"));
+    // T = 2π √((m + A(T)) / C33), m 0.248 t, C33 3.775 kN/m: at 2.335 s the file has 0.273 t.
+    EXPECT_THAT(keys, HasSubstr("heave 2.335 s"));
+    EXPECT_THAT(keys, HasSubstr("  [0.17, 0, 0, 0, 0, 0],")) << "what couples by rounding is gone";
+    EXPECT_THAT(message(radiation()), HasSubstr("give the period at which its values are to hold, --period-s, or"));
+    EXPECT_THAT(message(radiation() + " --period-s 200"), HasSubstr("200 s is outside"));
+}
+
+TEST(Hydro, ChecksTheWaterplaneByLongWaves) {
+    EXPECT_THAT(hydro(radiation() + " --period-s 1 --waterplane-m2 0.385"), HasSubstr("of a waterplane of 0."));
+    EXPECT_THAT(message(radiation() + " --period-s 1 --waterplane-m2 3"),
+                HasSubstr("is its first column a period in s, --length-m its length"));
+    EXPECT_THAT(message(radiation() + " --length-m 3 --hull " + cylinder()), HasSubstr("not of the 0.3848 m² of"));
+}
+
+TEST(Hydro, ComparesHydrostatics) {
+    const std::string stiffness = file("cylinder.hst", "3 3 0.38375\n4 4 -0.06449\n5 5 -0.06449\n");
+    EXPECT_THAT(message(stiffness), HasSubstr("say with --weight inside or --weight outside"));
+    EXPECT_THAT(hydro(stiffness + " --weight outside --hull " + cylinder()), HasSubstr("# they are the same hull"));
+    EXPECT_THAT(hydro(stiffness + " --weight inside --hull " + cylinder()), HasSubstr("# THEY DIFFER"));
+    EXPECT_THAT(hydro(stiffness + " --weight inside"), HasSubstr("# give --hull to compare it"));
+}
+
+TEST(Hydro, MovesMatricesFromTheirReference) {
+    // A point of added mass 2 m below the axis: A15 = -2 A11 about the axis, 4 A11 in pitch.
+    const std::string below = file("below.1", "10 1 1 0.001 0\n10 3 3 0.001 0.0001\n");
+    const std::string keys = hydro(below + " --period-s 10 --reference-m 0,0,-2 --density 1000");
+    EXPECT_THAT(keys, HasSubstr("about the axis at the calm water, from (0, 0, -2) m"));
+    EXPECT_THAT(keys, HasSubstr("  [0.001, 0, 0, 0, -0.002, 0],"));
+    EXPECT_THAT(keys, HasSubstr("  [-0.002, 0, 0, 0, 0.004, 0],"));
+}
+
+}  // namespace hydro_test
+}  // namespace floes
