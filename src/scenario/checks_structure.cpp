@@ -129,11 +129,12 @@ void check_lines(const Scenario& scenario, Contradictions& found) {
         if (!curve.empty() && line.stiffness > 0)
             wrong("has a stiffness beside moorings.line_curve; make it 0 or leave the curve out");
         if (curve.empty() && line.stiffness == 0) wrong("has no stiffness; give it one or moorings.line_curve");
-        if (curve.size() > 1 && line.pretension < curve.front().tension)
-            wrong(fmt::format("has a pretension of {:g} kN, below the {:g} kN where moorings.line_curve begins",
+        if (curve.size() > 1 && (line.pretension < curve.front().tension ||
+                                 (line.pretension == curve.front().tension && line.pretension > 0)))
+            wrong(fmt::format("has a pretension of {:g} kN, not above the {:g} kN where moorings.line_curve begins",
                               line.pretension / 1e3, curve.front().tension / 1e3));
-        if (curve.size() > 1 && line.pretension > curve.back().tension)
-            wrong(fmt::format("has a pretension of {:g} kN, above the {:g} kN where moorings.line_curve ends",
+        if (curve.size() > 1 && line.pretension >= curve.back().tension)
+            wrong(fmt::format("has a pretension of {:g} kN, not below the {:g} kN where moorings.line_curve ends",
                               line.pretension / 1e3, curve.back().tension / 1e3));
         if (line.break_load > 0 && line.pretension > line.break_load)
             wrong(fmt::format("breaks at {:g} kN, below its pretension of {:g} kN", line.break_load / 1e3,
@@ -256,10 +257,11 @@ void check_matrix(const std::vector<std::vector<double>>& rows, const std::strin
 void check_damping(const std::vector<std::vector<double>>& rows, Contradictions& found) {
     for (std::size_t k = 0; k < rows.size() && rows.size() == 6; ++k) {
         if (rows[k][k] >= 0) continue;
-        return refuse(found, {"moorings.radiation_damping"},
-                      fmt::format("moorings.radiation_damping[{}][{}] is {:g}, which would drive that motion on; give 0 "
-                                  "or more, as floes hydro does",
-                                  k, k, rows[k][k] / unit::tonne));
+        return refuse(
+            found, {"moorings.radiation_damping"},
+            fmt::format("moorings.radiation_damping[{}][{}] is {:g}, which would drive that motion on; give 0 "
+                        "or more, as floes hydro does",
+                        k, k, rows[k][k] / unit::tonne));
     }
 }
 

@@ -256,7 +256,8 @@ void add_turret(Keys& keys, Moorings& moorings, const auto& held) {
     keys.push_back(held(
         {"moorings.turret_curve", curve_rows(moorings.turret_curve, "offset_m", "force_kN"), "none",
          "Force of a whole mooring over the horizontal offset from its place, from 0, 0, both rising: it pulls the "
-         "turret back towards there, the same from all sides. In addition to springs and lines."}));
+         "turret back towards there, the same from all sides. In addition to springs and lines. Past its last row a "
+         "member is set aside."}));
     keys.push_back(held(only_with(
         "moorings.turret_curve", [&moorings] { return !moorings.turret_curve.empty(); },
         number_key("moorings.turret_m", moorings.turret, unit::one, at_least(-1000).at_most(1000), "none: on the axis",
@@ -368,7 +369,8 @@ void add_lines(Keys& keys, Moorings& moorings, const auto& held) {
     keys.push_back(
         held({"moorings.line_curve", curve_rows(moorings.curve, "extension_m", "tension_kN"), "none: lines are linear",
               "Tension of each line over its horizontal distance, both rising: a catenary, for example. The pretension "
-              "says where on it a line begins; stiffness in moorings.lines has to be 0 then."}));
+              "says where on it a line begins; stiffness in moorings.lines has to be 0 then. Past its rows a member is "
+              "set aside, unless the line breaks before."}));
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 
 namespace floes {
@@ -15,8 +17,13 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// On the curve, straight on beyond its ends but never below 0.
-double on_curve(const std::vector<TensionPoint>& curve, double extension) {
+/// On the curve. Before its first row a line is slack where that has no tension; past the rows nobody has said what is
+/// pulled. Only a curve that `ends_at_break` goes straight on, for the step in which its line breaks.
+double on_curve(const std::vector<TensionPoint>& curve, double extension, const char* key, bool ends_at_break = false) {
+    if (extension <= curve.front().extension && curve.front().tension == 0) return 0;
+    if (extension < curve.front().extension || (extension > curve.back().extension && !ends_at_break))
+        throw MemberFailure(fmt::format("{} has rows from {:g} to {:g} m, and the structure came to {:g} m.", key,
+                                        curve.front().extension, curve.back().extension, extension));
     std::size_t next = 1;
     while (next + 1 < curve.size() && curve[next].extension < extension) ++next;
     const TensionPoint& a = curve[next - 1];
@@ -149,7 +156,8 @@ std::vector<NaturalMode> natural_modes(const Moorings& moorings, const Mat6& wat
 
 double tension(const Moorings& moorings, const MooringLine& line, double longer) {
     if (moorings.curve.empty()) return std::max(0.0, line.pretension + line.stiffness * longer);
-    return on_curve(moorings.curve, extension_at(moorings.curve, line.pretension) + longer);
+    return on_curve(moorings.curve, extension_at(moorings.curve, line.pretension) + longer, "moorings.line_curve",
+                    line.break_load > 0 && line.break_load <= moorings.curve.back().tension);
 }
 
 Vec2 turned(const Vec2& point, double yaw) {
@@ -225,7 +233,7 @@ Vec6 turret_pull(const Moorings& moorings, const Vec6& offset) {
     const Vec2 aside = Vec2(offset[0] - moorings.turret, offset[1]) + arm;
     const double distance = aside.norm();
     if (distance == 0) return Vec6::Zero();
-    return at_the_water(-on_curve(moorings.turret_curve, distance) / distance * aside, arm);
+    return at_the_water(-on_curve(moorings.turret_curve, distance, "moorings.turret_curve") / distance * aside, arm);
 }
 
 LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec6& offset) {

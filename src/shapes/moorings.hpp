@@ -142,7 +142,8 @@ struct Moorings {
     friend bool operator==(const Moorings&, const Moorings&) = default;
 };
 
-/// Tension of a line whose fairlead is `longer` m farther from its anchor than without an offset, N.
+/// Tension of a line whose fairlead is `longer` m farther from its anchor than without an offset, N. Throws
+/// MemberFailure past the rows of its curve, unless it breaks before their end.
 double tension(const Moorings& moorings, const MooringLine& line, double longer);
 
 struct LinePull {
@@ -165,7 +166,7 @@ std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec
 /// A force or an offset in the plane of the water, by Motion: surge, sway and yaw.
 Vec6 in_plane(const Vec3& of);
 
-/// On the structure by the turret's curve at an offset of the structure: N, N m.
+/// On the structure by the turret's curve at an offset of the structure: N, N m. Throws MemberFailure past its rows.
 Vec6 turret_pull(const Moorings& moorings, const Vec6& offset);
 
 /// A way in which a floating structure swings by itself, without damping.

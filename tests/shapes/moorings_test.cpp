@@ -71,8 +71,20 @@ TEST(Moorings, CurveBeginsAtThePretension) {
     EXPECT_NEAR(tension(moorings, line, 0), 5e4, 1e-9);
     EXPECT_NEAR(tension(moorings, line, 5), 1e5, 1e-9);
     EXPECT_NEAR(tension(moorings, line, 6), 2e5, 1e-9);
-    EXPECT_NEAR(tension(moorings, line, 8), 4e5, 1e-9) << "straight on beyond its end";
-    EXPECT_EQ(tension(moorings, line, -6), 0);
+    EXPECT_EQ(tension(moorings, line, -6), 0) << "slack";
+    try {
+        tension(moorings, line, 8);
+        FAIL() << "nobody has said what it pulls there";
+    } catch (const MemberFailure& failure) {
+        EXPECT_STREQ(failure.what(), "moorings.line_curve has rows from 0 to 12 m, and the structure came to 13 m.");
+    }
+    MooringLine breaks = line;
+    breaks.break_load = 2.5e5;
+    EXPECT_NEAR(tension(moorings, breaks, 8), 4e5, 1e-9) << "in the step in which it breaks";
+    breaks.break_load = 5e5;
+    EXPECT_THROW(tension(moorings, breaks, 8), MemberFailure);
+    moorings.curve.front().tension = 1e4;
+    EXPECT_THROW(tension(moorings, line, -20), MemberFailure);
 }
 
 // Towards where the turret would be by the distance from there, whatever the structure's heading; and about the axis
@@ -85,7 +97,7 @@ TEST(Moorings, TurretPullsByItsCurve) {
     const Vec6 aside = turret_pull(moorings, in_plane({-3, 4, 0}));
     EXPECT_NEAR((aside - in_plane({3e5, -4e5, 40 * 4e5})).norm(), 0, 1e-6);
     EXPECT_NEAR(turret_pull(moorings, in_plane({0, 11, 0}))[1], -2e6, 1e-6);
-    EXPECT_NEAR(turret_pull(moorings, in_plane({0, 13, 0}))[1], -4e6, 1e-6) << "straight on beyond its end";
+    EXPECT_THROW(turret_pull(moorings, in_plane({0, 13, 0})), MemberFailure);
     const Vec6 round = turret_pull(moorings, in_plane({40, 40, pi / 2}));
     EXPECT_NEAR(round.norm(), 0, 1e-6) << "the bow along -z, the turret in its place";
     const Vec6 stiffness = moorings.stiffness().diagonal();
