@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -153,6 +154,24 @@ std::string reference_system(const Json& object) {
     return "";
 }
 
+/// Whether a code of EPSG is that of a projection with true lengths in metres, of those that maps of ice are in: UTM
+/// zones, polar maps, and Canada's, Greenland's and Finland's.
+bool is_in_metres(const std::string& code) {
+    struct Range {
+        int first, last;
+    };
+    constexpr std::array known{Range{3031, 3032},   Range{3035, 3035},   Range{3067, 3067},   Range{3178, 3189},
+                               Range{3347, 3348},   Range{3408, 3413},   Range{3571, 3576},   Range{3973, 3976},
+                               Range{3978, 3979},   Range{3995, 3996},   Range{5041, 5042},   Range{5921, 5940},
+                               Range{6931, 6932},   Range{25828, 25838}, Range{26701, 26722}, Range{26901, 26923},
+                               Range{32201, 32260}, Range{32301, 32360}, Range{32601, 32661}, Range{32701, 32761}};
+    int number = 0;
+    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), number);
+    return error == std::errc{} && end == code.data() + code.size() &&
+           std::ranges::any_of(known,
+                               [&](const Range& range) { return range.first <= number && number <= range.last; });
+}
+
 void refuse_degrees(const Json& object, const std::string& file) {
     if (!object.is_object()) return;
     const std::string system = reference_system(object);
@@ -171,6 +190,13 @@ void refuse_degrees(const Json& object, const std::string& file) {
             fmt::format("{}: its reference system {} is the Mercator projection of web maps, in which "
                         "lengths are too long by one over the cosine of the latitude; project it to true "
                         "lengths first, such as the UTM zone of the picture",
+                        file, system));
+    if (!system.empty() && !is_in_metres(code))
+        throw InputError(
+            fmt::format("{}: its reference system {} is none that is known here to have lengths in metres, which UTM "
+                        "zones (EPSG:326.., 327.., 258.., 269..) and polar maps (EPSG:3413, 3995, 3996, 3031) have; "
+                        "project it to one of these, or, if its places are lengths, take the system out of the file "
+                        "and give shapes.unit",
                         file, system));
 }
 

@@ -172,6 +172,11 @@ TEST(TakeOutlines, RefusesDegrees) {
     EXPECT_THAT(message(with_crs("EPSG:4326")), HasSubstr("is in degrees"));
     EXPECT_THAT(message(with_crs("urn:ogc:def:crs:EPSG::3857")), HasSubstr("one over the cosine of the latitude"));
     EXPECT_EQ(message(with_crs("urn:ogc:def:crs:EPSG::32633")), "");  // a UTM zone
+    EXPECT_EQ(message(with_crs("EPSG:3996")), "") << "polar";
+    for (const char* other : {"EPSG:4617", "EPSG:2225", "EPSG:3395", "my tank"})  // degrees, feet, stretched, a name
+        EXPECT_THAT(
+            message(with_crs(other)),
+            HasSubstr(fmt::format("its reference system {} is none that is known here to have lengths", other)));
 }
 
 TEST(TakeOutlines, RefusesCsvWithLineAndWhatToWrite) {
