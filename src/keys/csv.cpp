@@ -1,6 +1,8 @@
 #include "keys/csv.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -17,15 +19,15 @@ std::string_view without_blanks(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// The cell that the line begins with; takes it and its comma off the line. `more`: whether a comma followed.
-std::string take_cell(std::string_view& line, const std::string& where, bool& more) {
+/// The cell that the line begins with; takes it and its `comma` off the line. `more`: whether a comma followed.
+std::string take_cell(std::string_view& line, const std::string& where, char comma, bool& more) {
     line = without_blanks(line);
     std::string cell;
     if (!line.starts_with('"')) {
-        const std::size_t comma = line.find(',');
-        cell = without_blanks(line.substr(0, comma));
-        more = comma != std::string_view::npos;
-        line.remove_prefix(more ? comma + 1 : line.size());
+        const std::size_t end = line.find(comma);
+        cell = without_blanks(line.substr(0, end));
+        more = end != std::string_view::npos;
+        line.remove_prefix(more ? end + 1 : line.size());
         return cell;
     }
     std::size_t at = 1;
@@ -40,11 +42,33 @@ std::string take_cell(std::string_view& line, const std::string& where, bool& mo
         ++at;
     }
     line = without_blanks(line.substr(at));
-    more = line.starts_with(',');
+    more = line.starts_with(comma);
     if (!more && !line.empty())
-        throw InputError(fmt::format("{}: a comma is missing after the quoted cell \"{}\"", where, cell));
+        throw InputError(fmt::format("{}: a {} is missing after the quoted cell \"{}\"", where,
+                                     comma == ',' ? "comma" : "semicolon", cell));
     line.remove_prefix(more ? 1 : 0);
     return cell;
+}
+
+/// 0,5 becomes 0.5; what is no such number stays.
+void take_decimal_comma(std::string& cell) {
+    const std::size_t at = cell.find(',');
+    if (at == std::string::npos) return;
+    std::string with_point = cell;
+    with_point[at] = '.';
+    if (number_in(with_point)) cell = std::move(with_point);
+}
+
+/// One of the two would be read and the other lost.
+void refuse_doubled_columns(const CsvLine& header, const std::string& file) {
+    for (std::size_t k = 0; k < header.cells.size(); ++k) {
+        const std::string& name = header.cells[k];
+        if (name.empty() || number_in(name)) continue;  // no header
+        const auto before = header.cells.begin() + static_cast<std::ptrdiff_t>(k);
+        if (std::find(header.cells.begin(), before, name) != before)
+            throw InputError(fmt::format("{}:{}: the column {} is there twice; leave one of the two out", file,
+                                         header.number, name));
+    }
 }
 
 }  // namespace
@@ -52,6 +76,9 @@ std::string take_cell(std::string_view& line, const std::string& where, bool& mo
 std::vector<CsvLine> csv_lines(std::string_view text, const std::string& file) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    const std::string_view first = text.substr(0, text.find('\n', text.find_first_not_of(" \t\r\n")));
+    const char comma =
+        first.find(';') != std::string_view::npos && first.find(',') == std::string_view::npos ? ';' : ',';
     std::vector<CsvLine> lines;
     for (int number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
@@ -59,8 +86,11 @@ std::vector<CsvLine> csv_lines(std::string_view text, const std::string& file) {
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         if (without_blanks(line).empty()) continue;
         CsvLine& made = lines.emplace_back(CsvLine{number, {}});
-        for (bool more = true; more;) made.cells.push_back(take_cell(line, fmt::format("{}:{}", file, number), more));
+        for (bool more = true; more;)
+            made.cells.push_back(take_cell(line, fmt::format("{}:{}", file, number), comma, more));
+        if (comma == ';') std::ranges::for_each(made.cells, take_decimal_comma);
     }
+    if (!lines.empty()) refuse_doubled_columns(lines.front(), file);
     return lines;
 }
 

@@ -67,7 +67,8 @@ TEST(Columns, GiveTheFieldItsLength) {
 
 TEST(Columns, ArePropertiesOfFloesAndNothingElse) {
     EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.width_m", "7.4,0,0,1\n"), HasSubstr("width_m"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m,floe.length_m", "7.4,0,0,1,1\n"), HasSubstr("each once"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m,floe.length_m", "7.4,0,0,1,1\n"),
+                HasSubstr("the column floe.length_m is there twice"));
     EXPECT_THAT(message("x_m,z_m,yaw_deg,joint.model", "7.4,0,0,1\n"), HasSubstr("model"));
     EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m,", "7.4,0,0,1,\n"), HasSubstr("x_m,z_m,yaw_deg"));
 }
