@@ -196,6 +196,59 @@ std::vector<Surface> bodies_by_group(const Surface& surface, const std::string& 
     return bodies;
 }
 
+/// Corners within `tolerance` m of an earlier one become that one; what then has no area goes.
+Surface welded(const Surface& surface, double tolerance) {
+    using Cell = std::array<long long, 3>;
+    const auto cell_of = [&](const Vec3& point) {
+        return Cell{std::llround(point.x() / tolerance), std::llround(point.y() / tolerance),
+                    std::llround(point.z() / tolerance)};
+    };
+    std::map<Cell, std::vector<int>> kept;
+    const auto representative = [&](int number) {
+        const Vec3& point = surface.points[static_cast<std::size_t>(number)];
+        const Cell own = cell_of(point);
+        for (int k = 0; k < 27; ++k) {
+            const auto there = kept.find({own[0] + k % 3 - 1, own[1] + k / 3 % 3 - 1, own[2] + k / 9 - 1});
+            if (there == kept.end()) continue;
+            for (const int other : there->second)
+                if ((surface.points[static_cast<std::size_t>(other)] - point).norm() <= tolerance) return other;
+        }
+        kept[own].push_back(number);
+        return number;
+    };
+    std::vector<int> now(surface.points.size());
+    for (std::size_t k = 0; k < now.size(); ++k) now[k] = representative(static_cast<int>(k));
+    Surface found{surface.points, {}, {}, surface.groups};
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        std::array<int, 3> corners = surface.triangles[t];
+        for (int& corner : corners) corner = now[static_cast<std::size_t>(corner)];
+        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+        found.triangles.push_back(corners);
+        found.group.push_back(surface.group[t]);
+    }
+    return found;
+}
+
+double size_of(const Surface& surface) {
+    Vec3 low = surface.corner(0, 0);
+    Vec3 high = low;
+    for (const Vec3& point : surface.points) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    return (high - low).norm();
+}
+
+std::vector<Surface> bodies_as_they_are(const Surface& surface, const std::string& file) {
+    if (surface.groups.size() > 1) {
+        try {
+            return bodies_by_group(surface, file);
+        } catch (const InputError&) {  // groups are patches of bodies
+        }
+    }
+    return bodies_together(surface, file);
+}
+
 }  // namespace
 
 Surface read_surface(const std::string& bytes, const std::string& file) {
@@ -221,13 +274,18 @@ Surface read_surface(const std::string& bytes, const std::string& file) {
 }
 
 std::vector<Surface> closed_bodies(const Surface& surface, const std::string& file) {
-    if (surface.groups.size() > 1) {
-        try {
-            return bodies_by_group(surface, file);
-        } catch (const InputError&) {  // groups are patches of bodies
+    try {
+        return bodies_as_they_are(surface, file);
+    } catch (const InputError& open) {
+        // Programs round the corners of each triangle by itself: the last printed digit, or what sewing leaves.
+        for (const double share : welding) {
+            try {
+                return bodies_as_they_are(welded(surface, share * size_of(surface)), file);
+            } catch (const InputError&) {  // by more, or not at all
+            }
         }
+        throw open;
     }
-    return bodies_together(surface, file);
 }
 
 double volume_of(const Surface& body) {

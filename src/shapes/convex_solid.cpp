@@ -305,13 +305,17 @@ class Growth {
         rounding_ = flatness * (high - low).norm();
     }
 
-    Polyhedron grown() {
-        if (!begin()) return {};
-        for (std::size_t k = 0; k < triangles_.size(); ++k)
+    /// Empty for points in a plane; nothing where points nearer to each other than rounding leave no body.
+    std::optional<Polyhedron> grown() {
+        if (!begin()) return Polyhedron{};
+        const std::size_t most = 1000 + 100 * points_.size();  // a whole hull takes far fewer
+        for (std::size_t k = 0; k < triangles_.size(); ++k) {
             while (triangles_[k].alive && !triangles_[k].outside.empty()) add_farthest(k);
+            if (triangles_.size() > most) return {};
+        }
         std::erase_if(triangles_, [](const Triangle& one) { return !one.alive; });
         Polyhedron body = with_whole_faces();
-        check(body);
+        if (!is_whole(body)) return {};
         return body;
     }
 
@@ -456,19 +460,14 @@ class Growth {
     }
 
     /// Euler's sum, and no point outside. Points nearer to each other than rounding can break both.
-    void check(const Polyhedron& body) const {
+    bool is_whole(const Polyhedron& body) const {
         std::size_t ends = 0;
         for (const std::vector<int>& face : body.faces) ends += face.size();
         const bool whole = body.corners.size() + body.faces.size() == ends / 2 + 2;
-        const bool closed = whole && std::ranges::all_of(points_, [&](const Vec3& point) {
-                                return std::ranges::all_of(body.planes, [&](const Plane& plane) {
-                                    return plane.height(point) <= 20 * rounding_;
-                                });
-                            });
-        if (!closed)
-            throw InputError(
-                "The hull of some points cannot be told from their rounding; leave out points that lie within a "
-                "millionth of the body's size of each other.");
+        return whole && std::ranges::all_of(points_, [&](const Vec3& point) {
+                   return std::ranges::all_of(
+                       body.planes, [&](const Plane& plane) { return plane.height(point) <= 20 * rounding_; });
+               });
     }
 
     std::span<const Vec3> points_;
@@ -478,9 +477,43 @@ class Growth {
 
 }  // namespace
 
+namespace {
+
+/// One of each crowd of points within `distance` m of it.
+std::vector<Vec3> thinned(std::span<const Vec3> points, double distance) {
+    std::vector<Vec3> sorted(points.begin(), points.end());
+    std::ranges::sort(sorted, [](const Vec3& a, const Vec3& b) {
+        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    });
+    std::vector<Vec3> kept;
+    for (const Vec3& point : sorted) {
+        bool is_new = true;
+        for (auto other = kept.rbegin(); is_new && other != kept.rend() && point.x() - other->x() <= distance; ++other)
+            is_new = (point - *other).norm() > distance;
+        if (is_new) kept.push_back(point);
+    }
+    return kept;
+}
+
+}  // namespace
+
 Polyhedron convex_hull(std::span<const Vec3> points) {
     if (points.size() < 4) return {};
-    return Growth(points).grown();
+    if (std::optional<Polyhedron> body = Growth(points).grown()) return *std::move(body);
+    Vec3 low = points.front();
+    Vec3 high = low;
+    for (const Vec3& point : points) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    for (const double share : {1e-6, 1e-5, 1e-4}) {
+        const std::vector<Vec3> fewer = thinned(points, share * (high - low).norm());
+        if (fewer.size() < 4) break;
+        if (std::optional<Polyhedron> body = Growth(fewer).grown()) return *std::move(body);
+    }
+    throw InputError(
+        "The hull of some points cannot be told from their rounding; leave out points that lie within a ten-thousandth "
+        "of the body's size of each other.");
 }
 
 // A plane n · p = d round the origin is the point n/d of the dual body, and a face of that a corner of this.

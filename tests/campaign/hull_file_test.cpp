@@ -173,6 +173,27 @@ TEST(TakeHull, TurnsABodyThatIsInsideOut) {
     EXPECT_NEAR(structure.hull_file.volume, 8, 1e-9);
 }
 
+// As programs print them: each triangle's corners round by themselves, so that no two meet.
+TEST(TakeHull, SewsCornersThatDifferInTheLastDigit) {
+    for (const double share : {5e-7, 5e-6, 5e-5}) {
+        std::vector<Triangle3> torn = prism(l_shape, l_cut, 10);
+        const double size = std::hypot(30, std::hypot(30, 10));
+        double sign = 1;
+        for (Triangle3& triangle : torn)
+            for (auto& corner : triangle) {
+                for (int k = 0; k < 3; ++k) corner[static_cast<std::size_t>(k)] += 0.3 * share * size * (sign = -sign);
+                sign = -sign;
+            }
+        Structure structure;
+        structure.hull_file.waterline = 5;
+        take_hull(structure, stl_text({{"one", torn}}), "torn.stl");
+        EXPECT_NEAR(structure.hull_file.volume / 5000, 1, 10 * share);
+        double volume = 0;
+        for (const ConvexSolid& solid : structure.shape.solids()) volume += solid.volume();
+        EXPECT_NEAR(volume / 5000, 1, 20 * share);
+    }
+}
+
 TEST(TakeHull, SaysWhatIsWrongWithAFile) {
     std::vector<Triangle3> closed = box({-1, -1, -1}, {1, 1, 1});
     std::vector<Triangle3> open(closed.begin() + 1, closed.end());
