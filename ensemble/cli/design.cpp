@@ -287,9 +287,10 @@ struct Answer {
     Units units;
     bool given = false;  ///< of some case
 
-    Answer(std::vector<Section> found, const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request)
+    Answer(std::vector<Section> found, const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request,
+           const Evidence& evidence)
         : sections(std::move(found)),
-          units(design_units(designs, request)),
+          units(design_units(designs, request, evidence.units)),
           given(std::ranges::any_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); })) {}
 };
 
@@ -302,7 +303,7 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request, peaks);
     std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
     sections.push_back(moored_section(evidence.summary, found, asked));
-    return {std::move(sections), designs, request};
+    return {std::move(sections), designs, request, evidence};
 }
 
 Answer sections_of(const DesignOptions& options, const Evidence& evidence, const DesignLoadRequest& request) {
@@ -311,11 +312,11 @@ Answer sections_of(const DesignOptions& options, const Evidence& evidence, const
         std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
         if (options.of == "mooring_force") sections.front().before = mooring_notes(evidence) + sections.front().before;
         if (std::optional<Section> moved = moored_runs_section(evidence)) sections.push_back(std::move(*moved));
-        return {std::move(sections), designs, request};
+        return {std::move(sections), designs, request, evidence};
     }
     if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
     const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
-    return {design_load_sections(evidence.summary, designs, request), designs, request};
+    return {design_load_sections(evidence.summary, designs, request), designs, request, evidence};
 }
 
 /// What the answer is of, as options.

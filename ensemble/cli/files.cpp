@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "store/file_calls.hpp"
 #include "store/journal.hpp"
 
 namespace floes {
@@ -85,16 +86,19 @@ void expect_no_other_file(const fs::path& path) {
     std::error_code unknown;
     const bool empty_file = fs::is_regular_file(path, unknown) && fs::is_empty(path, unknown);
     if (kind == GivenFile::nothing || kind == GivenFile::hdf5 || empty_file) return;
+    fs::path other = fs::path(path).replace_extension(".h5");
+    if (other == path) other.replace_filename(path.stem().string() + "_campaign.h5");
     throw InputError(fmt::format("{} is {} and stays as it is; -o names another file for the campaign, as {}.",
                                  path.string(),
                                  kind == GivenFile::folder    ? "a folder"
                                  : kind == GivenFile::journal ? "a journal"
                                                               : "no campaign file",
-                                 fs::path(path).replace_extension(".h5").string()));
+                                 other.string()));
 }
 
 void write_page(const std::filesystem::path& path, const std::string& page) {
-    const std::filesystem::path aside = path.string() + ".tmp";
+    const std::filesystem::path target = target_of(path);
+    const std::filesystem::path aside = target.string() + ".tmp";
     const auto refuse = [&](const std::string& reason) {
         std::error_code ignored;
         std::filesystem::remove(aside, ignored);
@@ -106,7 +110,7 @@ void write_page(const std::filesystem::path& path, const std::string& page) {
     file.close();
     if (!file) refuse(std::strerror(errno));
     std::error_code error;
-    std::filesystem::rename(aside, path, error);
+    std::filesystem::rename(aside, target, error);
     if (error) refuse(error.message());
 }
 

@@ -1,5 +1,7 @@
 // floes: the program. Each verb has its own file and verbs.cpp lists them; this one only dispatches.
 
+#include <fcntl.h>
+
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -29,9 +31,16 @@ int end(const floes::CommandLineEnd& said) {
     return said.status();
 }
 
+/// Where standard input, output or error is closed, the next file that is opened would be it.
+void fill_standard_streams() {
+    for (int stream = 0; stream < 3; ++stream)
+        if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", stream == 0 ? O_RDONLY : O_WRONLY));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+    fill_standard_streams();
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error, like a full disk
     const std::span<char* const> words(argv, static_cast<std::size_t>(argc));
     floes::CommandLine line(floes::program_description);

@@ -551,13 +551,14 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
 
 }  // namespace
 
-Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request) {
+Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request,
+                   const Units& otherwise) {
     double largest = 0;
     for (const CaseDesignLoad& design : designs)
         for (const DesignLoadEstimate& made : shown(design))
             for (const DesignLoadFigure& figure : made.quantiles)
                 if (figure.value > largest) largest = figure.value;
-    return request.of.unit == "N" ? Units(largest * request.factor()) : Units();
+    return request.of.unit == "N" && largest > 0 ? Units(largest * request.factor()) : otherwise;
 }
 
 std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,

@@ -111,8 +111,9 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
 
 // The design loads of a campaign as output.
 
-/// That suit these loads at full scale.
-Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request);
+/// That suit these loads at full scale; `otherwise` where there are none.
+Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request,
+                   const Units& otherwise);
 
 /// The design values of each case alone, the second of the sections below.
 Section design_values_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,

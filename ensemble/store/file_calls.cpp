@@ -84,12 +84,34 @@ void sync_folder_of(const std::filesystem::path& path) {
     if (::fsync(opened.get()) != 0 && errno != EINVAL) refuse("fsync", folder, errno);
 }
 
+std::filesystem::path target_of(std::filesystem::path path) {
+    constexpr int most = 40;  // as Linux has it; a ring of links is left to whoever opens it
+    std::error_code none;
+    for (int k = 0; k < most && std::filesystem::is_symlink(path, none); ++k) {
+        const std::filesystem::path to = std::filesystem::read_symlink(path, none);
+        if (none) break;
+        path = to.is_absolute() ? to : path.parent_path() / to;
+    }
+    return path;
+}
+
 void rename_into_place(const std::filesystem::path& aside, const std::filesystem::path& path) {
+    const std::filesystem::path target = target_of(path);
     std::error_code error;
-    std::filesystem::rename(aside, path, error);
+    std::filesystem::rename(aside, target, error);
+    if (error == std::errc::cross_device_link) {
+        const std::filesystem::path arriving = target.string() + ".arriving";
+        std::filesystem::copy_file(aside, arriving, std::filesystem::copy_options::overwrite_existing, error);
+        if (!error) {
+            sync_data(open_file(arriving, O_RDWR), arriving);
+            std::filesystem::rename(arriving, target, error);
+        }
+        std::error_code ignored;
+        std::filesystem::remove(error ? arriving : aside, ignored);
+    }
     if (error)
-        throw RunError(fmt::format("renaming {} to {} failed: {}", aside.string(), path.string(), error.message()));
-    sync_folder_of(path);
+        throw RunError(fmt::format("renaming {} to {} failed: {}", aside.string(), target.string(), error.message()));
+    sync_folder_of(target);
 }
 
 }  // namespace floes

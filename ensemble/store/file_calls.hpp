@@ -29,7 +29,11 @@ bool is_named(const Descriptor& file, const std::filesystem::path& path);
 /// fsync(2) of the folder that holds `path`: on return the name is on the disk.
 void sync_folder_of(const std::filesystem::path& path);
 
-/// Gives the file at `aside` the name `path`, in place of what had it, and syncs the folder. Both in one folder.
+/// The file that a path means: what its links point to, also where that is not there yet.
+std::filesystem::path target_of(std::filesystem::path path);
+
+/// Gives the file at `aside` the name `path`, in place of what had it, and syncs the folder. Both in one folder; where
+/// `path` is a link it stays one, and what it points to is replaced, on another file system too.
 void rename_into_place(const std::filesystem::path& aside, const std::filesystem::path& path);
 
 }  // namespace floes
