@@ -198,7 +198,7 @@ void check_added(const TracedOutlines& traced, Contradictions& found) {
                      100 * traced.most_added, and_more(above - 1))});
 }
 
-/// Each has to be a sheet of at least one element.
+/// Each has to be a sheet, wider than it is thick; one smaller than an element is one element.
 void check_sheets(const Scenario& scenario, Contradictions& found) {
     const TracedOutlines& traced = scenario.shapes.traced;
     double elements = 0;
@@ -208,22 +208,17 @@ void check_sheets(const Scenario& scenario, Contradictions& found) {
     check_element_count(scenario, elements * std::max(1.0, each), found);
     if (!found.empty()) return;
     const std::vector<SingleFloe> floes = floes_as_traced(scenario);
-    const auto refuse = [&](const auto& breadth_of, double least, const std::string& key, const std::string& what) {
-        const auto narrowest = std::ranges::min_element(floes, {}, breadth_of);
-        const auto below = std::ranges::count_if(floes, [&](const auto& one) { return breadth_of(one) < least; });
-        if (below == 0) return;
-        found.push_back(
-            {{key, "shapes.scale", "shapes.file", "shapes.outlines"},
-             fmt::format("{}{} {} {:.4g} m, less than {}; leave such floes out of the file, or change shapes.scale or "
-                         "shapes.unit",
-                         outline_name(traced, static_cast<std::size_t>(narrowest - floes.begin())), and_more(below - 1),
-                         what, breadth_of(*narrowest), given(scenario, key))});
-    };
-    refuse([](const SingleFloe& one) { return 2 * inner_radius_of_parts(one.shape.outline); }, scenario.floe.thickness,
-           "ice.thickness_m", "is thinner than the ice: the widest circle in a convex part of it has a diameter of");
-    if (!found.empty()) return;
-    refuse([](const SingleFloe& one) { return one.shape.breadth; }, scenario.floe.element * (1 - 1e-9),
-           "floe.element_m", "is smaller than an element: its breadth is");
+    const auto width_of = [](const SingleFloe& one) { return 2 * inner_radius_of_parts(one.shape.outline); };
+    const auto narrowest = std::ranges::min_element(floes, {}, width_of);
+    const auto below =
+        std::ranges::count_if(floes, [&](const auto& one) { return width_of(one) < scenario.floe.thickness; });
+    if (below == 0) return;
+    found.push_back(
+        {{"ice.thickness_m", "shapes.scale", "shapes.file", "shapes.outlines"},
+         fmt::format("{}{} is thinner than the ice: the widest circle in a convex part of it has a diameter of {:.4g} m, "
+                     "less than {}; leave such floes out of the file, or change shapes.scale or shapes.unit",
+                     outline_name(traced, static_cast<std::size_t>(narrowest - floes.begin())), and_more(below - 1),
+                     width_of(*narrowest), given(scenario, "ice.thickness_m"))});
 }
 
 }  // namespace
