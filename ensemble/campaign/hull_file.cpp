@@ -276,7 +276,7 @@ Surface read_surface(const std::string& bytes, const std::string& file) {
 std::vector<Surface> closed_bodies(const Surface& surface, const std::string& file) {
     try {
         return bodies_as_they_are(surface, file);
-    } catch (const InputError& open) {
+    } catch (const InputError&) {
         // Programs round the corners of each triangle by itself: the last printed digit, or what sewing leaves.
         for (const double share : welding) {
             try {
@@ -284,7 +284,7 @@ std::vector<Surface> closed_bodies(const Surface& surface, const std::string& fi
             } catch (const InputError&) {  // by more, or not at all
             }
         }
-        throw open;
+        throw;
     }
 }
 

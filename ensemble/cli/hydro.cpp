@@ -96,27 +96,35 @@ std::string matrix_text(const char* key, const Mat6& matrix) {
     return text + "]\n";
 }
 
-/// A first column that is no period, a length or a density that are others give another waterplane.
+/// A first column that is no period, a length or a density that are others give another waterplane. Only waves that are
+/// long against the hull know it.
 std::string guard(const HydroOptions& options, const Surroundings& here, const RadiationFile& radiation) {
     const RadiationWater water =
         radiation.water.value_or(RadiationWater{here.units.density, here.gravity, here.depth, 0});
     const std::optional<double> implied = waterplane_by_waves(radiation, water.density, water.gravity, water.depth);
     if (!implied) return "# its longest waves say nothing of the waterplane: no damping in heave\n";
+    std::string text =
+        fmt::format("# the damping in heave of its longest waves is that of a waterplane of {:.4g} m²", *implied);
+    const double known = here.waterplane.value_or(water.waterplane);
+    if (!(known > 0)) return text + "; compare it with your hull's, or give --hull or --waterplane-m2\n";
     constexpr double most = 1.5;
-    const auto differs = [&](double waterplane) { return std::abs(std::log(*implied / waterplane)) > std::log(most); };
-    if (here.waterplane && differs(*here.waterplane))
-        throw InputError(fmt::format(
-            "{}: the damping in heave of its longest waves is that of a waterplane of {:.4g} m², not of the {:.4g} m² "
-            "of {}; is its first column a period in s, --length-m its length, --density its water, --depth-m its "
-            "depth?",
-            options.file, *implied, *here.waterplane, options.waterplane ? "--waterplane-m2" : options.hull));
-    if (water.waterplane > 0 && differs(water.waterplane))
-        throw InputError(fmt::format(
-            "{}: the damping in heave of its longest waves is that of a waterplane of {:.4g} m², and its own "
-            "stiffness in heave that of {:.4g} m²; one of the two is wrong",
-            options.file, *implied, water.waterplane));
-    return fmt::format("# the damping in heave of its longest waves is that of a waterplane of {:.4g} m²{}\n", *implied,
-                       here.waterplane ? "" : "; compare it with your hull's, or give --hull or --waterplane-m2");
+    if (std::abs(std::log(*implied / known)) <= std::log(most)) return text + "\n";
+    const double wave = longest_wave(radiation, water.gravity, water.depth);
+    const std::string whose = options.waterplane ? "--waterplane-m2"
+                              : here.waterplane  ? options.hull
+                                                 : "its own stiffness";
+    // Below a hull of the draught d waves of the number k are weaker by e^(-kd), which alone makes S too small.
+    const double radius = std::sqrt(known / std::numbers::pi);
+    const double draught = here.hull ? here.hull->structure.shape.draught() : 6 * radius;
+    if (*implied < known && wave < 2 * std::numbers::pi / std::log(most) * std::max(radius, draught))
+        return text + fmt::format(
+                          ", not of the {:.4g} m² of {}; they are {:.4g} m long, too short to know it, if its "
+                          "first column is a period in s\n",
+                          known, whose, wave);
+    throw InputError(fmt::format(
+        "{}: the damping in heave of its longest waves is that of a waterplane of {:.4g} m², not of the {:.4g} m² of "
+        "{}; is its first column a period in s, --length-m its length, --density its water, --depth-m its depth?",
+        options.file, *implied, known, whose));
 }
 
 /// Those of each motion by itself, in the order of radiation programs, with the file's added mass at the frequency

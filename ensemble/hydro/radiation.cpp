@@ -266,4 +266,8 @@ std::optional<double> waterplane_by_waves(const RadiationFile& radiation, double
     return std::sqrt(square);
 }
 
+double longest_wave(const RadiationFile& radiation, double gravity, double depth) {
+    return 2 * std::numbers::pi / wave_number(radiation.points.front().frequency, gravity, depth);
+}
+
 }  // namespace floes

@@ -67,4 +67,7 @@ Mat6 about_origin(const Mat6& matrix, const Vec3& reference);
 /// column that is no period, another L or ρ give another waterplane than the hull's. Nothing without such damping.
 std::optional<double> waterplane_by_waves(const RadiationFile& radiation, double density, double gravity, double depth);
 
+/// Length of the file's longest waves, m.
+double longest_wave(const RadiationFile& radiation, double gravity, double depth);
+
 }  // namespace floes

@@ -65,6 +65,13 @@ TEST(Hydro, ChecksTheWaterplaneByLongWaves) {
     EXPECT_THAT(message(radiation() + " --length-m 3 --hull " + cylinder()), HasSubstr("not of the 0.3848 m² of"));
 }
 
+// A hull that is deep against the longest waves of its file makes less damping than its waterplane.
+TEST(Hydro, DoesNotAskShortWavesForTheWaterplane) {
+    const std::string of_short_waves = file("short.1", "2.0E+00 3 3 0.2 1E-05\n1.0E+00 3 3 0.1 1E-05\n");
+    const std::string hinted = hydro(of_short_waves + " --period-s 2 --hull " + cylinder());
+    EXPECT_THAT(hinted, HasSubstr("they are 6.245 m long, too short to know it, if its first column is a period in s"));
+}
+
 TEST(Hydro, ComparesHydrostatics) {
     const std::string stiffness = file("cylinder.hst", "3 3 0.38375\n4 4 -0.06449\n5 5 -0.06449\n");
     EXPECT_THAT(message(stiffness), HasSubstr("say with --weight inside or --weight outside"));
