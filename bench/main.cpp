@@ -41,8 +41,8 @@ void tow_step(benchmark::State& state, SolverKind solver, Scene (*make_scene)(),
     state.counters["broken_floes"] = simulation.ice().broken_floes();
 }
 
-/// The hull on three hanging lines, which gives way in the plane or in all six motions: TowStep/direct/late_physical with
-/// a hull that moves.
+/// The hull on three hanging lines, which gives way in the plane or in all six motions: TowStep/direct/late_physical
+/// with a hull that moves.
 void moored_step(benchmark::State& state, bool six) {
     const Scene scene = late_scene();
     Scenario scenario = tow_scenario(SolverKind::direct, scene.wall);

@@ -27,8 +27,8 @@ struct Surface {
 /// the name: what is no such file, has no triangles or more than 20,000, or numbers that are none.
 Surface read_surface(const std::string& bytes, const std::string& file);
 
-/// Where a surface is open, corners nearer to each other than one of these shares of its size are taken as one: the first
-/// that closes it.
+/// Where a surface is open, corners nearer to each other than one of these shares of its size are taken as one: the
+/// first that closes it.
 inline constexpr std::array welding{1e-6, 1e-5, 1e-4};
 
 /// The bodies that the surface encloses, each a surface whose volume is above 0: of each group, where groups are closed

@@ -215,10 +215,11 @@ void check_sheets(const Scenario& scenario, Contradictions& found) {
     if (below == 0) return;
     found.push_back(
         {{"ice.thickness_m", "shapes.scale", "shapes.file", "shapes.outlines"},
-         fmt::format("{}{} is thinner than the ice: the widest circle in a convex part of it has a diameter of {:.4g} m, "
-                     "less than {}; leave such floes out of the file, or change shapes.scale or shapes.unit",
-                     outline_name(traced, static_cast<std::size_t>(narrowest - floes.begin())), and_more(below - 1),
-                     width_of(*narrowest), given(scenario, "ice.thickness_m"))});
+         fmt::format(
+             "{}{} is thinner than the ice: the widest circle in a convex part of it has a diameter of {:.4g} m, "
+             "less than {}; leave such floes out of the file, or change shapes.scale or shapes.unit",
+             outline_name(traced, static_cast<std::size_t>(narrowest - floes.begin())), and_more(below - 1),
+             width_of(*narrowest), given(scenario, "ice.thickness_m"))});
 }
 
 }  // namespace

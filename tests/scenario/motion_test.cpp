@@ -129,11 +129,12 @@ TEST(Motion, HullsThatCannotFloatAreRefused) {
     EXPECT_THAT(with(0, 4, 1), HasSubstr("moorings.added_mass[4][0] and [0][4] differ, 0 and 1; such a matrix is"));
     EXPECT_THAT(floating([](Scenario& s) { s.moorings.added_mass.assign(5, std::vector<double>(6, 0.0)); }),
                 HasSubstr("moorings.added_mass has 5 rows of six"));
-    EXPECT_THAT(floating([](Scenario& s) {
-                    s.moorings.radiation_damping.assign(6, std::vector<double>(6, 0.0));
-                    s.moorings.radiation_damping[2][2] = -100;
-                }),
-                HasSubstr("moorings.radiation_damping[2][2] is -0.1, which would drive that motion on; give 0 or more"));
+    EXPECT_THAT(
+        floating([](Scenario& s) {
+            s.moorings.radiation_damping.assign(6, std::vector<double>(6, 0.0));
+            s.moorings.radiation_damping[2][2] = -100;
+        }),
+        HasSubstr("moorings.radiation_damping[2][2] is -0.1, which would drive that motion on; give 0 or more"));
     const auto hangs = [&](double depth, double length, double breaks) {
         return floating([&](Scenario& s) {
             s.moorings.hanging.push_back({.fairlead = {0.5, -0.2, 0},
