@@ -160,7 +160,12 @@ std::string radiation_text(const HydroOptions& options, const Surroundings& here
     std::array<double, 6> frequencies{};
     std::string when;
     if (options.period) {
-        radiation_at(radiation, 2 * std::numbers::pi / *options.period);  // throws outside its periods
+        const double shortest = period_of(radiation.points.back().frequency);
+        const double longest = period_of(radiation.points.front().frequency);
+        constexpr double rounding = 1e-9;
+        if (*options.period < shortest * (1 - rounding) || *options.period > longest * (1 + rounding))
+            throw InputError(fmt::format("{}: has periods from {:.4g} to {:.4g} s, and --period-s {:g} is outside",
+                                         options.file, shortest, longest, *options.period));
         frequencies.fill(2 * std::numbers::pi / *options.period);
         when = fmt::format("at {:g} s", *options.period);
     } else if (here.hull && here.hull->moorings.give_way()) {

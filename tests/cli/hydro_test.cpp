@@ -55,7 +55,8 @@ TEST(Hydro, TakesEachMotionAtItsNaturalPeriod) {
     EXPECT_THAT(keys, HasSubstr("heave 2.335 s"));
     EXPECT_THAT(keys, HasSubstr("  [0.17, 0, 0, 0, 0, 0],")) << "what couples by rounding is gone";
     EXPECT_THAT(message(radiation()), HasSubstr("give the period at which its values are to hold, --period-s, or"));
-    EXPECT_THAT(message(radiation() + " --period-s 200"), HasSubstr("200 s is outside"));
+    EXPECT_THAT(message(radiation() + " --period-s 200"),
+                HasSubstr("cylinder.1: has periods from 1 to 100 s, and --period-s 200 is outside"));
 }
 
 TEST(Hydro, ChecksTheWaterplaneByLongWaves) {

@@ -81,13 +81,16 @@ class Grain(unittest.TestCase):
         self.assert_alike("steps: broken", paired(broken["step_0.01"], broken["step_0.005"]), broken["cells"].mean(), 0.03)
 
     def test_on_a_wall(self):
-        wall = Campaign(sys.argv[3], 6)
+        # Jams scatter: fewer arrangements would see nothing.
+        wall = Campaign(sys.argv[3], 12)
+        cells = wall.values["cells"]["mean load"]
+        for case in ("other_cells", "grid"):
+            self.assert_alike(case, paired(cells, wall.values[case]["mean load"]), cells.mean(), 0.05)
         aligned = wall.pooled(["cells", "other_cells"], "mean load")
         turned = wall.values["turned_45"]["mean load"]
-        # Triangles at the rim had made it 21 to 39 % more.
+        # It had been 21 to 39 % more where sweeps left contacts unsolved.
         self.assert_alike("turned", apart(aligned, turned), aligned.mean(), 0.05)
         self.assertLess(turned.mean(), 1.15 * aligned.mean())
-        self.assert_alike("grid", apart(aligned, wall.values["grid"]["mean load"]), aligned.mean(), 0.05)
 
 
 if __name__ == "__main__":
