@@ -82,7 +82,7 @@ class Grain(unittest.TestCase):
 
     def test_on_a_wall(self):
         # Jams scatter: fewer arrangements would see nothing.
-        wall = Campaign(sys.argv[3], 12)
+        wall = Campaign(sys.argv[3], 16)
         cells = wall.values["cells"]["mean load"]
         for case in ("other_cells", "grid"):
             self.assert_alike(case, paired(cells, wall.values[case]["mean load"]), cells.mean(), 0.05)
