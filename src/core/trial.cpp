@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <exception>
 
 namespace floes {
@@ -26,6 +27,7 @@ int signal_of_trial(const std::function<void()>& work) {
         ::setrlimit(RLIMIT_CORE, &no_core);
         ::alarm(longest_wait);
         ::close(STDERR_FILENO);  // what a crash would print
+        for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);
         try {
             work();
         } catch (const std::exception&) {
@@ -35,7 +37,8 @@ int signal_of_trial(const std::function<void()>& work) {
     }
     int status = 0;
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    return WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    if (WIFSIGNALED(status)) return WTERMSIG(status);
+    return WEXITSTATUS(status) == 0 ? 0 : SIGABRT;  // a sanitizer ended it
 }
 
 }  // namespace floes
