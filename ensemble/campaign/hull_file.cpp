@@ -278,9 +278,10 @@ std::vector<Surface> closed_bodies(const Surface& surface, const std::string& fi
         return bodies_as_they_are(surface, file);
     } catch (const InputError&) {
         // Programs round the corners of each triangle by itself: the last printed digit, or what sewing leaves.
+        const double size = size_of(surface);
         for (const double share : welding) {
             try {
-                return bodies_as_they_are(welded(surface, share * size_of(surface)), file);
+                return bodies_as_they_are(welded(surface, share * size), file);
             } catch (const InputError&) {  // by more, or not at all
             }
         }

@@ -172,7 +172,8 @@ bool is_in_metres(const std::string& code) {
                                [&](const Range& range) { return range.first <= number && number <= range.last; });
 }
 
-void refuse_degrees(const Json& object, const std::string& file) {
+/// By the name of the file's own reference system.
+void refuse_other_systems(const Json& object, const std::string& file) {
     if (!object.is_object()) return;
     const std::string system = reference_system(object);
     const auto number =
@@ -216,7 +217,7 @@ std::vector<TracedFloe> read_geojson(const std::string& text, const std::string&
         throw InputError(
             fmt::format("{}: this is no JSON: {}", file, beginning(what.substr(what.find("] ") + 2), 160)));
     }
-    refuse_degrees(object, file);
+    refuse_other_systems(object, file);
     Reader reader(file);
     reader.take(object, file, "", 0);
     return std::move(reader).floes();

@@ -302,8 +302,11 @@ class Growth {
             low = low.cwiseMin(point);
             high = high.cwiseMax(point);
         }
-        rounding_ = flatness * (high - low).norm();
+        size_ = (high - low).norm();
+        rounding_ = flatness * size_;
     }
+
+    double size() const { return size_; }  ///< from corner to corner of what bounds the points
 
     /// Empty for points in a plane; nothing where points nearer to each other than rounding leave no body.
     std::optional<Polyhedron> grown() {
@@ -471,6 +474,7 @@ class Growth {
     }
 
     std::span<const Vec3> points_;
+    double size_ = 0;
     double rounding_ = 0;
     std::vector<Triangle> triangles_;
 };
@@ -499,15 +503,10 @@ std::vector<Vec3> thinned(std::span<const Vec3> points, double distance) {
 
 Polyhedron convex_hull(std::span<const Vec3> points) {
     if (points.size() < 4) return {};
-    if (std::optional<Polyhedron> body = Growth(points).grown()) return *std::move(body);
-    Vec3 low = points.front();
-    Vec3 high = low;
-    for (const Vec3& point : points) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-    }
+    Growth all(points);
+    if (std::optional<Polyhedron> body = all.grown()) return *std::move(body);
     for (const double share : {1e-6, 1e-5, 1e-4}) {
-        const std::vector<Vec3> fewer = thinned(points, share * (high - low).norm());
+        const std::vector<Vec3> fewer = thinned(points, share * all.size());
         if (fewer.size() < 4) break;
         if (std::optional<Polyhedron> body = Growth(fewer).grown()) return *std::move(body);
     }
