@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -75,6 +76,22 @@ bool is_wanted(const Finding& finding, const std::vector<std::string>& parts, co
     if (finding.name == "pairs") return campaign.cases.size() > 1 && finding.unasked(campaign);
     return finding.name == "cases" || finding.name == "members" ||
            (finding.name == "points" && campaign.design.active());
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (const auto line : std::views::split(text, '\n'))
+        if (!line.empty()) lines.emplace_back(line.begin(), line.end());
+    return lines;
+}
+
+/// The overview of the screen.
+FrontSheet front_sheet(Evidence& evidence) {
+    Section overview = overview_section(evidence, sensitivity_of(evidence));
+    FrontSheet front{.name = "overview", .above = lines_of(overview.before), .table = {}, .below = overview.notes};
+    if (!overview.results.empty()) front.table = std::move(overview.results.front());
+    for (std::string& line : lines_of(overview.after)) front.below.push_back(std::move(line));
+    return front;
 }
 
 }  // namespace
@@ -165,7 +182,8 @@ void write(const SummarizeOptions& options, Evidence& evidence, const std::strin
         return;
     }
     const std::string aside = options.output + ".tmp";
-    write_workbook(aside, workbook_sheets(evidence, options.parts));
+    const FrontSheet front = front_sheet(evidence);
+    write_workbook(aside, workbook_sheets(evidence, options.parts), evidence.units, &front);
     rename_into_place(aside, options.output);
 }
 

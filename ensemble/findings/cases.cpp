@@ -33,22 +33,12 @@ ResultColumn LoadColumn::column() const {
             .form = ResultColumn::Form::plus_minus};
 }
 
-Quantity largest_load(const Summary& summary) {
-    Quantity largest = quantity("mean_maximum");
-    for (const Quantity& one : summary.quantities) {
-        if (one.averaging == 0 || one.averaged != quantity("mean_maximum").averaged) continue;
-        largest = one;
-        if (one.averaging == 1) break;
-    }
-    return largest;
-}
-
 std::string largest_words(const Quantity& largest) {
     return largest.averaging == 0 ? "largest of a step" : fmt::format("largest over {:g} s", largest.averaging);
 }
 
 std::vector<LoadColumn> load_columns(const Summary& summary) {
-    const Quantity largest = largest_load(summary);
+    const Quantity& largest = headline_maximum(summary.quantities);
     return {{quantity("mean_load"), "mean load"},
             {largest, largest_words(largest)},
             {quantity("failure_ratio"), "broken floes"}};
@@ -68,21 +58,25 @@ bool any_dash(const Summary& summary) {
 
 }  // namespace
 
-std::string unseen_text(const Summary& summary, bool in_full) {
+namespace {
+
+/// What no interval has: kinds of run that none of the fewest arrangements of a case shows.
+std::string unseen_text(const Summary& summary) {
     constexpr double times = 5;  // the load
     int fewest = 0;
     for (const CaseSummary& row : summary.cases)
         if (row.done >= fewest_for_interval && (fewest == 0 || row.done < fewest)) fewest = row.done;
     if (fewest == 0) return "";
     return fmt::format(
-        " Kinds of member that none of n = {} is are in no interval; up to {:.2g} % of all may be such{}.", fewest,
-        unseen_share(static_cast<std::size_t>(fewest)) / unit::percent,
-        in_full ? fmt::format(": each percent at {:g} times the load adds {:g} % to the mean", times, times - 1)
-                : std::string{});
+        "A rare kind of run, such as a jam, may be missing from {} runs if it is less than {:.2g} % of all, and no "
+        "interval counts it: each percent of runs at {:g} times the load would add {:g} % to the mean.\n",
+        fewest, unseen_share(static_cast<std::size_t>(fewest)) / unit::percent, times, times - 1);
 }
 
+}  // namespace
+
 std::string load_columns_text(const Summary& summary) {
-    const Quantity largest = largest_load(summary);
+    const Quantity& largest = headline_maximum(summary.quantities);
     int segments = 0;
     bool same = true;
     for (const CaseSummary& row : summary.cases) {
@@ -93,14 +87,12 @@ std::string load_columns_text(const Summary& summary) {
                               : same ? fmt::format("each of the window's {}", counted(segments, "segment"))
                                      : std::string{"each of the window's segments"};
     return fmt::format(
-               "±: 95 % interval of the mean over arrangements (t), of sampling alone (floes vary: of the model){}. "
-               "Largest: of {}, {}; their mean.",
-               any_dash(summary) ? fmt::format("; –: of fewer than {}, or too wide", fewest_for_interval)
-                                 : std::string{},
-               parts,
-               largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
-                                      : fmt::format("averaged over {:g} s", largest.averaging)) +
-           unseen_text(summary, false);
+        "±: 95 % interval of the mean over arrangements (t), of sampling alone (floes vary: of the model){}. "
+        "Largest: of {}, {}; their mean.",
+        any_dash(summary) ? fmt::format("; –: of fewer than {}, or too wide", fewest_for_interval) : std::string{},
+        parts,
+        largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
+                               : fmt::format("averaged over {:g} s", largest.averaging));
 }
 
 namespace {
@@ -227,7 +219,7 @@ std::string notes(const Summary& summary, const Totals& totals) {
               "one step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n"
             : "Maxima without an averaging time are maxima of single steps. Quote averaged maxima, with their "
               "averaging time.\n";
-    if (const std::string unseen = unseen_text(summary, true); !unseen.empty()) text += unseen.substr(1) + "\n";
+    text += unseen_text(summary);
     if (totals.missing > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
     }
@@ -457,21 +449,21 @@ Section table3_section(Evidence& evidence) {
     const bool papers =
         std::ranges::any_of(evidence.campaign.cases, [](const Case& one) { return paper_row(one) != nullptr; });
     const bool each = in_detail(evidence.campaign);  // a design of many points has figures of its own
-    return {.results = {table3(evidence.campaign, evidence.summary)},
-            .after = fmt::format("Mean over arrangements with its 95 % confidence interval; below it the 95 % "
-                                 "prediction interval of one further arrangement; –: one that would say nothing.{}",
-                                 papers ? " The paper's figures are one run each, and the experiment's maximum is one "
-                                          "value."
-                                        : ""),
-            .figures =
-                !each
-                    ? std::vector<Figure>{}
-                    : std::vector<Figure>{
-                          strips(evidence, quantity("mean_load"),
-                                 "Each dot is one arrangement. Below the dots: mean, its 95 % confidence interval "
-                                 "(thick), and the 95 % prediction interval of one further run (dashed)."),
-                          strips(evidence, quantity("mean_maximum"), "The same for the mean of the segments' maxima."),
-                          strips(evidence, quantity("failure_ratio"), "The same for the share of broken floes.")}};
+    return {
+        .results = {table3(evidence.campaign, evidence.summary)},
+        .after = fmt::format("Mean over arrangements with its 95 % confidence interval; below it the 95 % "
+                             "prediction interval of one further arrangement; –: one that would say nothing.{}",
+                             papers ? " The paper's figures are one run each, and the experiment's maximum is one "
+                                      "value."
+                                    : ""),
+        .figures = !each ? std::vector<Figure>{}
+                         : std::vector<Figure>{
+                               strips(evidence, quantity("mean_load"),
+                                      "Each dot is one arrangement. Below the dots: mean, its 95 % confidence interval "
+                                      "(thick), and the 95 % prediction interval of one further run (dashed)."),
+                               strips(evidence, headline_maximum(evidence.summary.quantities),
+                                      "The same for the mean of the segments' maxima."),
+                               strips(evidence, quantity("failure_ratio"), "The same for the share of broken floes.")}};
 }
 
 }  // namespace floes

@@ -23,16 +23,8 @@ struct LoadColumn {
 /// Mean load, largest load and broken floes.
 std::vector<LoadColumn> load_columns(const Summary& summary);
 
-/// The mean of the segments' maxima of the load averaged over 1 s; over the longest time that the members took unless
-/// they took that; of single steps where they averaged nothing.
-Quantity largest_load(const Summary& summary);
-
 /// "largest over 1 s", "largest of a step"
 std::string largest_words(const Quantity& largest);
-
-/// What no interval has: kinds of member that none of the fewest arrangements of a case shows; `in_full`: and what they
-/// would add. A sentence behind a blank, or nothing.
-std::string unseen_text(const Summary& summary, bool in_full);
 
 /// A quantity of a case as a cell.
 Estimate estimate_of(const CaseSummary& row, const Quantity& quantity);

@@ -35,7 +35,7 @@ Results find_control(const Evidence& evidence) {
                                 {.key = "arrangements_saved", .words = "arrangements saved", .decimals = 0}}};
     const Campaign& campaign = evidence.campaign;
     std::map<std::uint64_t, Covariates> populations;
-    for (const Quantity& quantity : shown_in(quantities, Shown::in_headlines)) {
+    for (const Quantity& quantity : shown_in(evidence.summary.quantities, Shown::in_headlines)) {
         bool first = true;
         for (std::size_t k = 0; k < evidence.sample.cases(); ++k) {
             const Scenario& scenario = campaign.cases.at(k).scenario;

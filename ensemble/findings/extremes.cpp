@@ -44,7 +44,7 @@ Results empty_fits() {
                                 {.words = "p A²", .p = true}}};
     for (const double period : return_periods)
         results.columns.push_back(estimates("", fmt::format("1 in {:g}", period), "N"));
-    results.columns = std::move(results.columns) + program_columns("case distribution segment maxima");
+    results.columns = std::move(results.columns) + program_columns("case distribution averaging segment maxima");
     for (const char* key : {"location", "scale", "shape"}) results.columns.push_back(estimates(key, ""));
     results.columns =
         std::move(results.columns) + program_columns(
@@ -68,11 +68,12 @@ void add_fit(const Summary& summary, const CaseExtremes& extremes, const FittedE
             row.push_back(k < fitted.levels.size() ? cell_of(fitted.levels[k]) : Datum(Undefined{}));
     };
     add_levels([&](const ReturnLevel& level) { return shown(shown_level(level)); });
-    row.insert(row.end(), {summary.named(extremes.case_index), name_of(fitted.kind), extremes.segment, extremes.maxima,
-                           with(fitted.fit.location, fitted.location), with(fitted.fit.scale, fitted.scale),
-                           with(fitted.fit.shape, fitted.shape), fitted.fit.log_likelihood,
-                           fitted.goodness.found.anderson_darling, fitted.goodness.anderson_darling_p,
-                           fitted.goodness.found.kolmogorov_smirnov, fitted.goodness.kolmogorov_smirnov_p});
+    row.insert(row.end(),
+               {summary.named(extremes.case_index), name_of(fitted.kind), extremes.averaging, extremes.segment,
+                extremes.maxima, with(fitted.fit.location, fitted.location), with(fitted.fit.scale, fitted.scale),
+                with(fitted.fit.shape, fitted.shape), fitted.fit.log_likelihood, fitted.goodness.found.anderson_darling,
+                fitted.goodness.anderson_darling_p, fitted.goodness.found.kolmogorov_smirnov,
+                fitted.goodness.kolmogorov_smirnov_p});
     add_levels([](const ReturnLevel& level) { return Datum(with(level.level, level.interval)); });
     const bool valid = extremes.gumbel.fit.valid();
     results.add(std::move(row), valid ? Results::For::everybody : Results::For::programs);
@@ -89,6 +90,12 @@ Results fit_results(const Summary& summary, const std::vector<CaseExtremes>& all
     return results;
 }
 
+std::string of_what(const std::vector<CaseExtremes>& all) {
+    const double averaging = all.empty() ? 0 : all.front().averaging;
+    return averaging > 0 ? fmt::format("of the load averaged over {:g} s", averaging)
+                         : std::string{"of single steps, which depend on the time step"};
+}
+
 /// What the number of tests does to chance.
 std::string chance_text(const std::vector<CaseExtremes>& extremes) {
     std::size_t tests = 0;
@@ -100,18 +107,23 @@ std::string chance_text(const std::vector<CaseExtremes>& extremes) {
 }  // namespace
 
 std::vector<CaseExtremes> find_extremes(const CampaignTable& table) {
+    const std::vector<Quantity> quantities = table.quantities();
+    const double averaging = headline_maximum(quantities).averaging;
     std::vector<CaseExtremes> all;
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
         std::vector<std::vector<double>> maxima;
         std::vector<double> pooled;
         for (const MemberRow& row : table.members) {
-            if (row.case_index != static_cast<int>(index) || !row.done()) continue;
-            maxima.push_back(row.load.segment_maximum);
-            pooled.insert(pooled.end(), row.load.segment_maximum.begin(), row.load.segment_maximum.end());
+            const AveragedLoad* averaged = row.averaged_over(averaging);
+            if (row.case_index != static_cast<int>(index) || !row.done() || (averaging > 0 && averaged == nullptr))
+                continue;
+            maxima.push_back(averaging > 0 ? averaged->segment_maximum : row.load.segment_maximum);
+            pooled.insert(pooled.end(), maxima.back().begin(), maxima.back().end());
         }
         const Analysis& analysis = table.cases[index].analysis;
         CaseExtremes found;
         found.case_index = index;
+        found.averaging = averaging;
         found.segment = analysis.window / analysis.segments;
         found.maxima = pooled.size();
         found.gumbel = fit_extremes(maxima, ExtremeKind::gumbel, return_periods);
@@ -138,11 +150,13 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
         return section;
     }
     section.after = fmt::format(
-        "\nMaximum likelihood; 1 in N: the load that one segment in N exceeds (a segment: {:g} s; 1 in 1000: once in "
-        "{}), interval by bootstrap over arrangements. ξ: shape, below 0 with an upper bound. p A²: Anderson-Darling; "
+        "\nMaxima {}. Maximum likelihood; 1 in N: the load that one segment in N exceeds (a segment: {:g} s; 1 in "
+        "1000: "
+        "once in {}), interval by bootstrap over arrangements. ξ: shape, below 0 with an upper bound. p A²: "
+        "Anderson-Darling; "
         "small: poor fit of the distribution.\nFor exposures longer than the one simulated, a return level is an "
         "extrapolation.{}\n",
-        fitted->segment, hours(1000 * fitted->segment), chance_text(extremes));
+        of_what(extremes), fitted->segment, hours(1000 * fitted->segment), chance_text(extremes));
     return section;
 }
 
@@ -177,9 +191,9 @@ Figure exceedance_figure(const Summary& summary, const std::vector<CaseExtremes>
                   .y = {"probability of exceedance", floor, 1, true},
                   .size = {720, 380},
                   .legend = case_legend(summary),
-                  .caption =
-                      "Dots: maxima of all segments, of single steps, which are no design loads. Lines: Gumbel, "
-                      "dashed: GEV, fitted by maximum likelihood."};
+                  .caption = fmt::format("Dots: maxima of all segments, {}. Lines: Gumbel, dashed: GEV, fitted by "
+                                         "maximum likelihood.",
+                                         of_what(extremes))};
     for (std::size_t i = 0; i < extremes.size(); ++i) {
         const CaseExtremes& one = extremes[i];
         for (const ExceedancePoint& point : one.exceedance) figure.dot(point.load, point.probability, colour(i), 2.5);

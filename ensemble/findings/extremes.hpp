@@ -1,5 +1,5 @@
 #pragma once
-// Segment maxima of each case: fits, return levels, exceedance.
+// Segment maxima of each case, averaged over the time of the headlines: fits, return levels, exceedance.
 
 #include <cstddef>
 #include <vector>
@@ -12,7 +12,8 @@ namespace floes {
 /// Extremes of one case, from the segment maxima of all its done members.
 struct CaseExtremes {
     std::size_t case_index = 0;
-    double segment = 0;  ///< length of a segment, s
+    double averaging = 0;  ///< time that the maxima are averaged over, s; 0: of single steps
+    double segment = 0;    ///< length of a segment, s
     std::size_t maxima = 0;
     FittedExtreme gumbel;
     FittedExtreme gev;

@@ -307,7 +307,8 @@ Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, 
     if (std::string apart = apart_text(summary, rows); !apart.empty()) section.notes.push_back(std::move(apart));
     section.figures = {
         differences(summary, rows, quantity("mean_load"), "Mean load: differences within an arrangement."),
-        differences(summary, rows, quantity("mean_maximum"), "Mean maximum load: differences within an arrangement.")};
+        differences(summary, rows, headline_maximum(summary.quantities),
+                    "Mean maximum load: differences within an arrangement.")};
     return section;
 }
 

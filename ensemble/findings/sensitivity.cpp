@@ -135,7 +135,7 @@ std::string word_axis(const Design& design) {
 
 /// Whether the quantity is one of those that are asked for first.
 bool in_front(const Quantity& quantity) {
-    return quantity.shown >= Shown::in_headlines || quantity.key.view() == "mean_maximum_1s";
+    return quantity.shown >= Shown::in_headlines;
 }
 
 bool has_indices(const Sensitivity& found) {

@@ -1,5 +1,6 @@
 #include "page/section_html.hpp"
 
+#include <ranges>
 #include <sstream>
 #include <utility>
 
@@ -102,10 +103,27 @@ std::string sections_page(const std::string& title, std::span<const Section> sec
     return html_page(title, "", body);
 }
 
+namespace {
+
+/// The style of a picture by itself: many programs that show SVG know no names of colours.
+std::string style_with_colours() {
+    std::string style{picture_style};
+    for (const auto part : std::views::split(light_colours, ';')) {
+        const std::string_view colour(part.begin(), part.end());
+        const std::string name = fmt::format("var({})", colour.substr(0, colour.find(':')));
+        for (std::size_t at = 0; (at = style.find(name, at)) != std::string::npos;)
+            style.replace(at, name.size(), colour.substr(colour.find(':') + 1));
+    }
+    return style;
+}
+
+}  // namespace
+
 std::string figure_file(const Figure& figure, const Units& units) {
     std::string drawn = svg(figure, units);
     const std::size_t end = drawn.find('>') + 1;
-    drawn.insert(end, fmt::format("<style>{}</style>", page_style));
+    drawn.insert(end, fmt::format("<style>{}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>",
+                                  style_with_colours()));
     drawn.insert(drawn.find(' '), " xmlns=\"http://www.w3.org/2000/svg\"");
     return drawn;
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The style sheet of the report: light and dark, screen and print. Cases have the colours of Okabe and Ito, which are
-// safe for colour-blind readers. For this module only.
+// The style sheet of the report and of pictures: light and dark, screen and print. Cases have the colours of Okabe and
+// Ito, which are safe for colour-blind readers. For this module only.
 
 #include <span>
 #include <string>
@@ -15,18 +15,13 @@
 
 namespace floes {
 
-inline constexpr const char* page_style = R"(
-:root{color-scheme:light dark;--ink:#1b1f24;--soft:#57606a;--ground:#fff;--grid:#e4e7ea;--ice:#d7e6f2;--water:#e8f1f8;
---c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#b58900;--c5:#56b4e9}
-@media(prefers-color-scheme:dark){:root{--ink:#e6e9ec;--soft:#9aa4ae;--ground:#14181c;--grid:#2b3239;--ice:#31485c;
---water:#1b2935;--c0:#4ba3dc;--c1:#f08a4b;--c2:#3cc79d;--c3:#e3a3c4;--c4:#d9b13b;--c5:#8fd0f5}}
-body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--ground);max-width:76rem;margin:2rem auto;
-padding:0 1rem}p,ul,h1,h2,h3,figcaption{max-width:52rem}
-h1{font-size:1.7rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.4rem;border-bottom:1px solid var(--grid)}
-h3{font-size:1rem;margin-bottom:.2rem}ul{margin-top:.2rem;padding-left:1.2rem}.answer{font-weight:600}
-.warning{border-left:.3rem solid var(--c1);padding-left:.6rem;margin:.4rem 0}
-.appendix{margin-top:3rem;font-size:1.4rem}
-figure{margin:1rem 0}figcaption,.note{color:var(--soft);font-size:.9rem}
+/// Light colours by name, of page and picture alike.
+inline constexpr std::string_view light_colours =
+    "--ink:#1b1f24;--soft:#57606a;--ground:#fff;--grid:#e4e7ea;--ice:#d7e6f2;--water:#e8f1f8;"
+    "--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#b58900;--c5:#56b4e9";
+
+/// How the parts of pictures look, by the names of colours.
+inline constexpr std::string_view picture_style = R"(
 img,svg{max-width:100%;height:auto;font:12px system-ui,sans-serif}
 svg text{fill:var(--ink)}svg .label{fill:var(--soft)}svg .grid{stroke:var(--grid);fill:none}
 svg .frame{stroke:var(--soft);fill:none}svg .line{fill:none;stroke:var(--ink);stroke-width:1.5}
@@ -42,6 +37,19 @@ svg .dot.c2,svg .area.c2,svg text.c2{fill:var(--c2)}svg .dot.c3,svg .area.c3,svg
 svg .dot.c4,svg .area.c4,svg text.c4{fill:var(--c4)}svg .dot.c5,svg .area.c5,svg text.c5{fill:var(--c5)}
 svg .key{font-weight:600}svg .heat{fill:var(--c1);shape-rendering:crispEdges}svg .cold{fill:var(--c0);shape-rendering:crispEdges}
 svg .mild{fill:var(--c2);shape-rendering:crispEdges}svg .void{fill:var(--grid)}svg .small{font-size:10px}
+)";
+
+/// Of the page alone, behind its light colours.
+inline constexpr std::string_view page_style = R"(
+@media(prefers-color-scheme:dark){:root{--ink:#e6e9ec;--soft:#9aa4ae;--ground:#14181c;--grid:#2b3239;--ice:#31485c;
+--water:#1b2935;--c0:#4ba3dc;--c1:#f08a4b;--c2:#3cc79d;--c3:#e3a3c4;--c4:#d9b13b;--c5:#8fd0f5}}
+body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--ground);max-width:76rem;margin:2rem auto;
+padding:0 1rem}p,ul,h1,h2,h3,figcaption{max-width:52rem}
+h1{font-size:1.7rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.4rem;border-bottom:1px solid var(--grid)}
+h3{font-size:1rem;margin-bottom:.2rem}ul{margin-top:.2rem;padding-left:1.2rem}.answer{font-weight:600}
+.warning{border-left:.3rem solid var(--c1);padding-left:.6rem;margin:.4rem 0}
+.appendix{margin-top:3rem;font-size:1.4rem}
+figure{margin:1rem 0}figcaption,.note{color:var(--soft);font-size:.9rem}
 .bar{display:inline-flex;width:9rem;height:.7rem;background:var(--grid)}.bar i{background:var(--c2)}.bar .bad{background:var(--c1)}
 .panels{display:flex;flex-wrap:wrap;gap:.6rem}
 table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-nums}
@@ -93,8 +101,9 @@ inline std::string html_page(const std::string& title, const std::string& head, 
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n{}"
-        "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>{}</style></head>\n<body>\n{}</body></html>\n",
-        head, html_escaped(title), page_style, body);
+        "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>:root{{color-scheme:light "
+        "dark;{}}}{}{}</style></head>\n<body>\n{}</body></html>\n",
+        head, html_escaped(title), light_colours, picture_style, page_style, body);
 }
 
 // A section as HTML, as tables/section writes it as text. For this module only.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/text.hpp"
@@ -51,9 +52,11 @@ std::string counts(const CampaignStatus& status) {
 }
 
 std::string precision(const Evidence& evidence, const std::optional<StopStatus>& stop) {
+    const Quantity& largest = headline_maximum(evidence.summary.quantities);
+    const std::array shown{quantity("mean_load"), largest};
     Results results{.columns = {{"", "case"}, {"", "arrangements"}}};
-    for (const char* words : {"mean load", "mean maximum"}) {
-        results.columns.push_back({.words = words,
+    for (const Quantity& one : shown) {
+        results.columns.push_back({.words = std::string{one.label.view()},
                                    .unit = "N",
                                    .holds = ResultColumn::Holds::estimates,
                                    .form = ResultColumn::Form::plus_minus});
@@ -61,8 +64,8 @@ std::string precision(const Evidence& evidence, const std::optional<StopStatus>&
     }
     for (const CaseSummary& one : evidence.summary.cases) {
         std::vector<Datum> row{one.about.name, one.done};
-        for (const char* key : {"mean_load", "mean_maximum"}) {
-            const CaseEstimate& found = one.of(*find_quantity(key));
+        for (const Quantity& quantity : shown) {
+            const CaseEstimate& found = one.of(quantity);
             const double share = (found.high - found.low) / 2 / std::abs(found.estimate);
             row.emplace_back(Estimate{found.estimate, found.low, found.high});
             row.push_back(std::isfinite(share) ? Datum(share) : Datum("not known yet"));
@@ -70,9 +73,7 @@ std::string precision(const Evidence& evidence, const std::optional<StopStatus>&
         results.add(std::move(row));
     }
     return section_html({.results = {std::move(results)}}, "", evidence.units) +
-           note(
-               "95 % confidence intervals over the arrangements that are done; maxima of the "
-               "segments, of single steps.") +
+           note("95 % confidence intervals over the arrangements that are done; maxima of the segments.") +
            paragraph(stop ? stop_sentence(*stop)
                           : "No stop rule: the campaign computes all its members (stop.half_width_percent).");
 }

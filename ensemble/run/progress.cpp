@@ -35,9 +35,21 @@ std::string rate_text(double per_second) {
     return fmt::format("{:.1f} members/h", per_second * 3600);
 }
 
+namespace {
+
+/// "0:07", "12:40", "3:05:00"
+std::string clock_text(double seconds) {
+    const auto s = static_cast<long long>(seconds);
+    return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
+                    : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+}
+
+}  // namespace
+
 std::string progress_text(const ProgressState& state) {
     std::string text =
         fmt::format("{} of {} done, {} failed, {} running", state.done, state.total, state.failed, state.running);
+    if (state.elapsed >= 1) text += fmt::format(", {} elapsed", clock_text(state.elapsed));
     if (state.finished_now > 0 && state.elapsed > 0) {
         text += ", " + rate_text(state.finished_now / state.elapsed);
     }
@@ -77,16 +89,16 @@ void Progress::show(const ProgressState& state, Time now) {
 }
 
 void Progress::show_last(const ProgressState& state) {
-    if (style_ == Style::live || progress_text(state) != last_text_) write(state);
+    if (style_ == Style::live || state.done + state.failed != last_finished_ || !shown_) write(state);
 }
 
 void Progress::write(const ProgressState& state) {
-    last_text_ = progress_text(state);
+    last_finished_ = state.done + state.failed;
     if (style_ == Style::live) {
-        out_ << erase_line + ("floes: " + last_text_) << std::flush;
+        out_ << erase_line + ("floes: " + progress_text(state)) << std::flush;
         line_is_open_ = true;
     } else {
-        out_ << "floes: " + last_text_ + "\n" << std::flush;
+        out_ << "floes: " + progress_text(state) + "\n" << std::flush;
     }
 }
 

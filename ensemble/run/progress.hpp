@@ -34,8 +34,8 @@ struct ProgressState {
 /// "3.1 members/s", "4.2 members/min", "0.5 members/h".
 std::string rate_text(double per_second);
 
-/// "12 of 36 done, 1 failed, 2 running, 4.2 members/min, 5 min left". With a stop rule the time left is unknown, and
-/// "half-width 7.1 % after 20 arrangements, target 5 %" takes its place, or why it is not known.
+/// "12 of 36 done, 1 failed, 2 running, 2:51 elapsed, 4.2 members/min, 5 min left". With a stop rule the time left is
+/// unknown, and "half-width 7.1 % after 20 arrangements, target 5 %" takes its place, or why it is not known.
 std::string progress_text(const ProgressState& state);
 
 class Progress {
@@ -66,7 +66,7 @@ class Progress {
     bool shown_ = false;
     Time last_time_{};
     int last_tenth_ = 0;
-    std::string last_text_;
+    int last_finished_ = 0;
 };
 
 /// Live when standard error is a terminal.

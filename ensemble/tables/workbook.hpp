@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "tables/data_rows.hpp"
+#include "tables/results.hpp"
+#include "tables/units.hpp"
 
 namespace floes {
 
@@ -15,9 +17,19 @@ struct Sheet {
     DataRows records;  ///< the columns that are for CSV
 };
 
-/// Writes the sheets that have columns, each with a fixed header line that filters. Numbers are numbers, and what is
-/// undefined is an empty cell. Throws RunError where the file cannot be written, and InputError where a list is longer
-/// than a sheet.
-void write_workbook(const std::filesystem::path& path, std::span<const Sheet> sheets);
+/// The first sheet, for people: sentences, and a table in the units of the campaign with formatted numbers, each
+/// estimate beside the half of its interval, and a chart of the estimates that share the unit of the first.
+struct FrontSheet {
+    std::string name;
+    std::vector<std::string> above;
+    Results table;
+    std::vector<std::string> below;
+};
+
+/// Writes the front, where there is one, then the sheets that have columns, each with a fixed header line that filters.
+/// Numbers are numbers, and what is undefined is an empty cell. Throws RunError where the file cannot be written, and
+/// InputError where a list is longer than a sheet.
+void write_workbook(const std::filesystem::path& path, std::span<const Sheet> sheets, const Units& units = {},
+                    const FrontSheet* front = nullptr);
 
 }  // namespace floes

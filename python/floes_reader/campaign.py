@@ -9,7 +9,7 @@ import numpy
 import pandas
 import xarray
 
-from . import tables
+from . import program, tables
 from .configuration import Configuration
 from .intervals import mean_interval
 from .quantities import with_times
@@ -220,7 +220,7 @@ class Campaign:
         `prediction_low` and `prediction_high`, the prediction interval of one further run. Where members stand out, the
         program gives intervals of a mixture instead (docs/statistics.md). NaN where undefined. Until
         the campaign is `complete` the figures are biased towards short runs. A quantity that an older layout does not
-        have has no row. Bootstrap intervals and comparisons of cases are left to the program."""
+        have has no row. Comparisons of cases: `pairs`."""
         shown = [one for one in with_times(tables.averaging_times(self._stored)) if one.key in self._quantities.index]
         rows = {}
         for case in self._cases.index:
@@ -231,6 +231,28 @@ class Campaign:
                                        "n": int(numpy.isfinite(done[one.key]).sum()), **found._asdict()}
         index = pandas.MultiIndex.from_tuples(list(rows), names=["case", "quantity"])
         return pandas.DataFrame(list(rows.values()), index)
+
+    def pairs(self, reference: str | None = None, **options: Any) -> pandas.DataFrame:
+        """Cases compared arrangement by arrangement, by the program (`floes summarize --parts pairs`): a row for each
+        `quantity` of each pair (`first`, `second`) with the `difference`, its interval `difference_low` to
+        `difference_high`, and p of the t test and of Wilcoxon's, adjusted over the pairs (`t_p_holm`,
+        `wilcoxon_p_holm`). With a `reference` case, only its pairs. `options`: as on the command line
+        (resolve=5)."""
+        if reference is not None:
+            self._checked(reference)
+        found = program.ask("summarize", self.path, parts="pairs", reference=reference, **options)
+        rows = pandas.DataFrame(found["pairs"])
+        return rows if reference is None or rows.empty else rows[rows["first"] == reference].reset_index(drop=True)
+
+    def design_loads(self, **options: Any) -> pandas.DataFrame:
+        """The largest load in an exposure, by the program (`floes design`): a row for each case and method. `options`
+        as on the command line: exposure_h=10, quantile=[0.5, 0.9], averaging_s=2, scale=36, of="mooring_force". Empty
+        where no case has a design load; `design_basis` says why."""
+        return pandas.DataFrame(program.ask("design", self.path, **options)["design"]["loads"])
+
+    def design_basis(self, **options: Any) -> pandas.DataFrame:
+        """What the design loads rest on: a row for each case, with the time that was run, peaks, trend and tail."""
+        return pandas.DataFrame(program.ask("design", self.path, **options)["design"]["basis"])
 
     def _headlines(self) -> pandas.DataFrame:
         """Means over arrangements with their 95 % intervals, as words: a row for each case."""

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
+
+#include "core/contract.hpp"
 
 namespace floes {
 double Quantity::of(const MemberOutputs& outputs) const {
@@ -30,13 +33,31 @@ Quantity averaged_over(const Quantity& one, double time) {
 }
 
 std::vector<Quantity> quantities_with(std::span<const double> averaging_times) {
+    constexpr double usual = 1;  // s
     std::vector<Quantity> all;
     for (const Quantity& one : quantities) {
-        all.push_back(one);
-        if (one.averaged == nullptr) continue;
-        for (const double time : averaging_times) all.push_back(averaged_over(one, time));
+        Quantity& of_steps = all.emplace_back(one);
+        if (one.averaged == nullptr || averaging_times.empty()) continue;
+        const bool takes_over = one.shown == Shown::in_headlines;
+        if (takes_over) of_steps.shown = Shown::in_table3;
+        if (one.key.view().ends_with("_maximum"))
+            of_steps.label = ShortText{std::string_view{fmt::format("{} of single steps", one.label)}};
+        const double headline =
+            std::ranges::find(averaging_times, usual) != averaging_times.end() ? usual : averaging_times.back();
+        for (const double time : averaging_times) {
+            Quantity& averaged = all.emplace_back(averaged_over(one, time));
+            if (takes_over && time == headline) averaged.shown = Shown::in_headlines;
+        }
     }
     return all;
+}
+
+const Quantity& headline_maximum(std::span<const Quantity> all) {
+    const auto found = std::ranges::find_if(all, [](const Quantity& one) {
+        return one.shown == Shown::in_headlines && one.averaged == quantity("mean_maximum").averaged;
+    });
+    FLOES_EXPECTS(found != all.end());
+    return *found;
 }
 
 std::optional<Quantity> any_quantity(std::string_view key) {

@@ -539,7 +539,12 @@ constexpr const Quantity* find_quantity(std::string_view key) {
 Quantity averaged_over(const Quantity& one, double time);
 
 /// The list with, after each quantity that is taken of the averaged load too, the same for each of `averaging_times`.
+/// The maximum of the headlines is then that over 1 s or, without it, over the longest time; that of single steps,
+/// which depends on the time step, is named so.
 std::vector<Quantity> quantities_with(std::span<const double> averaging_times);
+
+/// The maximum of the headlines in a list of quantities_with().
+const Quantity& headline_maximum(std::span<const Quantity> all);
 
 /// The quantity of that key, be it in the list or averaged; none where there is none.
 std::optional<Quantity> any_quantity(std::string_view key);

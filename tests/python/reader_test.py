@@ -5,6 +5,7 @@ says of them and what h5py reads. The page docs/python.md shows what its blocks 
 import csv
 import io
 import json
+import os
 import subprocess
 import sys
 import unittest
@@ -75,6 +76,45 @@ class Statistics(unittest.TestCase):
         low, high = stats.t.interval(0.9, len(loads) - 1, loads.mean(), stats.sem(loads))
         numpy.testing.assert_allclose([found.low, found.high], [low, high])
         self.assertEqual(found.n, 4)
+
+
+class Program(unittest.TestCase):
+    """What the program is asked for, and campaigns that Python starts."""
+
+    def setUp(self):
+        os.environ["FLOES"] = str(FLOES)
+
+    def test_pairs_are_those_of_floes(self):
+        expected = json.loads(summarize(SMOKE, "pairs", "json"))["pairs"]
+        with floes_reader.open(SMOKE) as campaign:
+            pairs, of_e200 = campaign.pairs(), campaign.pairs("E200", resolve=5)
+            with self.assertRaisesRegex(floes_reader.CampaignError, "no case 'E2'"):
+                campaign.pairs("E2")
+        self.assertEqual(pairs.to_dict("records")[0]["difference"], expected[0]["difference"])
+        self.assertEqual(len(pairs), len(expected))
+        self.assertEqual(set(of_e200["first"]), {"E200"})
+        self.assertEqual(set(of_e200["resolve"]), {0.05})
+
+    def test_run_computes_a_campaign_whose_design_loads_are_those_of_floes(self):
+        smoke, output = PROJECT / "configs/smoke.toml", SMOKE.parent / "from_python.h5"
+        changes = {"campaign.arrangements": 30, "analysis.steady_start_s": 6, "analysis.window_s": 6,
+                   "analysis.peak_separation_s": 1}
+        with floes_reader.run(smoke, output, set=changes) as campaign:
+            self.assertTrue(campaign.complete)
+            self.assertEqual(campaign.keys("E60")["analysis.window_s"], 6)
+            loads, basis = (ask(exposure_h=10, rising=True, peaks=0.5)
+                            for ask in (campaign.design_loads, campaign.design_basis))
+            with self.assertRaisesRegex(floes_reader.CampaignError, "did you mean --exposure-h"):
+                campaign.design_loads(exposure=10)
+        command = [FLOES, "design", output, "--format", "json", "--exposure-h", "10", "--rising", "--peaks", "0.5"]
+        expected = json.loads(run(*command))["design"]["loads"]
+        self.assertGreater(len(expected), 0)
+        self.assertEqual(list(loads["load"]), [record["load"] for record in expected])
+        self.assertEqual(list(basis["exposure"]), [36000.0] * 3)
+        with self.assertRaisesRegex(floes_reader.CampaignError, "did you mean campaign.arrangements"):
+            floes_reader.run(smoke, output, set={"campaign.arrangement": 1}, overwrite=True)
+        with floes_reader.open(SMOKE) as campaign:
+            self.assertTrue(campaign.design_loads().empty)  # too few peaks
 
 
 class Tables(unittest.TestCase):

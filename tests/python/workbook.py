@@ -47,16 +47,23 @@ with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
     subprocess.run([MAKE_FILE, f"{folder}/a.h5"], check=True)
     floes("summarize", "a.h5", "-o", "a.xlsx", folder=folder)
     book = openpyxl.load_workbook(f"{folder}/a.xlsx")
-    assert book.sheetnames == ["contents", "cases", "members", "pairs"], book.sheetnames
-    for name in book.sheetnames[1:]:
+    assert book.sheetnames == ["overview", "contents", "cases", "members", "pairs"], book.sheetnames
+    for name in book.sheetnames[2:]:
         compare(book, name, floes("summarize", "a.h5", "--format", "csv", "--parts", name, folder=folder))
         assert book[name].freeze_panes == "B2" and book[name]["A1"].font.bold, name
+    overview = rows_of(book["overview"])
+    head = next(k for k, row in enumerate(overview) if row[0] == "case")
+    assert overview[head][2:4] == ["mean load, N", "± (95 %)"], overview[head]
+    about = list(csv.DictReader(io.StringIO(floes("summarize", "a.h5", "--format", "csv", "--parts", "cases", folder=folder))))
+    for row, case in zip(overview[head + 1:], about):
+        assert row[0] == case["name"] and same(row[2], case["mean_load"]), (row, case)
+    assert len(book["overview"]._charts) == 1
     contents = {row[0]: row[1] for row in rows_of(book["contents"])}
-    assert set(book.sheetnames[1:]) < set(contents) and contents["campaign"] == "synthetic", contents
+    assert set(book.sheetnames[2:]) < set(contents) and contents["campaign"] == "synthetic", contents
 
     floes("summarize", "a.h5", "--parts", "long,design", "-o", "some.xlsx", folder=folder)
     some = openpyxl.load_workbook(f"{folder}/some.xlsx")
-    assert some.sheetnames[:3] == ["contents", "long", "design loads"], some.sheetnames
+    assert some.sheetnames[1:4] == ["contents", "long", "design loads"], some.sheetnames
     compare(some, "long", floes("summarize", "a.h5", "--format", "csv", "--long", folder=folder))
 
     floes("new", "d.toml", "--design", folder=folder)

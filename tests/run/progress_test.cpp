@@ -33,7 +33,8 @@ TEST(ProgressState, EstimatesTimeLeftFromRemainingCostAndMeasuredRate) {
 }
 
 TEST(ProgressText, SaysWhatThereIsToKnow) {
-    EXPECT_EQ(progress_text(half_way()), "4 of 10 done, 1 failed, 2 running, 2.0 members/min, 5 min left");
+    EXPECT_EQ(progress_text(half_way()),
+              "4 of 10 done, 1 failed, 2 running, 1:30 elapsed, 2.0 members/min, 5 min left");
     EXPECT_EQ(progress_text({.total = 3, .running = 2}), "0 of 3 done, 0 failed, 2 running");
 }
 
