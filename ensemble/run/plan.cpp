@@ -13,6 +13,7 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "core/undefined.hpp"
+#include "core/units.hpp"
 #include "run/simulate.hpp"
 #include "store/journal.hpp"
 #include "store/member_record.hpp"
@@ -173,15 +174,35 @@ const std::vector<double>& rates_for(const Case& one, const MeasuredRun& run, co
 
 }  // namespace
 
+namespace {
+
+/// Whether ice meets an upright wall all round.
+bool is_upright(const Shape& shape) {
+    constexpr double least = 80 * unit::degree;
+    if (!shape.is_of_revolution()) return shape.kind() == HullKind::four_legs;
+    return std::abs(shape.wall_angle_above_water() - std::numbers::pi / 2) < std::numbers::pi / 2 - least;
+}
+
+/// s per unit of expected cost.
+double time_per_unit(const Scenario& scenario, const MemberCosts& costs) {
+    switch (scenario.general.solver) {
+        case SolverKind::stock: return costs.stock_per_unit;
+        case SolverKind::lanes: return costs.lanes_per_unit;
+        case SolverKind::direct: break;
+    }
+    return costs.direct_per_unit * (is_upright(scenario.structure.shape) ? costs.jam : 1);
+}
+
+}  // namespace
+
 PlannedMembers expected_members(const Campaign& campaign) {
     const MemberCosts costs = measured_member_costs();
     PlannedMembers planned{members_of(campaign, usual_file_bytes), costs.source};
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);
         const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
-        const bool lanes = campaign.cases[case_index].scenario.general.solver != SolverKind::stock;
         SimulatedMember& member = planned.members[k];
-        member.run_time = member.expected_cost * (lanes ? costs.lanes_per_unit : costs.stock_per_unit) *
+        member.run_time = member.expected_cost * time_per_unit(campaign.cases[case_index].scenario, costs) *
                           scatter(draw(campaign, number), costs.variation);
     }
     return planned;

@@ -32,7 +32,16 @@ TEST(ExpectedMembers, TakeAsLongAsTheirCostSays) {
     for (Case& one : stock.cases) one.scenario.general.solver = SolverKind::stock;
     EXPECT_GT(mean_run_time(expected_members(stock).members) / expected, 5 * per_unit);
     // The scatter has mean 1: the mean over many is that of the costs.
-    EXPECT_NEAR(per_unit, measured_member_costs().lanes_per_unit, 0.01 * per_unit);
+    const MemberCosts costs = measured_member_costs();
+    const bool direct = campaign.cases[0].scenario.general.solver == SolverKind::direct;
+    EXPECT_NEAR(per_unit, direct ? costs.direct_per_unit : costs.lanes_per_unit, 0.01 * per_unit);
+    Campaign legs = campaign;
+    for (Case& one : legs.cases) {
+        one.scenario.general.solver = SolverKind::direct;
+        one.scenario.structure.shape = Shape({{-0.4, 0.6}, {0, 0.6}, {0.1, 0.6}});
+    }
+    EXPECT_NEAR(mean_run_time(expected_members(legs).members) / expected, costs.jam * costs.direct_per_unit,
+                0.01 * costs.jam * costs.direct_per_unit);
 }
 
 TEST(ExpectedMembers, HaveTheSizeOfTheirRecords) {
