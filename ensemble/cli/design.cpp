@@ -19,6 +19,7 @@
 #include "cli/mooring_options.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
+#include "core/shell_word.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/design_load.hpp"
@@ -56,10 +57,10 @@ std::string command_of(const std::string& program, const std::string& file, cons
                        const DesignLoadRequest& load, bool automatic_window, const std::string& output) {
     std::string command =
         fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}", typed_program(program),
-                    quoted(file), asked, load.averaging, load.scale, load.share);
+                    shell_word(file), asked, load.averaging, load.scale, load.share);
     if (load.rising) command += " --rising";
     if (automatic_window) command += " --window auto";
-    return command + " -o " + quoted(output);
+    return command + " -o " + shell_word(output);
 }
 
 void write_sheets(const std::string& output, const std::vector<Section>& sections) {
@@ -87,7 +88,7 @@ void write_year(const YearOptions& options, const std::vector<Section>& sections
     const Units units = year_units(year, request);
     if (!options.output.ends_with(".svg")) {
         write_output(options.output, "Loads of a year", sections,
-                     command_of(options.program, options.file, "--regimes " + quoted(options.regimes), options.load,
+                     command_of(options.program, options.file, "--regimes " + shell_word(options.regimes), options.load,
                                 options.automatic_window, options.output),
                      units);
         return;

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/shell_word.hpp"
 #include "store/file_calls.hpp"
 #include "store/journal.hpp"
 
@@ -114,20 +115,10 @@ void write_page(const std::filesystem::path& path, const std::string& page) {
     if (error) refuse(error.message());
 }
 
-std::string quoted(const std::string& word) {
-    const bool plain = !word.empty() && word.find_first_not_of(
-                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                            "0123456789_-+=.,/:@%") == std::string::npos;
-    if (plain) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
 std::string typed_program(const std::string& program) {
     const char* launcher = std::getenv("FLOES_LAUNCHER");
-    if (launcher != nullptr) return quoted(launcher);
-    return program.empty() ? "floes" : quoted(program);
+    if (launcher != nullptr) return shell_word(launcher);
+    return program.empty() ? "floes" : shell_word(program);
 }
 
 }  // namespace floes

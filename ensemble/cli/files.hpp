@@ -26,9 +26,6 @@ void write_page(const std::filesystem::path& path, const std::string& page);
 
 // Commands that people copy into a shell.
 
-/// The word quoted for a shell.
-std::string quoted(const std::string& word);
-
 /// What people type to start the program: the script that started it, otherwise `program`.
 std::string typed_program(const std::string& program);
 

@@ -20,6 +20,7 @@
 #include "cli/files.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
+#include "core/shell_word.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "match/match_sections.hpp"
@@ -131,13 +132,14 @@ std::vector<MatchTrail> trail_of(const MatchOptions& options, const std::vector<
 }
 
 std::string command_of(const MatchOptions& options) {
-    std::string command = fmt::format("floes match {} --targets {} --samples {}", fmt::join(options.files, " "),
-                                      options.targets, options.samples);
+    std::string command = "floes match";
+    for (const std::string& file : options.files) command += " " + shell_word(file);
+    command += fmt::format(" --targets {} --samples {}", shell_word(options.targets), options.samples);
     for (const std::string& one : options.predicted) command += " --predict " + one;
     if (options.exposure_h > 0)
         command += fmt::format(" --exposure-h {:g} --averaging-s {:g} --quantile {:g} --scale {:g}", options.exposure_h,
                                options.design.averaging, options.design.quantiles.front(), options.design.scale);
-    return command + " -o " + options.page;
+    return command + " -o " + shell_word(options.page);
 }
 
 void run(const MatchOptions& options) {

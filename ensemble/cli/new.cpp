@@ -18,6 +18,7 @@
 #include "cli/config.hpp"
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
+#include "core/shell_word.hpp"
 #include "store/file_calls.hpp"
 
 // floes new: the configuration that a first campaign begins with.
@@ -67,7 +68,8 @@ int make(const NewOptions& options) {
     write_new(path, text_of(options, path.filename().string()));
     std::printf("%s\n", options.file.c_str());
     const std::string result = std::filesystem::path(path).replace_extension(".h5").filename().string();
-    fmt::print(stderr, "floes: edit it, then floes run {0}, and floes summarize {1}\n", options.file, result);
+    fmt::print(stderr, "floes: edit it, then floes run {0}, and floes summarize {1}\n", shell_word(options.file),
+               shell_word(result));
     return 0;
 }
 

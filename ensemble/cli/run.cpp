@@ -18,6 +18,7 @@
 #include "cli/ranks.hpp"
 #include "cli/terminal.hpp"
 #include "core/error.hpp"
+#include "core/shell_word.hpp"
 #include "core/text.hpp"
 #include "findings/answer.hpp"
 #include "run/calibrate.hpp"
@@ -56,11 +57,11 @@ std::string resume_command(const RunVerb& verb, const std::string& program, int 
     std::string command = ranks > 1 && launcher == nullptr ? fmt::format("mpirun -n {} ", ranks) : "";
     command += fmt::format("{} run ", typed_program(program));
     if (ranks > 1 && launcher != nullptr) command += fmt::format("--ranks {} ", ranks);
-    command += fmt::format("{} -o {} --resume", quoted(verb.config), quoted(output_of(verb).string()));
+    command += fmt::format("{} -o {} --resume", shell_word(verb.config), shell_word(output_of(verb).string()));
     if (verb.retry_failed) command += " --retry-failed";
     if (!verb.part.empty()) command += " --part " + verb.part;
     if (verb.threads > 0) command += fmt::format(" --threads {}", verb.threads);
-    for (const std::string& setting : verb.overrides) command += " --set " + quoted(setting);
+    for (const std::string& setting : verb.overrides) command += " --set " + shell_word(setting);
     return command;
 }
 

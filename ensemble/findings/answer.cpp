@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/shell_word.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/cases.hpp"
@@ -327,7 +328,7 @@ Section overview_section(const Evidence& evidence, const Sensitivity& sensitivit
 }
 
 Section next_commands(const Evidence& evidence, const std::string& program) {
-    const std::string file = evidence.file.string();
+    const std::string file = shell_word(evidence.file.string());
     const std::optional<int> worst = most_loaded_member(evidence);
     std::vector<std::pair<std::string, std::string>> commands;
     commands.emplace_back(fmt::format("{} report {}", program, file), "everything on one page");
@@ -337,7 +338,7 @@ Section next_commands(const Evidence& evidence, const std::string& program) {
     commands.emplace_back(fmt::format("{} summarize {} --full", program, file), "every figure");
     std::size_t widest = 0;
     for (const auto& [command, what] : commands) widest = std::max(widest, command.size());
-    std::string text = fmt::format("In {}. Next:\n", file);
+    std::string text = fmt::format("In {}. Next:\n", evidence.file.string());
     for (const auto& [command, what] : commands) text += fmt::format("  {:{}}  {}\n", command, widest, what);
     return {.before = text};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "campaign_file/read.hpp"
+#include "core/shell_word.hpp"
 #include "findings/points.hpp"
 
 namespace floes {
@@ -103,7 +104,8 @@ std::string undrawn_text(const Summary& summary) {
 }
 
 std::string replay_command(const Evidence& evidence, int member) {
-    return fmt::format("floes replay {} {} --worst -o worst.html", evidence.file.filename().string(), member);
+    return fmt::format("floes replay {} {} --worst -o worst.html", shell_word(evidence.file.filename().string()),
+                       member);
 }
 
 std::optional<int> most_loaded_member(const Evidence& evidence) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/shell_word.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/estimates.hpp"
@@ -113,9 +114,10 @@ std::string failed(const CampaignStatus& status) {
 /// What to type next; nothing during a run.
 std::string next_step(const CampaignStatus& status, const std::string& file) {
     if (status.at_work) return "";
-    const std::string command = total_of(status).missing > 0
-                                    ? fmt::format("./floes run {}.toml -o {} --resume", status.title, file)
-                                    : fmt::format("./floes report {}", file);
+    const std::string word = shell_word(file);
+    const std::string command = total_of(status).missing > 0 ? fmt::format("./floes run {} -o {} --resume",
+                                                                           shell_word(status.title + ".toml"), word)
+                                                             : fmt::format("./floes report {}", word);
     return fmt::format("<pre>{}</pre>\n", html_escaped(command));
 }
 

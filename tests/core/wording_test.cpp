@@ -1,3 +1,4 @@
+#include "core/shell_word.hpp"
 #include "core/text.hpp"
 
 #include <gtest/gtest.h>
@@ -25,6 +26,13 @@ TEST(DurationInFigures, HasThreeOfOneUnit) {
     EXPECT_EQ(duration_in_figures(4074), "67.9 min");
     EXPECT_EQ(duration_in_figures(17.2 * 3600), "17.2 h");
     EXPECT_EQ(duration_in_figures(183 * 86400), "183 d");
+}
+
+TEST(ShellWord, IsOneWordWhateverIsInIt) {
+    EXPECT_EQ(shell_word("runs/a-1.h5"), "runs/a-1.h5");
+    EXPECT_EQ(shell_word("my file.h5"), "'my file.h5'");
+    EXPECT_EQ(shell_word("it's $HOME"), "'it'\\''s $HOME'");
+    EXPECT_EQ(shell_word(""), "''");
 }
 
 }  // namespace wording_test
