@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 #include <span>
 #include <string_view>
 
@@ -52,6 +53,10 @@ int main(int argc, char** argv) {
     } catch (const floes::InputError& error) {
         std::fprintf(stderr, "floes: %s\n", error.what());
         return 2;
+    } catch (const std::bad_alloc&) {
+        std::fputs("floes: there is not enough memory for this; close other programs, or take a smaller input\n",
+                   stderr);
+        return 1;
     } catch (const std::exception& error) {
         std::fprintf(stderr, "floes: %s\n", error.what());
         return 1;

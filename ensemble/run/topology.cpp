@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <functional>
 
 #include <fmt/format.h>
+
+#include "core/text.hpp"
 
 namespace floes {
 
@@ -50,10 +53,19 @@ int share_of_cores(std::span<const CoreMask> masks, std::size_t mine) {
 
 Topology make_topology(std::span<const CoreMask> masks, std::size_t mine) {
     const int bound = count_cores(masks[mine]);
-    return {share_of_cores(masks, mine), bound, std::max(bound, cores_on_line()), static_cast<int>(masks.size())};
+    CoreMask together{};
+    for (const CoreMask& mask : masks) std::ranges::transform(together, mask, together.begin(), std::bit_or{});
+    return {share_of_cores(masks, mine), bound, std::max(bound, cores_on_line()), static_cast<int>(masks.size()),
+            count_cores(together)};
 }
 
 std::string binding_remark(const Topology& topology) {
+    if (topology.node_ranks > topology.rank_cores)
+        return fmt::format(
+            "{} ranks on this node have {} between them, and each computes a member at a time; start no more ranks "
+            "than "
+            "cores, or, if mpirun bound them, --bind-to none lets them use all",
+            topology.node_ranks, counted(topology.rank_cores, "core"));
     if (topology.node_ranks > 1 || topology.bound_cores >= topology.node_cores) return {};
     return fmt::format(
         "the only rank on this node is bound to {} of its {} cores; mpirun --bind-to none lets it use all",

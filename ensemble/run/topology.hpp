@@ -26,12 +26,14 @@ struct Topology {
     int bound_cores = 1;  ///< in its affinity mask
     int node_cores = 1;   ///< online on its node
     int node_ranks = 1;   ///< ranks on its node
+    int rank_cores = 1;   ///< in the masks of these ranks together
 };
 
 /// `masks`: those of all ranks on the node; masks[mine] is this rank's.
 Topology make_topology(std::span<const CoreMask> masks, std::size_t mine);
 
-/// A sentence for the user if the only rank of a node is bound to some of its cores; otherwise empty.
+/// A sentence for the user if the only rank of a node is bound to some of its cores, or if more ranks than cores share
+/// them; otherwise empty.
 std::string binding_remark(const Topology& topology);
 
 }  // namespace floes

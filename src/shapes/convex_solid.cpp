@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <random>
 #include <utility>
 
 #include <fmt/format.h>
@@ -293,9 +295,18 @@ std::vector<Edge> rim_of(std::vector<Edge> edges) {
     return rim;
 }
 
+// With differences below 2^25 a vector product is below 2^52, so exact in doubles too, and a determinant below 2^78.
+__extension__ using LongWhole = __int128;
+constexpr double lattice_places = 1 << 24;
+constexpr int lattice_jitter = 64;
+
 class Growth {
   public:
-    explicit Growth(std::span<const Vec3> points) : points_(points) {
+    /// What is above a triangle: what is so by more than rounding; or, of points on a lattice of whole numbers, none of
+    /// them in a plane with three others, what is so at all, which no rounding can decide.
+    enum class Above { by_rounding, on_lattice };
+
+    explicit Growth(std::span<const Vec3> points, Above above = Above::by_rounding) : points_(points), above_(above) {
         Vec3 low = points.front();
         Vec3 high = low;
         for (const Vec3& point : points) {
@@ -303,10 +314,8 @@ class Growth {
             high = high.cwiseMax(point);
         }
         size_ = (high - low).norm();
-        rounding_ = flatness * size_;
+        rounding_ = above == Above::by_rounding ? flatness * size_ : 2 * lattice_jitter;
     }
-
-    double size() const { return size_; }  ///< from corner to corner of what bounds the points
 
     /// Empty for points in a plane; nothing where points nearer to each other than rounding leave no body.
     std::optional<Polyhedron> grown() {
@@ -317,13 +326,28 @@ class Growth {
             if (triangles_.size() > most) return {};
         }
         std::erase_if(triangles_, [](const Triangle& one) { return !one.alive; });
-        Polyhedron body = with_whole_faces();
-        if (!is_whole(body)) return {};
-        return body;
+        Polyhedron body = with_faces(true);
+        if (is_whole(body)) return body;
+        if (above_ == Above::by_rounding) return {};
+        body = with_faces(false);
+        if (is_whole(body)) return body;
+        return {};
     }
 
   private:
     const Vec3& at(int k) const { return points_[static_cast<std::size_t>(k)]; }
+
+    bool is_above(const Triangle& one, const Vec3& point) const {
+        if (above_ == Above::by_rounding) return one.plane.height(point) > rounding_;
+        const double height = one.plane.height(point);
+        if (std::abs(height) > 0.01) return height > 0;  // of a place of the lattice: rounding is far below that
+        using Whole = Eigen::Matrix<std::int64_t, 3, 1>;
+        const Vec3& a = at(one.corners[0]);
+        const Whole u = (at(one.corners[1]) - a).cast<std::int64_t>();
+        const Whole normal = u.cross((at(one.corners[2]) - a).cast<std::int64_t>());
+        const Whole w = (point - a).cast<std::int64_t>();
+        return LongWhole{normal.x()} * w.x() + LongWhole{normal.y()} * w.y() + LongWhole{normal.z()} * w.z() > 0;
+    }
 
     template <class Measure>
     std::pair<int, double> largest(Measure measure) const {
@@ -368,7 +392,7 @@ class Growth {
     void share_out(const std::vector<int>& points, std::size_t from) {
         for (const int point : points) {
             for (std::size_t k = from; k < triangles_.size(); ++k) {
-                if (!triangles_[k].alive || triangles_[k].plane.height(at(point)) <= rounding_) continue;
+                if (!triangles_[k].alive || !is_above(triangles_[k], at(point))) continue;
                 triangles_[k].outside.push_back(point);
                 break;
             }
@@ -382,7 +406,7 @@ class Growth {
         std::vector<Edge> seen;
         std::vector<int> orphans;
         for (Triangle& one : triangles_) {
-            if (!one.alive || one.plane.height(at(point)) <= rounding_) continue;
+            if (!one.alive || !is_above(one, at(point))) continue;
             one.alive = false;
             for (const Edge& edge : one.edges()) seen.push_back(edge);
             orphans.insert(orphans.end(), one.outside.begin(), one.outside.end());
@@ -394,8 +418,8 @@ class Growth {
         share_out(orphans, first_new);
     }
 
-    /// Triangles of one plane become one face; corners inside a face or an edge go.
-    Polyhedron with_whole_faces() const {
+    /// `whole`: triangles of one plane become one face; corners inside a face or an edge go. Else each triangle is one.
+    Polyhedron with_faces(bool whole) const {
         Owners owner;
         for (std::size_t k = 0; k < triangles_.size(); ++k)
             for (const Edge& edge : triangles_[k].edges()) owner.emplace_back(edge, k);
@@ -405,7 +429,9 @@ class Growth {
         std::vector<bool> done(triangles_.size(), false);
         for (std::size_t seed = 0; seed < triangles_.size(); ++seed) {
             if (done[seed]) continue;
-            loops.push_back(rim(face_round(seed, owner, done)));
+            const std::array<int, 3>& corners = triangles_[seed].corners;
+            loops.push_back(whole ? rim(face_round(seed, owner, done))
+                                  : std::vector<int>(corners.begin(), corners.end()));
             planes.push_back(triangles_[seed].plane);
         }
         std::vector<int> uses(points_.size(), 0);
@@ -474,6 +500,7 @@ class Growth {
     }
 
     std::span<const Vec3> points_;
+    Above above_;
     double size_ = 0;
     double rounding_ = 0;
     std::vector<Triangle> triangles_;
@@ -483,36 +510,40 @@ class Growth {
 
 namespace {
 
-/// One of each crowd of points within `distance` m of it.
-std::vector<Vec3> thinned(std::span<const Vec3> points, double distance) {
-    std::vector<Vec3> sorted(points.begin(), points.end());
-    std::ranges::sort(sorted, [](const Vec3& a, const Vec3& b) {
-        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    });
-    std::vector<Vec3> kept;
-    for (const Vec3& point : sorted) {
-        bool is_new = true;
-        for (auto other = kept.rbegin(); is_new && other != kept.rend() && point.x() - other->x() <= distance; ++other)
-            is_new = (point - *other).norm() > distance;
-        if (is_new) kept.push_back(point);
+/// The hull of the points moved to a lattice of 2^24 places along the longest side, and there by up to 64 places at
+/// random, so that no four of them are in a plane: whole numbers then decide all, without rounding.
+std::optional<Polyhedron> hull_on_lattice(std::span<const Vec3> points) {
+    Vec3 low = points.front();
+    Vec3 high = low;
+    for (const Vec3& point : points) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
     }
-    return kept;
+    const double place = (high - low).maxCoeff() / lattice_places;
+    if (!(place > 0)) return {};
+    std::mt19937_64 random(1);  // NOLINT: the same bodies every time
+    std::vector<Vec3> moved;
+    moved.reserve(points.size());
+    for (const Vec3& point : points) {
+        Vec3& one = moved.emplace_back((point - low) / place);
+        for (double& value : one)
+            value = std::round(value) + static_cast<double>(random() % (2 * lattice_jitter + 1)) - lattice_jitter;
+    }
+    std::optional<Polyhedron> body = Growth(moved, Growth::Above::on_lattice).grown();
+    if (!body) return {};
+    for (Vec3& corner : body->corners) corner = low + place * corner;
+    for (Plane& plane : body->planes) plane.offset = place * plane.offset + plane.normal.dot(low);
+    return body;
 }
 
 }  // namespace
 
 Polyhedron convex_hull(std::span<const Vec3> points) {
     if (points.size() < 4) return {};
-    Growth all(points);
-    if (std::optional<Polyhedron> body = all.grown()) return *std::move(body);
-    for (const double share : {1e-6, 1e-5, 1e-4}) {
-        const std::vector<Vec3> fewer = thinned(points, share * all.size());
-        if (fewer.size() < 4) break;
-        if (std::optional<Polyhedron> body = Growth(fewer).grown()) return *std::move(body);
-    }
+    if (std::optional<Polyhedron> body = Growth(points).grown()) return *std::move(body);
+    if (std::optional<Polyhedron> body = hull_on_lattice(points)) return *std::move(body);
     throw InputError(
-        "The hull of some points cannot be told from their rounding; leave out points that lie within a ten-thousandth "
-        "of the body's size of each other.");
+        "The hull of some points cannot be told from their rounding; move or leave out those that nearly meet.");
 }
 
 // A plane n · p = d round the origin is the point n/d of the dual body, and a face of that a corner of this.

@@ -44,9 +44,9 @@ struct Polyhedron {
 
 /// The smallest convex body that holds all points; empty if they lie in a plane. A point counts as in a face that it
 /// stands out of by less than 2e-7 of the body's size, which is what is left of a plane in STL's single precision; so
-/// faces are whole polygons, however they were cut into triangles. Where that leaves no body, of points that lie within
-/// a millionth of the body's size of each other, or up to a ten-thousandth, one is kept. Throws InputError when
-/// rounding still leaves none.
+/// faces are whole polygons, however they were cut into triangles. Where that leaves no body, as of many short edges,
+/// points are moved by up to a hundred-thousandth of the body's size, where whole numbers decide. Throws InputError
+/// when even that leaves none.
 Polyhedron convex_hull(std::span<const Vec3> points);
 
 /// What lies inside all planes. `within`: a point inside each of them, or it is empty. Throws InputError when it has no

@@ -39,11 +39,22 @@ TEST(Topology, AnOversubscribedRankStillHasOneThread) {
     for (std::size_t rank = 0; rank < masks.size(); ++rank) EXPECT_EQ(share_of_cores(masks, rank), 1);
 }
 
-TEST(Topology, SaysWhenALoneRankIsBoundToPartOfItsNode) {
-    EXPECT_NE(binding_remark({.cores = 1, .bound_cores = 1, .node_cores = 8, .node_ranks = 1}).find("1 of its 8 cores"),
+TEST(Topology, SaysWhenRanksShareFewerCores) {
+    const std::vector<CoreMask> masks(2, mask_of(0, 1));
+    EXPECT_NE(binding_remark(make_topology(masks, 0)).find("2 ranks on this node have 1 core between them"),
               std::string::npos);
-    EXPECT_TRUE(binding_remark({.cores = 8, .bound_cores = 8, .node_cores = 8, .node_ranks = 1}).empty());
-    EXPECT_TRUE(binding_remark({.cores = 4, .bound_cores = 4, .node_cores = 8, .node_ranks = 2}).empty());
+    const std::vector<CoreMask> apart{mask_of(0, 1), mask_of(1, 1)};
+    EXPECT_TRUE(binding_remark(make_topology(apart, 0)).empty());
+}
+
+TEST(Topology, SaysWhenALoneRankIsBoundToPartOfItsNode) {
+    EXPECT_NE(binding_remark({.cores = 1, .bound_cores = 1, .node_cores = 8, .node_ranks = 1, .rank_cores = 1})
+                  .find("1 of its 8 cores"),
+              std::string::npos);
+    EXPECT_TRUE(
+        binding_remark({.cores = 8, .bound_cores = 8, .node_cores = 8, .node_ranks = 1, .rank_cores = 8}).empty());
+    EXPECT_TRUE(
+        binding_remark({.cores = 4, .bound_cores = 4, .node_cores = 8, .node_ranks = 2, .rank_cores = 8}).empty());
 }
 
 }  // namespace topology_test

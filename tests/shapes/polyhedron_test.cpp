@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "core/error.hpp"
@@ -51,6 +52,46 @@ TEST(ConvexHull, HoldsRandomPointsOfABall) {
     for (const Vec3& point : points)
         for (const Plane& plane : ball.planes) EXPECT_LT(plane.height(point), 1e-6);
     EXPECT_NEAR(ball.volume(), 4.0 / 3 * std::acos(-1.0), 0.15);
+}
+
+// Wheels whose rims are rounded by short edges, in any direction, away from the origin and in single precision, as
+// public files have them: planes of neighbouring triangles differ by little more than rounding.
+TEST(ConvexHull, HoldsFilletedWheelsInSinglePrecision) {
+    constexpr int sides = 60;
+    constexpr int steps = 12;  // of the fillet
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> any(0, 1);
+        const double fillet = std::pow(10.0, -1 - 2.5 * any(random));  // of a radius of 1
+        const Eigen::Quaterniond turn =
+            Eigen::Quaterniond(any(random), any(random), any(random), any(random)).normalized();
+        const Vec3 place(10 * any(random), 10 * any(random), 10 * any(random));
+        std::vector<Vec3> points;
+        double volume = 0;
+        double former_radius = 0;
+        double former_height = 0;
+        for (const double side : {-1.0, 1.0})
+            for (int step = 0; step <= steps; ++step) {
+                const double angle = std::numbers::pi / 2 * (side < 0 ? step : steps - step) / steps;
+                const double radius = 1 - fillet + fillet * std::sin(angle);
+                const double height = side * (0.2 - fillet + fillet * std::cos(angle));
+                for (int k = 0; k < sides; ++k) {
+                    const double round = 2 * std::numbers::pi * k / sides;
+                    Vec3 point = turn * Vec3(radius * std::cos(round), radius * std::sin(round), height) + place;
+                    for (double& value : point) value = static_cast<double>(static_cast<float>(value));
+                    points.push_back(point);
+                }
+                if (former_radius > 0)  // a slice between two regular polygons
+                    volume += sides / 2.0 * std::sin(2 * std::numbers::pi / sides) * (height - former_height) / 3 *
+                              (radius * radius + radius * former_radius + former_radius * former_radius);
+                former_radius = radius;
+                former_height = height;
+            }
+        const Polyhedron wheel = convex_hull(points);
+        EXPECT_NEAR(wheel.volume() / volume, 1, 1e-4) << seed;
+        for (const Vec3& point : points)
+            for (const Plane& plane : wheel.planes) ASSERT_LT(plane.height(point), 1e-4) << seed;
+    }
 }
 
 TEST(ConvexHull, OfAPlaneIsEmpty) {
