@@ -56,18 +56,25 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
     if (style.view == View::plan) return;
     const double right = style.width - 16 * unit;
     draw_ground(canvas, {style.width - 290 * unit, 0}, {style.width, 100 * unit});
-    double y = 28 * unit;
     const Units::Shown newtons = Units(frame.load.norm()).of("N");
-    const auto load = [&](const char* name, double value, const Colour& colour) {
-        canvas.text({right - 84 * unit, y}, name, colour, 16 * unit, Align::right, true);
-        canvas.text({right, y}, fmt::format("{:.1f} {}", value * newtons.factor, newtons.name), bright, 16 * unit,
-                    Align::right);
-        y += 21 * unit;
+    struct Line {
+        const char* name;
+        double value;
+        Colour colour;
     };
-    load("surge", -frame.load.x(), between(surge_red, bright, 0.35));
-    load("sway", frame.load.z(), between(sway_blue, bright, 0.35));
-    load("heave", frame.load.y(), between(heave_green, bright, 0.35));
-    load("sum", frame.load.norm(), sum_white);
+    const std::array<Line, 4> lines{{{"surge", -frame.load.x(), between(surge_red, bright, 0.35)},
+                                     {"sway", frame.load.z(), between(sway_blue, bright, 0.35)},
+                                     {"heave", frame.load.y(), between(heave_green, bright, 0.35)},
+                                     {"sum", frame.load.norm(), sum_white}}};
+    const auto height = [&](std::size_t k) { return (28 + 21 * static_cast<double>(k)) * unit; };
+    double widest = 68 * unit;
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        widest = std::max(widest, canvas.text({right, height(k)},
+                                              fmt::format("{:.1f} {}", lines[k].value * newtons.factor, newtons.name),
+                                              bright, 16 * unit, Align::right));
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        canvas.text({right - widest - 16 * unit, height(k)}, lines[k].name, lines[k].colour, 16 * unit, Align::right,
+                    true);
 }
 
 /// What the colours of the floes say.
@@ -97,7 +104,7 @@ void draw_legend(Canvas& canvas, const PictureStyle& style, double bottom, doubl
     constexpr int steps = 40;
     const double width = 110 * unit / steps;
     for (int k = 0; k < steps; ++k) box(begin + k * width, width + unit, scale_colour((k + 0.5) / steps));
-    const double end = word(begin + 118 * unit, moves ? fmt::format("{:.3g} m/s (tow)", speed) : "1");
+    const double end = word(begin + 118 * unit, moves ? fmt::format("{:.3g} m/s (hull through ice)", speed) : "1");
     if (moves) return;
     box(end + 14 * unit, 22 * unit, crack_colour);
     word(end + 42 * unit, "crack");
@@ -121,7 +128,10 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
     const double right = width - 20 * unit;
     const double bottom = canvas.height() - 30 * unit;
     const double ceiling = top + 14 * unit;
-    const auto [least, most] = std::ranges::minmax(surge);
+    const auto columns = static_cast<std::size_t>(right - left);
+    const auto first = std::min(surge.size() - 1, static_cast<std::size_t>(std::max(0.0, std::floor(from / step))));
+    const auto last = std::clamp(static_cast<std::size_t>(std::ceil(to / step)), first + 1, surge.size());
+    const auto [least, most] = std::ranges::minmax(std::span(surge).subspan(first, last - first));
     const double low = std::min(0.0, least);
     const double up = most > low ? most : low + 1;
     const auto at = [&](double time, double load) {
@@ -129,10 +139,7 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
                     bottom - (bottom - ceiling) * (load - low) / (up - low));
     };
     std::vector<Vec2> line;
-    const auto columns = static_cast<std::size_t>(right - left);
-    const auto first = static_cast<std::size_t>(std::max(0.0, std::floor(from / step)));
-    const auto last = std::min(surge.size(), static_cast<std::size_t>(std::ceil(to / step)));
-    const std::size_t stride = std::max<std::size_t>(1, (last - std::min(first, last)) / columns);
+    const std::size_t stride = std::max<std::size_t>(1, (last - first) / columns);
     for (std::size_t k = first; k < last; k += stride) {
         const auto part = std::span(surge).subspan(k, std::min(stride, last - k));
         const double time = step * static_cast<double>(k + 1);
@@ -175,7 +182,7 @@ void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const 
     if (forces) draw_forces(canvas, stage, frame, projection, unit_of(style));
     draw_words(canvas, stage, frame, style);
     draw_legend(canvas, style, size.y(), stage.subject().scenario.structure.speed);
-    draw_scales(canvas, stage, projection, size, unit_of(style), forces);
+    draw_scales(canvas, stage, frame, projection, size, unit_of(style), forces);
     draw_history(canvas, stage, frame, style);
 }
 

@@ -115,11 +115,12 @@ void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const P
     draw(middle, {0, 0, frame.load.z()}, sway_blue, 4 * unit, true);
 }
 
-void draw_scales(Canvas& canvas, const Stage& stage, const Projection& projection, const Vec2& size, double unit,
-                 bool forces) {
+void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, const Vec2& size,
+                 double unit, bool forces) {
     const double newton = metres_a_newton(stage) * projection.scale();  // pixels
     const bool both = forces && newton > 0;
-    const double width = (both ? 480 : 330) * unit;
+    const bool lines = !frame.lines.empty();
+    const double width = ((both ? 480 : 330) + (lines ? 120 : 0)) * unit;
     const double height = (both ? 60 : 36) * unit;
     const Vec2 corner(size.x() - width, size.y() - height);
     draw_ground(canvas, corner, size);
@@ -128,10 +129,12 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Projection& projectio
     const double metres = round_number(least / projection.scale());
     const double next = draw_bar(canvas, {left, corner.y() + 18 * unit}, metres * projection.scale(),
                                  fmt::format("{:g} m", metres), unit);
-    const double speed = std::abs(stage.subject().scenario.structure.speed);
+    const std::string through =
+        fmt::format("through ice, {:g} m/s", std::abs(stage.subject().scenario.structure.speed));
     const double second = corner.y() + (both ? 46 : 23) * unit;
     if (!both) {
-        draw_sample(canvas, {left + 165 * unit, second}, tow_orange, fmt::format("tow, {:g} m/s", speed), unit);
+        const double x = draw_sample(canvas, {left + 165 * unit, second}, tow_orange, through, unit);
+        if (lines) draw_sample(canvas, {x, second}, ink, "mooring line", unit);
         return;
     }
     const double force = round_number(least / newton);
@@ -140,9 +143,10 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Projection& projectio
              fmt::format("{:g} {unit}; on floes {:g} {unit}", force * newtons.factor,
                          force * newtons.factor / contact_stretch, fmt::arg("unit", newtons.name)),
              unit);
-    double x = draw_sample(canvas, {left, second}, tow_orange, fmt::format("tow, {:g} m/s", speed), unit);
+    double x = draw_sample(canvas, {left, second}, tow_orange, through, unit);
     x = draw_sample(canvas, {x, second}, normal_magenta, "normal", unit);
-    draw_sample(canvas, {x, second}, friction_teal, "friction on floes", unit);
+    x = draw_sample(canvas, {x, second}, friction_teal, "friction on floes", unit);
+    if (lines) draw_sample(canvas, {x, second}, ink, "mooring line", unit);
 }
 
 namespace {

@@ -65,7 +65,7 @@ void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const P
 
 /// Bars for a length and, with `forces`, a force, both as at the structure, and which line is which, in the lower right
 /// of a picture of this size.
-void draw_scales(Canvas& canvas, const Stage& stage, const Projection& projection, const Vec2& size, double unit,
-                 bool forces);
+void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, const Vec2& size,
+                 double unit, bool forces);
 
 }  // namespace floes

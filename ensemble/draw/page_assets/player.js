@@ -54,7 +54,7 @@ class Player {
       line('heave', 'heave') + line('ink', 'sum') : '';
     const contacts = shows.contacts || shows.ice ? '<li>forces on floes:</li>' + line('normal', 'normal') +
       line('friction', 'friction') : '';
-    const tow = line('tow', `tow, ${+Math.abs(speed).toPrecision(3)} m/s`);
+    const tow = line('tow', `through ice, ${+Math.abs(speed).toPrecision(3)} m/s`);
     const grid = `<li>water: lines ${cellSize(this.replay.header)} m apart</li>`;
     $('legend').innerHTML = colouring.legend() + `<ul>${load}${contacts}</ul><ul>${tow}${grid}</ul>`;
   }
