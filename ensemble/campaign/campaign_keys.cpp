@@ -212,6 +212,10 @@ Keys describe(Design& design) {
     Keys keys{method_key(design)};
     keys.push_back(integer_key("design.points", design.points, 0, static_cast<int>(most_cases), "none",
                                "Points of latin_hypercube and sobol; a power of 2 suits sobol best."));
+    keys.push_back(text_key("design.points_file", design.points_file, "none",
+                            "Points that another program chose: a CSV file, relative to the configuration file, whose "
+                            "first line names keys of a scenario and each other line a point. Only with design.method "
+                            "= \"list\", in place of [[design.axis]], as which the points are stored."));
     return keys;
 }
 

@@ -32,6 +32,7 @@ struct Design {
     /// (r = 0), B (r = 1), and A with axis i from B (r = 2 + i).
     bool indices = false;
     std::vector<DesignAxis> axes;
+    std::string points_file;  ///< as it was given, beside the configuration; empty once its points are axes
 
     bool active() const { return method != DesignMethod::none; }
     /// Its axes have from and to, values of a grid or list otherwise.

@@ -64,6 +64,31 @@ PoseFile read_poses(const std::string& text, const std::string& file) {
     return {file, columns.substr(std::min(columns.size(), header.size() + 1)), {std::move(poses)}, std::move(places)};
 }
 
+std::vector<Block> read_points(const std::string& text, const std::string& file) {
+    const std::vector<CsvLine> lines = csv_lines(text, file);
+    if (lines.size() < 2)
+        throw InputError(
+            fmt::format("{}: there are no points; write keys, such as ice.thickness_m, in the first line "
+                        "and a line for each point",
+                        file));
+    const CsvLine& keys = lines.front();
+    std::vector<Block> axes;
+    for (std::size_t k = 0; k < keys.cells.size(); ++k) {
+        const std::string where = fmt::format("{}:{}", file, keys.number);
+        std::vector<Value> values;
+        for (const CsvLine& line : std::span(lines).subspan(1)) {
+            if (line.cells.size() != keys.cells.size())
+                throw InputError(fmt::format("{}:{}: {} is not a point; write {} values, of {}", file, line.number,
+                                             text_literal(joined(line)), keys.cells.size(), joined(keys)));
+            if (line.cells[k].empty())
+                throw InputError(fmt::format("{}:{}: {} has no value", file, line.number, keys.cells[k]));
+            values.push_back(parse_override(keys.cells[k] + "=" + line.cells[k], where).value);
+        }
+        axes.push_back({axis_block, where, {{"key", {keys.cells[k]}, where}, {"values", {std::move(values)}, where}}});
+    }
+    return axes;
+}
+
 namespace {
 
 auto as_given(const HullFile& file) {

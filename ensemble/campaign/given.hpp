@@ -28,6 +28,10 @@ struct PoseFile {
 /// InputError with file, line and what is allowed.
 PoseFile read_poses(const std::string& text, const std::string& file);
 
+/// The axes of a design that a CSV file lists: keys in its first line, a point in each other one. As [[design.axis]]
+/// blocks with a value for each point. `file` names the text in messages. Throws InputError with file and line.
+std::vector<Block> read_points(const std::string& text, const std::string& file);
+
 // A hull that a configuration gives in a CAD file. For this module only.
 
 class GivenHull {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -197,6 +198,7 @@ class CampaignReader {
     CampaignReader(const CampaignSource& source, LoadFile load_file)
         : source_(source),
           document_(parse_document(source.text, source.file)),
+          load_file_(load_file),
           poses_(source.file, load_file),
           hull_(source.file, load_file),
           outlines_(source.file, load_file) {
@@ -206,6 +208,7 @@ class CampaignReader {
 
     Campaign read() {
         read_tables();
+        read_points_file();
         axes_ = read_axes(document_.blocks, origins_, source_.file, design_);
         refuse_hidden();
         std::vector<CaseBlock> given = given_cases(document_, name_of_ice(), source_.file, design_);
@@ -269,6 +272,22 @@ class CampaignReader {
             const Key* key = find_key(keys, full_path(entry.path));
             if (key != nullptr && !key->preset) overridden_.emplace_back(entry, exact_text(*key));
         }
+    }
+
+    /// Puts the axes of design.points_file among the blocks.
+    void read_points_file() {
+        if (design_.points_file.empty()) return;
+        const auto refuse = [&](const std::string& what) {
+            return InputError(fmt::format("{}: design.points_file = {} {}", origins_.at("design.points_file"),
+                                          text_literal(design_.points_file), what));
+        };
+        if (design_.method != DesignMethod::list) throw refuse("is a list of points; write design.method = \"list\"");
+        if (std::ranges::find(document_.blocks, axis_block, &Block::path) != document_.blocks.end())
+            throw refuse("and [[design.axis]] are both given; keep one");
+        if (load_file_ == nullptr) throw refuse("cannot be read here; give [[design.axis]] blocks");
+        const std::string path =
+            (std::filesystem::path(source_.file).parent_path() / std::exchange(design_.points_file, {})).string();
+        for (Block& axis : read_points(load_file_(path), path)) document_.blocks.push_back(std::move(axis));
     }
 
     void refuse_base_case(const Campaign& campaign) const {
@@ -429,6 +448,7 @@ class CampaignReader {
 
     const CampaignSource& source_;
     Document document_;
+    LoadFile load_file_;
     std::vector<Entry> overrides_;
     std::vector<std::pair<Entry, std::string>> overridden_;  ///< keys of a scenario, with the text that each then has
     CampaignHead head_;

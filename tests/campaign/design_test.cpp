@@ -12,6 +12,7 @@
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace design_test {
@@ -58,6 +59,42 @@ TEST(Design, AGridCombinesAndNamesByValues) {
     EXPECT_EQ(campaign.cases[3].point, 3);
     EXPECT_EQ(numeric_value(campaign.cases[2], "ice.elastic_modulus_MPa"), 60.5);
     EXPECT_EQ(numeric_value(read("", {"field.concentration_percent=57"}).cases[0], "field.concentration_percent"), 57);
+}
+
+std::string points(const std::string& path) {
+    if (path == "two.csv") return "ice.thickness_m;field.far_end\n0,03;open\n0,04;ice_sheet\n";
+    if (path == "short.csv") return "ice.thickness_m,field.far_end\n0.03\n";
+    if (path == "empty.csv") return "ice.thickness_m\n";
+    if (path == "gap.csv") return "ice.thickness_m,field.far_end\n0.03,\n";
+    return "ice.thicknes_m\n0.03\n";
+}
+
+TEST(Design, PointsOfAFileAreTheSameAsAxes) {
+    const std::string file = design("method = \"list\"\npoints_file = \"two.csv\"") + two_cases;
+    const std::string axes = design("method = \"list\"") + axis("ice.thickness_m", "values = [0.03, 0.04]") +
+                             axis("field.far_end", "values = [\"open\", \"ice_sheet\"]") + two_cases;
+    const Campaign from_file = read_campaign({file, "a.toml", {}}, points);
+    const Campaign from_axes = read(axes);
+    EXPECT_EQ(names(from_file), names(from_axes));
+    EXPECT_EQ(fingerprint(from_file), fingerprint(from_axes));
+    EXPECT_EQ(write_campaign(from_file, ""), write_campaign(from_axes, "")) << "stored as axes";
+}
+
+TEST(Design, PointsOfAFileAreRefusedWithTheirLine) {
+    const auto refused = [](const std::string& keys, const std::string& more = "") {
+        return refusal([&] { read_campaign({design(keys) + more, "a.toml", {}}, points); });
+    };
+    EXPECT_THAT(refused("method = \"list\"\npoints_file = \"short.csv\""),
+                HasSubstr("short.csv:2: \"0.03\" is not a point"));
+    EXPECT_THAT(refused("method = \"list\"\npoints_file = \"empty.csv\""), HasSubstr("there are no points"));
+    EXPECT_THAT(refused("method = \"list\"\npoints_file = \"gap.csv\""),
+                HasSubstr("gap.csv:2: field.far_end has no value"));
+    EXPECT_THAT(refused("method = \"list\"\npoints_file = \"typo.csv\""),
+                HasSubstr("did you mean \"ice.thickness_m\""));
+    EXPECT_THAT(refused("method = \"grid\"\npoints_file = \"two.csv\""), HasSubstr("write design.method = \"list\""));
+    EXPECT_THAT(refused("method = \"list\"\npoints_file = \"two.csv\"", axis("ice.thickness_m", "values = [0.03]")),
+                HasSubstr("are both given; keep one"));
+    EXPECT_THAT(message(design("method = \"list\"\npoints_file = \"two.csv\"")), HasSubstr("cannot be read here"));
 }
 
 TEST(Design, AListGoesSideBySide) {
