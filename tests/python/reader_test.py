@@ -271,7 +271,8 @@ class Tables(unittest.TestCase):
 class Page(unittest.TestCase):
     def test_blocks_print_what_the_page_shows(self):
         script = PROJECT / "docs/figures/python_page.py"
-        page = subprocess.run(["/usr/bin/python3", script, SMOKE], capture_output=True, text=True)
+        page = subprocess.run(["/usr/bin/python3", script, SMOKE], capture_output=True, text=True,
+                              env=os.environ | {"FLOES": str(FLOES)})
         self.assertEqual(page.returncode, 0, page.stdout + page.stderr)
 
 
