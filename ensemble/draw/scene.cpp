@@ -120,7 +120,7 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const P
     const double newton = metres_a_newton(stage) * projection.scale();  // pixels
     const bool both = forces && newton > 0;
     const bool lines = !frame.lines.empty();
-    const double width = ((both ? 480 : 330) + (lines ? 120 : 0)) * unit;
+    const double width = ((both ? 480 : 400) + (lines ? 130 : 0)) * unit;
     const double height = (both ? 60 : 36) * unit;
     const Vec2 corner(size.x() - width, size.y() - height);
     draw_ground(canvas, corner, size);
