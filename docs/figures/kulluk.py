@@ -28,8 +28,9 @@ def interval(values):
     return mean, mean - half, mean + half
 
 
-def text(values, digits):
+def text(values, digits, most=math.inf):
     mean, low, high = interval(values)
+    high = min(high, most)
     return f"{mean:.{digits}f} [{low:.{digits}f}, {high:.{digits}f}]"
 
 
@@ -54,7 +55,7 @@ def table(found):
              "broken of the floes met, % |", "|---|---|---|---|---|---|"]
     for thickness, of in found.items():
         lines.append(f"| {thickness:g} | {text(of['mean'], 2)} | {text(of['peak'], 2)} | {text(of['force'], 2)} | "
-                     f"{text(of['offset'], 2)} | {text(of['broken'], 0)} |")
+                     f"{text(of['offset'], 2)} | {text(of['broken'], 0, 100)} |")
     return "\n".join(lines)
 
 

@@ -1,13 +1,15 @@
 #!/usr/bin/python3
-"""The pictures and the film of docs/replay.md and README.md, of the worst moment of case E60.
+"""The pictures and the film of docs/replay.md and README.md, of the largest load in the paper's tank.
 
-Usage: replay.py FLOES CAMPAIGN.h5          (a campaign of configs/table3_physical.toml; needs chromium, ffmpeg, and
-                                             paraview with xvfb-run)
+Usage: replay.py FLOES CAMPAIGN.h5          (configs/table3_physical.toml with one arrangement; needs chromium, ffmpeg,
+                                             and paraview with xvfb-run)
 """
 import pathlib
 import subprocess
 import sys
 import tempfile
+
+import h5py
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "replay"
 BROWSER = ["chromium", "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
@@ -19,6 +21,12 @@ def photograph(page, view, picture, size, *options):
                    check=True, capture_output=True)
 
 
+def largest(record):
+    """Time of the frame with the largest load, s."""
+    with h5py.File(record) as file:
+        return file["time"][file["frames/surge_load"][()].argmax()]
+
+
 def main(floes, campaign):
     FOLDER.mkdir(exist_ok=True)
 
@@ -28,25 +36,23 @@ def main(floes, campaign):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         record, page, series = folder / "worst.h5", folder / "worst.html", folder / "worst.pvd"
-        worst = ["--worst", "--case", "E60"]
-        replay(campaign, record, *worst)
+        replay(campaign, record, "--worst", "--every", "0.2")
         replay(record, FOLDER / "fig5.png")
         replay(record, FOLDER / "below.png", "--view", "below", "--size", "960x600")
         replay(record, FOLDER / "utilisation.png", "--view", "above", "--colours", "utilisation", "--size", "960x600")
         replay(record, FOLDER / "plan.png", "--view", "plan", "--size", "1040x600")
+        replay(record, FOLDER / "worst.webp", "--size", "720x450", "--rate", "12")
         replay(record, page)
-        for name, view, size in (("page", "t=241.36", "1280,860"), ("page_above", "t=241.36&view=above", "1280,860"),
-                                 ("page_phone", "t=241.36&view=below", "420,900")):
-            photograph(page, view, FOLDER / f"{name}.png", size, *(["--force-dark-mode"] if "above" in name else []))
+        time = f"t={largest(record):.2f}"
+        for name, view, size in (("page", "", "1280,860"), ("page_above", "&view=above", "1280,860"),
+                                 ("page_phone", "&view=below", "420,900")):
+            photograph(page, time + view, FOLDER / f"{name}.png", size, *(["--force-dark-mode"] if "above" in name else []))
         replay(record, series)
         large = folder / "paraview.png"
         subprocess.run(["xvfb-run", "-a", "-s", "-noreset", "pvpython", series.with_suffix(".py"), "--screenshot",
                         large], check=True)
         subprocess.run(["ffmpeg", "-loglevel", "error", "-y", "-i", large, "-vf", "scale=960:-1", FOLDER /
                         "paraview.png"], check=True)
-        slow = folder / "slow.h5"
-        replay(campaign, slow, *worst, "--every", "0.2")
-        replay(slow, FOLDER / "worst.webp", "--size", "720x450", "--rate", "12")
 
 
 if __name__ == "__main__":
