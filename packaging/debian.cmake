@@ -8,6 +8,11 @@ file(MAKE_DIRECTORY ${share}/zsh/vendor-completions)
 file(RENAME ${share}/zsh/site-functions/_floes ${share}/zsh/vendor-completions/_floes)
 file(REMOVE ${share}/zsh/site-functions)
 
+# The site opens from its folder alone, wherever that is taken, so it holds the few scripts that Debian has elsewhere.
+if(EXISTS ${share}/doc/floes/html)
+  file(WRITE ${share}/lintian/overrides/floes "embedded-javascript-library *[usr/share/doc/floes/html/_static/*]\n")
+endif()
+
 # /usr/bin/python3 imports it without further ado, if its packages are there (CPACK_DEBIAN_PACKAGE_SUGGESTS).
 set(modules ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/usr/lib/python3/dist-packages)
 file(MAKE_DIRECTORY ${modules})

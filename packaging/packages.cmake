@@ -29,7 +29,7 @@ which floes reports mean loads, maxima and broken floes with confidence
 intervals.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS openmpi-bin)  # run --ranks
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, slurm-wlm, python3-h5py, python3-pandas, python3-xarray, python3-matplotlib")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, slurm-wlm, python3, python3-h5py, python3-pandas, python3-xarray, python3-matplotlib")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 include(CPack)

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""The tables of docs/convergence.md and docs/contact.md and their picture, from the members in docs/contact.
+"""The tables of docs/contact.md and docs/convergence.md, from the members in docs/contact.
 
 Usage:
-    contact.py                    writes tables and picture
+    contact.py                    writes the tables
     contact.py --check            writes nothing; fails if a table differs from the data
-    contact.py --collect FOLDER   first takes the members of the finished campaigns in FOLDER: contact_convergence.h5,
-                                  contact_choices.h5 and contact_laws.h5, made from configs/validation
+    contact.py --collect FOLDER   first takes the members of the finished campaigns contact_choices.h5 and resolution.h5 in
+                                  FOLDER, made from configs/validation
 """
 import pathlib
 import sys
@@ -15,23 +15,29 @@ import numpy as np
 import pandas as pd
 
 from page_blocks import fill_or_check
-from validation_data import half_width, interval
-from validation_data import members as validation_members
-from validation_tables import number, table, with_interval
+from validation_data import half_width
+from validation_tables import difference, number, table
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "contact"
-KEYS = {"friction": "contact.friction", "law": "contact.law", "iterations": "general.iterations",
-        "time_step_s": "general.time_step_s",
-        "internal_edges": "paper.internal_edges", "erp": "contact.erp", "pressure_kPa": "contact.crushing_pressure_kPa",
-        "strength_kPa": "ice.compressive_strength_kPa", "cfm": "joint.cfm", "modulus_MPa": "ice.elastic_modulus_MPa"}
-LAWS = [(friction, law) for law in ["rigid", "crushing"] for friction in ["one_direction", "cone"]]
-MAXIMA = {"maximum_N": "every step", "maximum_0.1s_N": "0.1 s", "maximum_0.5s_N": "0.5 s", "maximum_1s_N": "1 s",
-          "maximum_2s_N": "2 s"}
+CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution"}
+QUANTITIES = {"mean_N": "mean, N", "maximum_N": "largest, every step, N", "maximum_0.1s_N": "over 0.1 s, N",
+              "maximum_1s_N": "over 1 s, N", "broken_percent": "broken floes, %"}
+CHOICES = {"default": "**default: friction cone, crushing at 145.6 kPa**", "pressure_halved": "crushing at 72.8 kPa",
+           "pressure_x4": "crushing at 582.4 kPa", "pressure_x16": "crushing at 2330 kPa",
+           "edges_act": "crushing, internal edges act", "rigid": "rigid, Γ 0.2",
+           "rigid_edges_act": "rigid, Γ 0.2, internal edges act", "rigid_erp_0": "rigid, Γ 0",
+           "rigid_erp_0.8": "rigid, Γ 0.8"}
+PAPER = {"paper_physical_contacts": "**physical contacts**", "paper": "the paper's contacts"}
+NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s", "step_0.005": "step 0.005 s",
+            "tolerance_10": "tolerance 10 mm/s", "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps",
+            "sweeps_20": "at most 20 sweeps"}
+RIGID = {"rigid": "**rigid contacts, 0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "step 0.005 s"}
 
 
-def collected(path, keys=KEYS, columns=()):
-    """One row for each finished member of a campaign file; `columns`: further ones of members."""
+def collected(path, keys, columns=()):
+    """One row for each finished member of a campaign file. `keys`: name of a column -> a key of the configuration; any
+    table and "name" is the name of the case. `columns`: further ones of members."""
     import h5py  # which --check does not need
 
     with h5py.File(path) as file:
@@ -55,157 +61,46 @@ def collected(path, keys=KEYS, columns=()):
             row["broken_percent"] = 100 * file["members/failure_ratio"][i]
             row |= {column: file[f"members/{column}"][i] for column in columns}
             rows.append(row)
-    return pd.DataFrame(rows).round({name: 6 for name in rows[0] if name.endswith(("_N", "_percent"))})
+    return pd.DataFrame(rows).round({name: 6 for name in rows[0] if name.endswith(("_N", "_percent", "_sweeps"))})
 
 
 def members(name):
     return pd.read_csv(DATA / f"{name}.csv")
 
 
-def law_words(friction, law):
-    return f"{'cone' if friction == 'cone' else 'one direction'}, {law}"
-
-
-def cases(data):
-    """(iterations, friction, law, time step) and the members, in the order of the page."""
-    for iterations in sorted(data.iterations.unique()):
-        for friction, law in LAWS:
-            for step in sorted(data.time_step_s.unique(), reverse=True):
-                own = data[(data.iterations == iterations) & (data.friction == friction) & (data.law == law)
-                           & (data.time_step_s == step)]
-                if len(own):
-                    yield iterations, friction, law, step, own
-
-
-def loads():
-    rows = [[law_words(friction, law), f"{iterations}", f"{step:g}", f"{own.cfm.iloc[0]:.3g}",
-             with_interval(own.mean_N), number(own.sd_N.mean())]
-            + [with_interval(own[column]) if column in ("maximum_N", "maximum_0.1s_N") else number(own[column].mean())
-               for column in MAXIMA] + [with_interval(own.broken_percent)]
-            for iterations, friction, law, step, own in cases(members("convergence"))]
-    return table(["contact", "sweeps", "Δt, s", "Σ", "mean, N", "SD, N"]
-                 + [f"maxima, {words}, N" for words in MAXIMA.values()] + ["broken floes, %"], rows)
-
-
-def ratio(own, shortest, column):
-    """Of the means over the arrangements that both have, and the half width of its 95 % interval (delta method)."""
-    both = own.merge(shortest, on="arrangement", suffixes=("", "_there"))
-    here, there = both[column], both[f"{column}_there"]
-    r = here.mean() / there.mean()
-    return r, half_width(here - r * there) / there.mean()
-
-
-def ratios():
-    """Loads over those of the shortest step, same law and sweeps, same arrangements."""
-    data = members("convergence")
-    shortest = data.time_step_s.min()
-    rows = []
-    for iterations, friction, law, step, own in cases(data):
-        if step == shortest:
-            continue
-        there = data[(data.iterations == iterations) & (data.friction == friction) & (data.law == law)
-                     & (data.time_step_s == shortest)]
-        values = [ratio(own, there, column) for column in ["mean_N", *MAXIMA]]
-        rows.append([law_words(friction, law), f"{iterations}", f"{step:g}"]
-                    + [f"{r:.2f} ± {half:.2f}" for r, half in values])
-    return table(["contact", "sweeps", "Δt, s", "mean"] + [f"maxima, {words}" for words in MAXIMA.values()], rows)
-
-
-def summary():
-    """In words: how far the maxima of each law are from those of the shortest step."""
-    data = members("convergence")
-    shortest = data.time_step_s.min()
-    lines = [f"{len(data.arrangement.unique())} arrangements. Maxima over those at {shortest:g} s, 50 sweeps:", ""]
-    for friction, law in LAWS:
-        own = data[(data.friction == friction) & (data.law == law) & (data.iterations == 50)]
-        there = own[own.time_step_s == shortest]
-        parts = []
-        for step, column in [(0.02, "maximum_N"), (0.01, "maximum_N"), (0.02, "maximum_0.1s_N"),
-                             (0.01, "maximum_0.1s_N"), (0.02, "maximum_1s_N")]:
-            r, half = ratio(own[own.time_step_s == step], there, column)
-            parts.append(f"{r:.2f} ± {half:.2f} ({MAXIMA[column]}, Δt {step:g} s)")
-        lines.append(f"* {law_words(friction, law)}: " + ", ".join(parts) + ".")
-    return "\n".join(lines)
-
-
-def choices():
-    """Each choice in the short channel, as a change from the physical preset and by itself."""
-    data = members("choices")
-    rows = []
-    for key, own in data.groupby(["friction", "law", "internal_edges", "erp", "pressure_kPa"], sort=False):
-        friction, law, edges, erp, pressure = key
-        detail = f"Γ {erp:g}" if law == "rigid" else f"{pressure or own.strength_kPa.iloc[0]:g} kPa"
-        rows.append([law_words(friction, law), detail, "act" if edges else "do not act"]
-                    + [with_interval(own[column])
-                       for column in ["mean_N", "maximum_N", "maximum_0.1s_N", "maximum_1s_N", "broken_percent"]])
-    return table(["contact", "", "internal edges", "mean, N", "maxima, every step, N", "0.1 s, N", "1 s, N",
-                  "broken floes, %"], rows)
-
-
-def laws():
-    """Table 3's case under each law, over the same arrangements."""
-    data = members("laws")
-    paper = validation_members("crystalline")
-    paper = paper[paper.arrangement < len(data.arrangement.unique())]
-    rows = []
-    shown = ["mean_N", "sd_N", "maximum_N", "maximum_0.1s_N", "maximum_1s_N", "broken_percent"]
-    for modulus in sorted(data.modulus_MPa.unique()):
-        own = paper[paper.case == f"E{modulus:g}"].rename(
-            columns={"mean_load": "mean_N", "sd_load": "sd_N", "mean_maximum": "maximum_N", "failure_ratio": "broken_percent"})
-        rows.append(["one direction, rigid", f"{modulus:g}"]
-                    + [with_interval(own[column]) if column in own else "–" for column in shown])
-        for friction, law in LAWS[1:]:
-            own = data[(data.friction == friction) & (data.law == law) & (data.modulus_MPa == modulus)]
-            rows.append([law_words(friction, law), f"{modulus:g}"] + [with_interval(own[column]) for column in shown])
-    return table(["contact", "E, MPa", "mean, N", "SD, N", "maxima, every step, N", "0.1 s, N", "1 s, N",
-                  "broken floes, %"], rows)
-
-
-def draw(path):
-    import matplotlib
-
-    matplotlib.use("svg")
-    matplotlib.rcParams["svg.hashsalt"] = "floes"
-    from matplotlib import pyplot
-
-    data = members("convergence")
-    figure, axes = pyplot.subplots(1, 3, figsize=(11, 3.6))
-    for (friction, law), colour in zip(LAWS, ["C0", "C1", "C2", "C3"]):
-        for iterations, line in [(50, "-"), (200, "--")]:
-            own = data[(data.friction == friction) & (data.law == law) & (data.iterations == iterations)]
-            for axis, column in zip(axes, ["mean_N", "maximum_N", "maximum_0.1s_N"]):
-                found = own.groupby("time_step_s")[column].apply(lambda values: pd.Series(interval(values)))
-                found = found.unstack()
-                label = f"{law_words(friction, law)}, {iterations} sweeps"
-                axis.errorbar(found.index * (1.02 if iterations == 200 else 1), found[0],
-                              [found[0] - found[1], found[2] - found[0]], color=colour, linestyle=line, marker="o",
-                              markersize=3, capsize=2, linewidth=1, label=label)
-    for axis, title in zip(axes, ["mean load", "maxima, every step", "maxima of the load averaged over 0.1 s"]):
-        axis.set_xscale("log")
-        axis.set_xticks([0.0025, 0.005, 0.01, 0.02], ["0.0025", "0.005", "0.01", "0.02"])
-        axis.minorticks_off()
-        axis.set_xlabel("time step, s")
-        axis.set_title(title, fontsize=10)
-        axis.set_ylim(bottom=0)
-    axes[0].set_ylabel("N")
-    figure.legend(*axes[0].get_legend_handles_labels(), loc="lower center", ncols=4, fontsize=8, frameon=False)
-    figure.tight_layout(rect=(0, 0.13, 1, 1))
-    figure.savefig(path, metadata={"Date": None})
+def beside(data, words, first, more=(), step_by_step=False):
+    """Cases `words`, the first with its means, the others as paired differences from it, or `step_by_step` from the case
+    above. `more`: further columns, as heading and name, of which each case has its mean."""
+    rows, other = [], None
+    for case in words:
+        one = data[data.case == case].set_index("arrangement")
+        cells = [words[case]]
+        for quantity in QUANTITIES:
+            if other is None:
+                cells.append(f"{number(one[quantity].mean())} ± {number(half_width(one[quantity]))}")
+            else:
+                apart = (one[quantity] - other[quantity]).dropna()
+                cells.append(difference(apart.mean(), half_width(apart)))
+        rows.append(cells + [number(one[name].mean()) for _, name in more])
+        if other is None or step_by_step:
+            other = one
+    return table([first, *QUANTITIES.values(), *(heading for heading, _ in more)], rows)
 
 
 def main(arguments):
     if arguments[:1] == ["--collect"]:
-        folder = pathlib.Path(arguments[1])
-        for name in ["convergence", "choices", "laws"]:
-            file = folder / f"contact_{name}.h5"
+        for campaign, name in CAMPAIGNS.items():
+            file = pathlib.Path(arguments[1]) / f"{campaign}.h5"
             if file.exists():
-                collected(file).to_csv(DATA / f"{name}.csv", index=False)
-    check = arguments == ["--check"]
-    fill_or_check({DOCS / "convergence.md": {"summary": summary, "loads": loads, "ratios": ratios},
-                   DOCS / "contact.md": {"choices": choices, "laws": laws}},
-                  check, "contact.py")
-    if not check:
-        draw(DATA / "convergence.svg")
+                collected(file, {"case": "joint.name"}, ["mean_sweeps"]).to_csv(DATA / f"{name}.csv", index=False)
+    elif arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
+    sweeps = [("sweeps a step", "mean_sweeps")]
+    fill_or_check({DOCS / "contact.md": {"choices": lambda: beside(members("choices"), CHOICES, "contacts"),
+                                         "paper": lambda: beside(members("choices"), PAPER, "contacts")},
+                   DOCS / "convergence.md": {"numerics": lambda: beside(members("resolution"), NUMERICS, "", sweeps),
+                                             "rigid": lambda: beside(members("resolution"), RIGID, "", sweeps)}},
+                  arguments == ["--check"], "contact.py")
 
 
 if __name__ == "__main__":

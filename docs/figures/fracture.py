@@ -5,8 +5,6 @@ Usage:
     fracture.py                   writes the tables from docs/fracture/*.csv
     fracture.py --check           writes nothing; fails if a table differs from the data
     fracture.py --grid            first solves the grid of beams at rest on water, a minute; its own lines, not those of floes
-    fracture.py --collect FOLDER  first takes the members of fracture_tank.h5 and fracture_elements.h5 and the failed joints of
-                                  wide_floe.h5, campaigns in FOLDER
 """
 import math
 import pathlib
@@ -15,10 +13,8 @@ import sys
 import numpy as np
 import pandas as pd
 
-from contact import collected
 from page_blocks import fill_or_check
-from validation_data import half_width
-from validation_tables import difference, number, table, with_interval
+from validation_tables import table
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -188,136 +184,16 @@ def crack_table():
                   for _, row in rows.iterrows()])
 
 
-WORDS = {"moment": "moment, Eq. (3)", "stress": "stress (the default)", "energy_0.1": "and 0.1 J/m²", "energy_1": "and 1 J/m²"}
-
-
-def tank_table():
-    rows = data("fracture_tank")
-    shown = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %",
-             "split_percent": "cracked through, %", "pieces": "pieces"}
-    own = {name: rows[rows.way == name].set_index("arrangement") for name in WORDS}
-    common = sorted(set.intersection(*(set(one.index) for one in own.values())))
-    lines = []
-    for name, words in WORDS.items():
-        cells = [words]
-        for quantity in shown:
-            values = own[name].loc[common, quantity].to_numpy()
-            apart = values - own["moment"].loc[common, quantity].to_numpy()
-            cells.append(with_interval(values))
-            if quantity in ("mean_N", "maximum_1s_N"):
-                cells.append("" if name == "moment" else difference(apart.mean(), half_width(apart)))
-        lines.append(cells)
-    heading = ["what cracks a joint"]
-    for quantity, words in shown.items():
-        heading += [words] + (["beside moment"] if quantity in ("mean_N", "maximum_1s_N") else [])
-    return table(heading, lines)
-
-
-# -- the wide floe
-
-WIDE = {"side": 0.15, "elements": 28, "shown_until": 9.0}  # configs/validation/wide_floe.toml
-
-
-def joints_of(elements):
-    """Middle (x, z) of each joint from the floe's centre in sides, and whether it is along x, in the order of
-    src/shapes/elements.hpp."""
-    found = []
-    for k in range(elements):
-        for i in range(elements):
-            for along in (0, 1):
-                if (i, k)[along] + 1 < elements:
-                    doubled = (2 * i - (elements - 1) + (along == 0), 2 * k - (elements - 1) + (along == 1))
-                    found.append((max(map(abs, doubled)), doubled, along))
-    found.sort(key=lambda one: one[0])
-    return [((x / 2, z / 2), along) for _, (x, z), along in found]
-
-
-def wide_floe(path):
-    import h5py
-
-    with h5py.File(path) as file:
-        return pd.DataFrame({"case": np.array(["stress", "moment"])[file["breaks/member"][:]], "time_s": file["breaks/time"][:],
-                             "joint": file["breaks/joint"][:]}).round(2)
-
-
-def draw(path):
-    """The failed joints of the wide floe as cracks, in the colours of their time."""
-    import matplotlib
-
-    matplotlib.use("svg")
-    matplotlib.rcParams["svg.hashsalt"] = "floes"
-    from matplotlib import pyplot
-
-    rows = data("wide_floe")
-    rows = rows[rows.time_s <= WIDE["shown_until"]]
-    joints = joints_of(WIDE["elements"])
-    figure, axes = pyplot.subplots(1, 2, figsize=(9, 2.6), sharey=True, layout="constrained")
-    colours = matplotlib.colormaps["viridis"]
-    first, last = rows.time_s.min(), WIDE["shown_until"]
-    for axis, (case, title) in zip(axes, [("moment", "by moment, Eq. (3)"), ("stress", "by stress")]):
-        for row in rows[rows.case == case].itertuples():
-            (x, z), along = joints[row.joint]
-            across = ([x, x], [z - 0.5, z + 0.5]) if along == 0 else ([x - 0.5, x + 0.5], [z, z])
-            axis.plot(np.multiply(across[1], WIDE["side"]), np.multiply(across[0], WIDE["side"]), linewidth=2,
-                      color=colours((row.time_s - first) / (last - first)))
-        half = WIDE["side"] * WIDE["elements"] / 2
-        axis.plot([-half, -half, half, half, -half], [-half, half, half, -half, -half], color="0.4", linewidth=1)
-        axis.set_aspect("equal")
-        axis.set_xlim(-1.1, 1.1)
-        axis.set_ylim(-half - 0.1, -half + 0.9)
-        axis.set_title(title, fontsize=10)
-        axis.set_xlabel("across the tow, m")
-    axes[0].set_ylabel("along the tow, m")
-    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(first, last), colours)
-    figure.colorbar(scale, ax=list(axes), label="failed at, s", shrink=0.8)
-    figure.savefig(path, metadata={"Date": None})
-
-
-def elements_table():
-    """Broken floes over the elements, by stress, beside those by moment of docs/ice/resolution.csv."""
-    rows = data("fracture_elements")
-    base = rows[rows.element_m == 0.2].set_index("arrangement")
-    before = pd.read_csv(DOCS / "ice" / "resolution.csv")
-    before = before[(before.iterations == 20) & (before.time_step_s == 0.02)]
-    lines = []
-    for side in sorted(rows.element_m.unique(), reverse=True):
-        own = rows[rows.element_m == side].set_index("arrangement")
-        cells = [f"{side:g}", f"{len(own)}", with_interval(own.mean_N.to_numpy())]
-        for quantity in ("broken_percent", "split_percent"):
-            cells.append(with_interval(own[quantity].to_numpy()))
-            both = own[quantity].to_frame("one").join(base[quantity].to_frame("other"), how="inner")
-            apart = (both.one - both.other).to_numpy()
-            cells.append("" if side == 0.2 else difference(apart.mean(), half_width(apart)))
-        cells.append(f"{before[before.element_m == side].broken_percent.mean():.1f}")
-        lines.append(cells)
-    return table(["elements, m", "members", "mean, N", "broken floes, %", "beside 0.2 m", "cracked through, %",
-                  "beside 0.2 m", "broken by moment, %"], lines)
-
-
-def tank_count():
-    rows = data("fracture_tank")
-    return f"{rows.arrangement.nunique()} arrangements."
-
-
 def main():
     arguments = sys.argv[1:]
     DATA.mkdir(exist_ok=True)
     if arguments == ["--grid"]:
         patches().to_csv(DATA / "patches.csv", index=False)
         first_cracks().to_csv(DATA / "first_cracks.csv", index=False)
-    elif arguments[:1] == ["--collect"]:
-        wide_floe(pathlib.Path(arguments[1]) / "wide_floe.h5").to_csv(DATA / "wide_floe.csv", index=False)
-        for name, keys in [("fracture_tank", {"way": "joint.name"}), ("fracture_elements", {"element_m": "floe.element_m"})]:
-            rows = collected(pathlib.Path(arguments[1]) / f"{name}.h5", keys, ["split_ratio", "pieces"])
-            rows["split_percent"] = (100 * rows.pop("split_ratio")).round(6)
-            rows.to_csv(DATA / f"{name}.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "fracture.md": {"patches": patch_table, "first_cracks": crack_table, "tank": tank_table,
-                                          "tank_count": tank_count, "elements": elements_table}},
-                  arguments == ["--check"], "fracture.py")
-    if arguments != ["--check"]:
-        draw(DATA / "wide_floe.svg")
+    fill_or_check({DOCS / "fracture.md": {"patches": patch_table, "first_cracks": crack_table}}, arguments == ["--check"],
+                  "fracture.py")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ Usage:
     froude.py --check                writes nothing; fails if a table differs from the data
     froude.py --run FLOES FOLDER     first runs the campaigns with the program FLOES on one core, into FOLDER
     froude.py --collect FOLDER       first takes the members of the finished campaigns in FOLDER
-    froude.py --poses FOLDER         only writes configs/validation/froude_30/*.csv anew, from tank.h5 in FOLDER
 """
 import json
 import math
@@ -25,12 +24,12 @@ from validation_tables import table, with_interval
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
 DATA = DOCS / "froude"
-TANK = ROOT / "configs" / "table3_physical.toml"
-LARGE = ROOT / "configs" / "validation" / "froude_30.toml"
-SCALES = [0.25, 1, 4, 16, 64, 30]  # of smoke.toml; the last is no power of 4
-ARRANGEMENTS = {"smoke": 20, "tank": 4}
+SCENE = ROOT / "configs" / "smoke.toml"
+SCALES = [1, 16, 30]  # the last is no power of 4
+ARRANGEMENTS = 20
 POWERS = {"m": 1, "s": 0.5, "m_s": 0.5, "m_s2": 0, "kPa": 1, "MPa": 1, "N": 3}  # of the scale, by the unit in a key
 OF_THE_RUN = ["run", "stop"]  # tables that are not of the scene
+BY_ITSELF = ["tolerance_mm_s"]  # goes with the ice's thickness without being told
 QUANTITIES = {"mean_N": "mean load, N", "maximum_N": "maxima, every step, N", "maximum_1s_N": "maxima, 1 s, N",
               "broken_percent": "broken floes, %"}
 
@@ -40,7 +39,7 @@ def scaled(key, value, scale):
         return {name: scaled(name, inner, scale) for name, inner in value.items()}
     if isinstance(value, list):
         return [scaled(key, inner, scale) for inner in value]
-    units = [unit for unit in POWERS if key.endswith(f"_{unit}")]
+    units = [unit for unit in POWERS if key.endswith(f"_{unit}") and key not in BY_ITSELF]
     return value * math.sqrt(scale) ** (2 * POWERS[max(units, key=len)]) if units else value
 
 
@@ -70,58 +69,29 @@ def poses(path, scale):
                 for rows in file["arrangements/pose"][:]]
 
 
-def write_poses(folder):
-    target = LARGE.with_suffix("")
-    target.mkdir(exist_ok=True)
-    for i, rows in enumerate(poses(folder / "tank.h5", 30)):
-        text = "x_m,z_m,yaw_deg\n" + "".join(",".join(map(repr, row)) + "\n" for row in rows)
-        (target / f"arrangement_{i}.csv").write_text(text)
-
-
 def floes(program, folder, config, name):
     subprocess.run([program, "run", config, "--output", folder / f"{name}.h5", "--threads", "1", "--overwrite"], check=True)
 
 
-def run_smoke(program, folder):
+def run(program, folder):
     """Draws the arrangements once, then gives them, scaled, to the members of every scale."""
-    config = resolved(program, ROOT / "configs" / "smoke.toml")
-    config["campaign"]["arrangements"] = ARRANGEMENTS["smoke"]
-    drawn = folder / "smoke_drawn.toml"
-    drawn.write_text(toml(config))
-    floes(program, folder, drawn, "smoke_drawn")
+    config = resolved(program, SCENE)
+    config["campaign"]["arrangements"] = ARRANGEMENTS
+    drawn = folder / "drawn.toml"
+    drawn.write_text(toml(config | {"case": config["case"][:1]}))
+    floes(program, folder, drawn, "drawn")
     config["campaign"]["arrangements"] = 1
     config["arrangement"]["method"] = "file"
     for scale in SCALES:
         large = {name: inner if name in OF_THE_RUN else scaled(name, inner, scale) for name, inner in config.items()}
         large["case"] = [{**case, "name": f"{case['name']}-{i}", "arrangement.poses": rows}
-                         for case in large["case"] for i, rows in enumerate(poses(folder / "smoke_drawn.h5", scale))]
-        path = folder / f"smoke_{scale:g}.toml"
+                         for case in large["case"] for i, rows in enumerate(poses(folder / "drawn.h5", scale))]
+        path = folder / f"scale_{scale:g}.toml"
         path.write_text(toml(large))
-        floes(program, folder, path, f"smoke_{scale:g}")
+        floes(program, folder, path, f"scale_{scale:g}")
 
 
-def run_tank(program, folder):
-    config = resolved(program, TANK)
-    config["campaign"]["arrangements"] = ARRANGEMENTS["tank"]
-    config["case"] = [case for case in config["case"] if case["name"] == "E60"]
-    path = folder / "tank.toml"
-    path.write_text(toml(config))
-    floes(program, folder, path, "tank")
-    check_large(resolved(program, LARGE), scaled("", config, 30))
-    floes(program, folder, LARGE, "tank_30")
-
-
-def check_large(found, expected):
-    """Every number of the committed configuration must be that of the tank, scaled."""
-    for name in set(expected) - {"campaign", "case", *OF_THE_RUN}:
-        for key in set(expected[name]) - {"method", "poses"}:
-            value = expected[name][key]
-            same = found[name][key] == value or np.allclose(found[name][key], value, rtol=1e-12, atol=0)
-            if not same:
-                sys.exit(f"{LARGE}: {name}.{key} is {found[name][key]}, but scaled it is {value}")
-
-
-def collected(path, scene, scale):
+def collected(path, scale):
     """One row for each member of a campaign file; loads of the scale, those set aside without numbers."""
     import h5py
 
@@ -133,76 +103,64 @@ def collected(path, scene, scale):
         for i, status in enumerate(file["members/status"][:]):
             case, _, arrangement = names[of_case[i]].partition("-")
             rows.append({
-                "scene": scene, "scale": scale, "case": case,
-                "arrangement": int(arrangement or file["arrangements/number"][file["members/arrangement"][i]]),
+                "scale": scale, "case": case, "arrangement": int(arrangement),
                 "set_aside": int(status != 0), "mean_N": file["members/mean_load"][i],
                 "maximum_N": file["members/mean_maximum"][i],
                 "maximum_1s_N": file["averaged/mean_maximum"][i][second],
-                "broken_percent": 100 * file["members/failure_ratio"][i]})
+                "broken_percent": 100 * file["members/failure_ratio"][i],
+                "cpu_s": file["provenance/cpu_time"][i]})
     return rows
 
 
 def collect(folder):
-    rows = [row for scale in SCALES for row in collected(folder / f"smoke_{scale:g}.h5", "smoke", scale)]
-    rows += collected(folder / "tank.h5", "tank", 1) + collected(folder / "tank_30.h5", "tank", 30)
+    rows = [row for scale in SCALES for row in collected(folder / f"scale_{scale:g}.h5", scale)]
     pd.DataFrame(rows).to_csv(DATA / "members.csv", index=False)
 
 
-def members(scene, scale):
+def members(scale):
     """Of one scale, loads scaled back."""
     data = pd.read_csv(DATA / "members.csv", float_precision="round_trip")
-    own = data[(data.scene == scene) & (data.scale == scale)].set_index(["case", "arrangement"]).sort_index()
+    own = data[data.scale == scale].set_index(["case", "arrangement"]).sort_index()
     return own.assign(**{name: own[name] / scale**3 for name in QUANTITIES if name.endswith("_N")})
 
 
-def scales(scene, shown):
+def ratio(scale, name):
+    """Mean over the same arrangements of scale and 1, as a ratio with its 95 % interval (delta method), of arrangements: the
+    moduli of one are not independent."""
+    large, one = members(scale)[name], members(1)[name]
+    r = large.mean() / one.mean()
+    return f"{r:.3f} ± {half_width((large - r * one).groupby('arrangement').mean()) / one.mean():.3f}"
+
+
+def scales():
     rows = []
-    for scale in shown:
-        own = members(scene, scale)
-        rows.append([f"{scale:g}", f"{own.set_aside.sum()} of {len(own)}"]
-                    + [with_interval(own[name].dropna()) for name in QUANTITIES])
-    return table(["scale", "set aside", *QUANTITIES.values()], rows)
-
-
-def differences(scene, scale):
-    """Mean over the same arrangements of scale and 1, as a ratio with its 95 % interval (delta method)."""
-    large, one = members(scene, scale), members(scene, 1)
-    row = []
-    for name in QUANTITIES:
-        r = large[name].mean() / one[name].mean()
-        row.append(f"{r:.3f} ± {half_width(large[name] - r * one[name]) / one[name].mean():.3f}")
-    return row
-
-
-def ratios():
-    rows = [["`smoke.toml`", "30", f"{len(members('smoke', 30))}", *differences("smoke", 30)],
-            ["`table3_physical.toml`, 60 MPa", "30", f"{len(members('tank', 30))}", *differences("tank", 30)]]
-    return table(["scene", "scale", "members", *[words.replace(", N", "").replace(", %", "")
-                                                for words in QUANTITIES.values()]], rows)
+    for scale in SCALES:
+        own = members(scale)
+        rows.append([f"{scale:g}", *[with_interval(own[name].groupby("arrangement").mean()) for name in QUANTITIES]])
+    last = SCALES[-1]
+    rows.append([f"{last:g}, over scale 1", *[ratio(last, name) for name in QUANTITIES]])
+    return table(["scale", *QUANTITIES.values()], rows)
 
 
 def equal():
     """In words: how far members of the scales that are powers of 4 are from their twins."""
-    one = members("smoke", 1)
-    names = list(QUANTITIES)
-    worst = max(float((members("smoke", scale)[names] / one[names] - 1).abs().max().max())
-                for scale in SCALES if math.log(scale, 4).is_integer() and scale != 1)
-    return (f"Largest relative difference of a member's mean load, maxima or broken floes from its twin's at scale 1, at\n"
-            f"scales that are powers of 4: {worst:.1g}.")
+    one, names = members(1), list(QUANTITIES)
+    others = [members(scale) for scale in SCALES if math.log(scale, 4).is_integer() and scale != 1]
+    worst = max(float((other[names] - one[names]).abs().max().max()) for other in others)
+    aside, count = (sum(how(members(scale)) for scale in SCALES) for how in (lambda own: own.set_aside.sum(), len))
+    minutes = sum(members(scale).cpu_s.sum() for scale in SCALES) / 60
+    return (f"{count} members, {minutes:.0f} minutes of one core, {aside} set aside. Largest difference of any figure of a "
+            f"member at scale 16 from\nits twin's at scale 1: {worst:.1g}.")
 
 
-BLOCKS = {"smoke": lambda: scales("smoke", SCALES), "equal": equal, "tank": lambda: scales("tank", [1, 30]),
-          "ratios": ratios}
+BLOCKS = {"scales": scales, "equal": equal}
 
 
 def main():
     options = sys.argv[1:]
-    if options[:1] == ["--poses"]:
-        return write_poses(pathlib.Path(options[1]))
     if options[:1] == ["--run"]:
         program, folder = pathlib.Path(options[1]).resolve(), pathlib.Path(options[2])
-        run_smoke(program, folder)
-        run_tank(program, folder)
+        run(program, folder)
         collect(folder)
     if options[:1] == ["--collect"]:
         collect(pathlib.Path(options[1]))

@@ -5,8 +5,8 @@ Usage:
     order.py                            writes tables and picture
     order.py --check                    writes nothing; fails if the page differs from the summaries, or if the measure of
                                         bursts does not find those of made-up series
-    order.py --collect CAMPAIGN.h5 [--program FLOES]
-                                        first takes the summaries of the finished campaign with the program FLOES
+    order.py --collect order.h5 wall_far_end.h5 [--program FLOES]
+                                        first takes the summaries of the finished campaigns with the program FLOES
                                         (default ./floes)
 """
 import argparse
@@ -14,7 +14,7 @@ import pathlib
 
 import order_bursts
 import order_tables
-from order_data import SUMMARIES, collect
+from order_data import SUMMARIES, collect, collect_walls
 from page_blocks import fill_or_check
 
 PAGE = SUMMARIES.parent / "order.md"
@@ -23,12 +23,13 @@ PAGE = SUMMARIES.parent / "order.md"
 def main():
     parser = argparse.ArgumentParser(description="The tables of docs/order.md and its picture.")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if the page differs")
-    parser.add_argument("--collect", type=pathlib.Path, metavar="CAMPAIGN.h5", help="take the summaries first")
+    parser.add_argument("--collect", type=pathlib.Path, nargs=2, metavar="FILE.h5", help="take the summaries first")
     parser.add_argument("--program", default="./floes", metavar="FLOES")
     options = parser.parse_args()
     order_bursts.self_test()
     if options.collect is not None:
-        collect(options.collect, options.program)
+        collect(options.collect[0], options.program)
+        collect_walls(options.collect[1], options.program)
     fill_or_check({PAGE: order_tables.BLOCKS}, options.check, "order.py")
     if options.check:
         return

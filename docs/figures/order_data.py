@@ -1,4 +1,4 @@
-"""The data of docs/order.md: its summaries, and how they are taken from the campaign."""
+"""The data of docs/order.md: its summaries, and how they are taken from the campaigns."""
 import io
 import json
 import pathlib
@@ -12,9 +12,9 @@ import order_bursts as bursts
 SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "order"
 ORDER = {"psi4": "ψ4", "local_order": "local order", "coverage": "coverage ahead, %"}
 LOADS = {"mean_load": "mean load, N", "sd_load": "SD, N", "mean_maximum": "mean maximum, N",
-         "mean_maximum_0.1s": "mean maximum over 0.1 s, N", "mean_maximum_1s": "mean maximum over 1 s, N",
-         "failure_ratio": "broken floes, %", "burst": "burst strength"}
-COLUMNS = ["sweeps", "arrangement", *ORDER, *LOADS, "burst_s", "before", "after", "trend_p"]
+         "mean_maximum_1s": "mean maximum over 1 s, N", "failure_ratio": "broken floes, %"}
+COLUMNS = ["sweeps", "arrangement", *ORDER, *LOADS, "burst", "before", "after", "trend_p", "cpu_s"]
+WALL_COLUMNS = ["case", "arrangement", "mean_load", "sd_load", "mean_maximum_1s", "failure_ratio", "trend_p", "cpu_s"]
 LONGEST_LAG = 3  # of the mean autocorrelation, in times of one floe length
 PLOTTED_S = 0.1  # load histories and autocorrelations of the picture are means over this time
 
@@ -22,6 +22,11 @@ PLOTTED_S = 0.1  # load histories and autocorrelations of the picture are means 
 def members():
     """One row for each finished member, sorted by level and arrangement; coverage and broken floes are in percent."""
     return pd.read_csv(SUMMARIES / "members.csv")
+
+
+def walls():
+    """One row for each finished member of the walls and far ends."""
+    return pd.read_csv(SUMMARIES / "wall_far_end.csv")
 
 
 def settings():
@@ -43,39 +48,48 @@ def thinned(values, steps):
     return np.asarray(values[:whole]).reshape(-1, steps).mean(axis=1)
 
 
-def collect(campaign, program):
-    """Writes the summaries of the campaign file, with `program` for the figures of the members."""
-    import tomllib
-
+def finished(campaign, program):
+    """Figures of the finished members as `program` gives them, their processor time, and the row of /arrangements as
+    `field`: `arrangement` is the number, equal for the same throw."""
     import h5py  # which --check does not need
 
-    SUMMARIES.mkdir(exist_ok=True)
     command = [program, "summarize", str(campaign), "--parts", "members", "--format", "csv"]
     text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
     table = pd.read_csv(io.StringIO(text))
-    planned = len(table)
-    table = table[table.status == "done"]
+    with h5py.File(campaign) as file:
+        row = table.arrangement.to_numpy()
+        table = table.assign(cpu_s=file["provenance/cpu_time"][:][table.member], field=row,
+                             arrangement=file["arrangements/number"][:][row])
+    return table[table.status == "done"].assign(failure_ratio=lambda rows: 100 * rows.failure_ratio)
+
+
+def collect_walls(campaign, program):
+    table = finished(campaign, program)[WALL_COLUMNS]
+    table.to_csv(SUMMARIES / "wall_far_end.csv", index=False, float_format="%.6g")
+
+
+def collect(campaign, program):
+    """Writes the summaries of the campaign of levels."""
+    import tomllib
+
+    import h5py
+
+    table = finished(campaign, program)
     with h5py.File(campaign) as file:
         configuration = tomllib.loads(file["provenance/configuration"].asstr()[()])
         sweeps = {case["name"]: case["arrangement"]["ordering_sweeps"] for case in configuration["case"]}
-        row = table.arrangement.to_numpy()  # `arrangement` of the members is a row of /arrangements
-        table = table.assign(sweeps=table.case.map(sweeps), arrangement=file["arrangements/number"][:][row],
-                             field=row, psi4=file["arrangements/psi4"][:][row], coverage=100 * table.coverage_ahead,
-                             failure_ratio=100 * table.failure_ratio)
+        table = table.assign(sweeps=table.case.map(sweeps), psi4=file["arrangements/psi4"][:][table.field],
+                             coverage=100 * table.coverage_ahead)
         step = file["cases/time_step"][0] * file["cases/history_stride"][0]
         first = round(file["cases/steady_start"][0] / step)
-        cpu = np.nansum(file["provenance/cpu_time"][:])
         fields(table, file["arrangements/pose"]).to_csv(SUMMARIES / "fields.csv", index=False, float_format="%.5g")
         table, histories, correlations = with_bursts(table, file["history/surge_load"], step, first,
                                                      floe_time(configuration))
     table = table.sort_values(["sweeps", "arrangement"])[COLUMNS]
-    table.to_csv(SUMMARIES / "members.csv", index=False, float_format="%.8g")
+    table.to_csv(SUMMARIES / "members.csv", index=False, float_format="%.6g")
     histories.to_csv(SUMMARIES / "histories.csv", float_format="%.4g")
     correlations.to_csv(SUMMARIES / "autocorrelation.csv", float_format="%.4g")
-    kept = {name: configuration[name] for name in
-            ["campaign", "general", "floe", "joint", "field", "structure", "contact", "water", "analysis", "paper"]}
-    kept |= {"elastic_modulus_MPa": configuration["ice"]["elastic_modulus_MPa"], "members": planned,
-             "done": len(table), "processor_minutes": round(cpu / 60, 1)}
+    kept = {name: configuration[name] for name in ["floe", "field", "structure", "analysis"]}
     (SUMMARIES / "settings.json").write_text(json.dumps(kept, indent=1) + "\n")
 
 

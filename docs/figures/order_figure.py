@@ -61,7 +61,7 @@ def draw_fields(path):
     half_width = kept["field"]["half_width_m"]
     shades = colours(sorted(members().sweeps.unique()))
     levels = sorted(floes.sweeps.unique())
-    figure, panels = plt.subplots(len(levels), 1, figsize=(9.5, 5.4), sharex=True)
+    figure, panels = plt.subplots(len(levels), 1, figsize=(7.5, 5.2), sharex=True)
     for axes, level in zip(panels, levels):
         for floe in floes[floes.sweeps == level].itertuples():
             centre = (floe.x_m, floe.z_m)  # a positive yaw turns x away from z

@@ -1,11 +1,8 @@
 #!/usr/bin/python3
-"""Draws docs/sea_ice/polygons.png and prints the tables of docs/sea_ice.md, of squares and polygons in one channel.
+"""Prints a table of docs/sea_ice.md, a row for each case of a campaign, and draws docs/sea_ice/polygons.png.
 
-    floes run configs/validation/polygons.toml -o polygons.h5
-    docs/figures/polygons.py FLOES polygons.h5 [--table]
-
-    floes run configs/validation/polygons_stress.toml -o polygons_stress.h5
-    docs/figures/polygons.py FLOES polygons_stress.h5 --table
+    floes run configs/validation/sea_ice.toml -o sea_ice.h5
+    docs/figures/polygons.py FLOES sea_ice.h5 [--table]
 
 FLOES: the program. The pictures are its own, of arrangement 1 of each case at the end of the run, from above. --table
 only prints, from `floes summarize --format csv` and the processor times in the file.
@@ -29,7 +26,6 @@ ARRANGEMENT = 1
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "sea_ice"
 COLUMNS = [("mean load, N", "mean_load", 1), ("SD over 1 s, N", "sd_load_1s", 1),
            ("mean maximum over 1 s, N", "mean_maximum_1s", 1), ("broken floes, %", "failure_ratio", 100)]
-STEPS = 1300  # of a member
 
 
 def rows_of(program, campaign):
@@ -39,27 +35,27 @@ def rows_of(program, campaign):
 
 
 def cost(campaign, case):
-    """Milliseconds of a processor for a step, over the members of a case."""
+    """Seconds of a processor for a member, mean of a case."""
     with h5py.File(campaign) as file:
         names = [name.decode() for name in file["cases/name"][()]]
         mine = file["members/case"][()] == names.index(case)
-        return 1e3 * np.mean(file["provenance/cpu_time"][()][mine]) / STEPS
+        return np.mean(file["provenance/cpu_time"][()][mine])
 
 
 def table(program, campaign):
     rows = rows_of(program, campaign)
-    print("| case | " + " | ".join(title for title, _, _ in COLUMNS) + " | a step, ms |")
+    print("| case | " + " | ".join(title for title, _, _ in COLUMNS) + " | a member, s |")
     print("|---" * (len(COLUMNS) + 2) + "|")
     for case in rows:
         cells = []
         for _, key, scale in COLUMNS:
             value, low, high = (scale * float(rows[case][key + end]) for end in ("", "_low", "_high"))
             cells.append(f"{value:.1f} [{low:.1f}, {high:.1f}]")
-        print(f"| {case} | " + " | ".join(cells) + f" | {cost(campaign, case):.2f} |")
+        print(f"| {case} | " + " | ".join(cells) + f" | {cost(campaign, case):.1f} |")
 
 
 def pictures(program, campaign):
-    figure, axes = plt.subplots(1, len(CASES), figsize=(13, 5), layout="constrained")
+    figure, axes = plt.subplots(1, len(CASES), figsize=(13, 3.6), layout="constrained")
     with tempfile.TemporaryDirectory() as folder:
         for place, case in zip(axes, CASES):
             picture = pathlib.Path(folder) / f"{case}.png"

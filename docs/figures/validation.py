@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""The tables of docs/validation.md and docs/crystalline_fields.md and their pictures, from docs/validation.
+"""The tables of docs/validation.md and its pictures, from docs/validation.
 
 Usage:
     validation.py                       writes tables and pictures
-    validation.py --check               writes nothing; fails if a table of a page differs from the summaries
+    validation.py --check               writes nothing; fails if a table of the page differs from the summaries
     validation.py --collect FOLDER [FLOES]
                                         first takes the summaries of the finished campaigns in FOLDER (NAME.h5) with
                                         the program FLOES (default ./floes)
@@ -15,13 +15,11 @@ import sys
 import numpy as np
 import pandas as pd
 
-import crystalline_tables
 import validation_tables
 from page_blocks import fill_or_check
 from validation_data import CAMPAIGNS, SUMMARIES, WAYS, WINDOW_START
 
-PAGES = {SUMMARIES.parent / "validation.md": validation_tables.BLOCKS,
-         SUMMARIES.parent / "crystalline_fields.md": crystalline_tables.BLOCKS}
+PAGES = {SUMMARIES.parent / "validation.md": validation_tables.BLOCKS}
 WINDOW_S, SEGMENTS = 150, 3
 STARTS = range(80, 131, 10)  # s
 
@@ -64,24 +62,11 @@ def largest(path, start):
     return pd.DataFrame(rows, columns=["case", "arrangement", "averaged_over_s", "maximum_load"])
 
 
-def averaged(path):
-    """SD and mean of the segment maxima of the load averaged over increasing times; means over arrangements."""
-    rows = []
-    for name, _, step, load in histories(path):
-        load = load[round(80 / step):]
-        for steps in [1, 5, 10, 25, 50, 100, 250]:
-            mean = np.convolve(load, np.ones(steps) / steps, mode="valid")
-            maxima = [part.max() for part in np.array_split(mean, SEGMENTS)]
-            rows.append([name, round(steps * step, 6), np.median(mean), mean.std(), np.mean(maxima)])
-    table = pd.DataFrame(rows, columns=["case", "averaged_over_s", "median_N", "sd_load", "mean_maximum"])
-    return table.groupby(["case", "averaged_over_s"], sort=False).mean().reset_index()
-
-
 def collect(folder, program):
-    def summary(name, part, *options, as_name=None):
-        command = [program, "summarize", str(folder / f"{name}.h5"), "--parts", part, "--format", "csv", *options]
+    def summary(name, part):
+        command = [program, "summarize", str(folder / f"{name}.h5"), "--parts", part, "--format", "csv"]
         text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
-        (SUMMARIES / f"{name}.{as_name or part}.csv").write_text(text)
+        (SUMMARIES / f"{name}.{part}.csv").write_text(text)
 
     def is_here(name):
         return (folder / f"{name}.h5").exists()
@@ -93,14 +78,11 @@ def collect(folder, program):
         summary(name, "pairs")
     if is_here("vary_channel"):
         summary("vary_channel", "model")
-    for name in filter(is_here, ["fit_paper", "fit_physical"]):
-        windows(folder / f"{name}.h5").to_csv(SUMMARIES / f"{name}.windows.csv", index=False, float_format="%.6g")
-    for name in filter(is_here, ["table3", "table3_physical"]):
+    if is_here("fit_paper"):
+        windows(folder / "fit_paper.h5").to_csv(SUMMARIES / "fit_paper.windows.csv", index=False, float_format="%.6g")
+    for name in filter(is_here, ["table3", "tank_walls"]):
         largest(folder / f"{name}.h5", WINDOW_START).to_csv(SUMMARIES / f"{name}.largest.csv", index=False,
                                                             float_format="%.6g")
-    if is_here("crystalline"):
-        summary("crystalline", "cases", "--window", "auto", as_name="steady")
-        averaged(folder / "crystalline.h5").to_csv(SUMMARIES / "crystalline.averaged.csv", index=False)
     command = [program, "hybrid", "--modulus-MPa", "2,3,5,7,10,15,20,30,45,60,100,150,200,300,500", "--format", "json"]
     curve = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
     (SUMMARIES / "hybrid.json").write_text(curve)

@@ -7,7 +7,8 @@ matplotlib.rcParams["font.size"] = 10
 import matplotlib.pyplot as plt
 import numpy as np
 
-from validation_data import EXPERIMENT, LABELS, MODULI, WAYS, change, hybrid, interval, is_maximum, members, paper
+from validation_data import (EXPERIMENT, LABELS, MODULI, WALLS, WAYS, hybrid, interval, is_maximum, members, paper,
+                             pooled)
 
 COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}  # Okabe and Ito
 PANELS = ["mean_load", "mean_maximum", "failure_ratio"]
@@ -35,8 +36,8 @@ def draw_estimate(axes, place, values, positive, colour, labels):
 
 
 def answer(path):
-    """Table 3 computed in three ways: every member as a dot, the mean with its interval, what single runs give, and the
-    paper's single runs."""
+    """Table 3 computed in two ways, and the tank test on three walls: every member as a dot, the mean with its interval, what
+    single runs give, and the paper's single runs or the experiment."""
     figure, panels = plt.subplots(1, 3, figsize=(11, 4.6))
     for axes, quantity in zip(panels, PANELS):
         for group, campaign in enumerate(WAYS):
@@ -53,52 +54,29 @@ def answer(path):
                                f"mean, {modulus} MPa" if first else None))
                 axes.plot(at + 0.34, paper(case, quantity), "D", color="black", markersize=5,
                           label="the paper's run" if first and place == 0 else None)
+        shown = "split_ratio" if quantity == "failure_ratio" else quantity  # of the tank: floes cracked through
+        scale = 100 if shown == "split_ratio" else 1
+        table = members("tank_walls")
+        walls = {case: scale * table[table.case == case][shown].to_numpy() for case in WALLS}
+        means, runs = pooled(walls), pooled(walls, one_run=True, positive=is_maximum(quantity))
+        for place, (case, values) in enumerate(walls.items()):
+            at = 7.2 + place
+            axes.plot(np.full(len(values), at - 0.24), values, ".", color=COLOURS["E60"], alpha=0.45, markersize=3,
+                      markeredgewidth=0)
+            axes.vlines(at + 0.06, *runs[case][1:], color="0.72", linewidth=5)
+            mean, low, high = means[case]
+            axes.errorbar(at + 0.06, mean, [[mean - low], [high - mean]], fmt="o", color=COLOURS["E60"], capsize=5, linewidth=2)
         name = "maximum_load" if quantity == "mean_maximum" else quantity
         level = EXPERIMENT[name] * (100 if quantity == "failure_ratio" else 1)
-        axes.axhline(level, color="black", linestyle=":", linewidth=1,
-                     label="experiment (60 MPa; its largest load)" if axes is panels[0] else None)
-        axes.set_xticks([3.6 * group + 1 for group in range(3)],
-                        [name.replace(" contacts", "").replace(", ", ",\n") for name in WAYS.values()], fontsize=9)
+        axes.hlines(level, 6.8, 9.6, color="black", linestyle=":", linewidth=1,
+                    label="tank test (its largest load)" if axes is panels[0] else None)
+        names = [name.replace(" contacts", "").replace(", ", ",\n") for name in WAYS.values()]
+        angles = ", ".join(f"{float(wall[:-1]):.0f}°" for wall in WALLS.values())
+        axes.set_xticks([1, 4.6, 8.2], names + [f"physics, wall\n{angles}"], fontsize=9)
         axes.tick_params(axis="x", length=0)
         axes.set_ylim(bottom=0)
         axes.set_ylabel(LABELS[quantity])
     finish(figure, path, legend_of=panels[0], legend_rows=2)
-
-
-def sensitivity(path):
-    table = members("wall_far_end_erp")
-    walls = list(dict.fromkeys(case.split("_")[0] for case in table.case))
-    figure, panels = plt.subplots(1, 3, figsize=(10, 4.0))
-    styles = {("closed", "erp0.2"): ("#D55E00", "o", "-"), ("closed", "erp0.8"): ("#D55E00", "s", "--"),
-              ("open", "erp0.2"): ("#0072B2", "o", "-"), ("open", "erp0.8"): ("#0072B2", "s", "--")}
-    for axes, quantity in zip(panels, PANELS):
-        for shift, ((far_end, erp), (colour, marker, line)) in enumerate(styles.items()):
-            angles = np.array([float(wall.removesuffix("deg")) for wall in walls])
-            bars = np.array([interval(table[table.case == f"{wall}_{far_end}_{erp}"][quantity]) for wall in walls])
-            axes.errorbar(angles + 0.5 * (shift - 1.5), bars[:, 0], [bars[:, 0] - bars[:, 1], bars[:, 2] - bars[:, 0]],
-                          color=colour, marker=marker, linestyle=line, capsize=3, markersize=5,
-                          label=f"{far_end}, contact Γ {erp.removeprefix('erp')}")
-        axes.axhline(paper("E60", quantity), color="black", linewidth=1, linestyle=":", label="the paper, 60 MPa")
-        axes.set_xticks(angles)
-        axes.set_ylim(bottom=0)
-        axes.set_xlabel("wall below the waterline, degrees")
-        axes.set_ylabel(LABELS[quantity])
-    finish(figure, path, legend_of=panels[0])
-
-
-def changes(campaign, path):
-    """What each case changes of the first one over the same arrangements, a row a case."""
-    table = members(campaign)
-    base, *changed = dict.fromkeys(table.case)
-    figure, panels = plt.subplots(1, 3, figsize=(10, 0.3 * len(changed) + 1.2), sharey=True)
-    for axes, quantity in zip(panels, PANELS):
-        for row, case in enumerate(reversed(changed)):
-            mean, half = change(table, quantity, case, base)
-            axes.errorbar(mean, row, xerr=half, fmt="o", capsize=3, color="#D55E00" if abs(mean) > half else "0.45")
-        axes.axvline(0, color="black", linewidth=0.8)
-        axes.set_yticks(range(len(changed)), [case.replace("_", " ") for case in reversed(changed)])
-        axes.set_xlabel(f"change of {LABELS[quantity]}")
-    finish(figure, path)
 
 
 def hybrid_points(path):
@@ -108,11 +86,10 @@ def hybrid_points(path):
     axes.plot(curve.elastic_modulus_MPa, curve.limit_momentum, color="#D55E00",
               label="limit momentum (KPR, coefficient calibrated), Eq. (7)")
     axes.plot(curve.elastic_modulus_MPa, curve.hybrid, color="black", linewidth=3, alpha=0.35, label="hybrid: the lower")
-    for campaign, colour, shift in [("table3", "#009E73", 1), ("table3_physical", "#CC79A7", 1.08)]:
-        table = members(campaign)
-        for case, modulus in MODULI.items():
-            draw_estimate(axes, shift * modulus, table[table.case == case].mean_load, False, colour,
-                          (None, f"{WAYS[campaign]}: mean, 95 %" if case == "E30" else None))
+    table = members("table3")
+    for case, modulus in MODULI.items():
+        draw_estimate(axes, modulus, table[table.case == case].mean_load, False, "#009E73",
+                      (None, f"{WAYS['table3']}: mean, 95 %" if case == "E30" else None))
     for case, modulus in MODULI.items():
         axes.plot(1.2 * modulus, paper(case, "mean_load"), "D", color="black",
                   label="the paper's simulation" if case == "E30" else None)
@@ -128,7 +105,4 @@ def hybrid_points(path):
 
 def draw_all(folder):
     answer(folder / "answer.svg")
-    sensitivity(folder / "sensitivity.svg")
-    for campaign in ["one_at_a_time", "convergence"]:
-        changes(campaign, folder / f"{campaign}.svg")
     hybrid_points(folder / "hybrid.svg")

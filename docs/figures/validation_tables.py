@@ -5,8 +5,9 @@ import tomllib
 import numpy as np
 from scipy import stats
 
-from validation_data import (CONFIGS, EXPERIMENT, FITTED_TO, LABELS, MODULI, PAPER, WAYS, WINDOW_START, across, half_width,
-                             hybrid, interval, is_maximum, largest, members, pairs, paper, variations, windows)
+from validation_data import (CONFIGS, EXPERIMENT, FITTED_TO, LABELS, MODULI, PAPER, WALLS, WAYS, WINDOW_START, across,
+                             half_width, hybrid, interval, is_maximum, largest, members, pairs, paper, pooled, variations,
+                             windows)
 
 SHOWN = ["mean_load", "sd_load", "mean_maximum", "failure_ratio"]
 COMPARED = SHOWN + ["mean_maximum_1s"]
@@ -79,29 +80,24 @@ def fit_row(radius, target):
 
 def fit():
     rows = []
-    for campaign, contacts in {"fit_paper": "paper", "fit_physical": "physical"}.items():
-        own = windows(campaign)
-        own = own[own.start_s == WINDOW_START]
-        for case in dict.fromkeys(own.case):
-            values = own[own.case == case]
-            rows.append([contacts, f"{bottom_radius(case):.4g}", f"{wall_angle(bottom_radius(case)):.1f}°"]
-                        + [with_interval(values[quantity]) for quantity in SHOWN[:3]])
-        radius = fitted(across(own, "mean_load"), FITTED_TO[campaign])
-        rows.append([contacts] + fit_row(radius, FITTED_TO[campaign]) + [""] * 2)
-    return table(["contacts", "radius at the bottom, m", "wall below the waterline"] + [LABELS[q] for q in SHOWN[:3]], rows)
+    own = windows("fit_paper")
+    own = own[own.start_s == WINDOW_START]
+    for case in dict.fromkeys(own.case):
+        values = own[own.case == case]
+        rows.append([f"{bottom_radius(case):.4g}", f"{wall_angle(bottom_radius(case)):.1f}°"]
+                    + [with_interval(values[quantity]) for quantity in SHOWN[:3]])
+    rows.append(fit_row(fitted(across(own, "mean_load"), FITTED_TO["fit_paper"]), FITTED_TO["fit_paper"]) + [""] * 2)
+    return table(["radius at the bottom, m", "wall below the waterline"] + [LABELS[q] for q in SHOWN[:3]], rows)
 
 
 def window():
     """Trend of the load in windows that begin later and later, mean over the walls of each arrangement."""
     rows = []
-    for start in sorted(windows("fit_paper").start_s.unique()):
-        row = [f"{start} to {start + 150}"]
-        for campaign in ["fit_paper", "fit_physical"]:
-            own = windows(campaign)
-            trends = own[own.start_s == start].groupby("arrangement").trend_N_per_100s.mean()
-            row.append(difference(trends.mean(), half_width(trends)))
-        rows.append(row)
-    return table(["window, s", "trend with the paper's contacts, N in 100 s", "with physical contacts, sweeps and the water of before"], rows)
+    own = windows("fit_paper")
+    for start in sorted(own.start_s.unique()):
+        trends = own[own.start_s == start].groupby("arrangement").trend_N_per_100s.mean()
+        rows.append([f"{start} to {start + 150}", difference(trends.mean(), half_width(trends))])
+    return table(["window, s", "trend of the load, N in 100 s"], rows)
 
 
 # -- Table 3
@@ -131,32 +127,36 @@ def table3(campaign):
 
 
 def experiment():
-    """The tank test beside both ways at its modulus. A load cell and its recorder average over some time: which is not
-    known, so the largest load is given for three."""
-    ways = ["table3_physical", "table3"]
-    peaks = {campaign: largest(campaign) for campaign in ways}
-    own = {campaign: members(campaign).query("case == 'E60'") for campaign in ways}
+    """The tank test beside the default physics on three walls, and the paper's contacts, at its modulus. A load cell and its
+    recorder average over some time: which is not known, so the largest load is given for three."""
+    own = {campaign: members(campaign) for campaign in ["tank_walls", "table3"]}
+    peaks = {campaign: largest(campaign) for campaign in own}
 
-    def row(label, measured, values, positive=False):
-        cells = [label, number(measured)]
-        for campaign in ways:
-            _, low, high = interval(values[campaign], one_run=True, positive=positive)
-            inside = "" if low <= measured <= high else ", **outside**"
-            cells += [with_interval(values[campaign]), f"{number(low)} to {number(high)}{inside}"]
-        return cells
+    def cell(measured, mean, one_run):
+        inside = "" if one_run[1] <= measured <= one_run[2] else ", **outside**"
+        return f"{bracketed(*mean)}, one run {number(one_run[1])} to {number(one_run[2])}{inside}"
 
-    rows = [row("mean load, N", EXPERIMENT["mean_load"], {campaign: own[campaign].mean_load for campaign in ways})]
+    def row(label, measured, walls, of_paper, positive=False):
+        means, runs = pooled(walls), pooled(walls, one_run=True, positive=positive)
+        cells = [label, number(measured)] + [cell(measured, means[case], runs[case]) for case in WALLS]
+        last = "–" if of_paper is None else cell(measured, interval(of_paper),
+                                                 interval(of_paper, one_run=True, positive=positive))
+        return cells + [last]
+
+    def by_wall(rows, quantity, scale=1):
+        return {case: scale * rows[rows.case == case][quantity].to_numpy() for case in WALLS}
+
+    paper60 = own["table3"].query("case == 'E60'")
+    rows = [row("mean load, N", EXPERIMENT["mean_load"], by_wall(own["tank_walls"], "mean_load"), paper60.mean_load)]
     for time in sorted(peaks["table3"].averaged_over_s.unique()):
-        over = {campaign: peak[(peak.case == "E60") & (peak.averaged_over_s == time)].maximum_load
-                for campaign, peak in peaks.items()}
-        rows.append(row(f"largest load over {time:g} s, N", EXPERIMENT["maximum_load"], over, positive=True))
-    rows.append(row("floes with a failed joint, %", 100 * EXPERIMENT["failure_ratio"], {c: own[c].failure_ratio for c in ways}))
-    through = 100 * own["table3_physical"].split_ratio  # which files of the paper's preset do not have
-    _, low, high = interval(through, one_run=True)
-    inside = "" if low <= 100 * EXPERIMENT["failure_ratio"] <= high else ", **outside**"
-    rows.append(["floes cracked through, %", number(100 * EXPERIMENT["failure_ratio"]), with_interval(through),
-                 f"{number(low)} to {number(high)}{inside}", "–", "–"])
-    return table(["60 MPa", "experiment", "physics [95 %]", "one run", "paper's contacts [95 %]", "one run"], rows)
+        over = {campaign: peak[peak.averaged_over_s == time] for campaign, peak in peaks.items()}
+        rows.append(row(f"largest load over {time:g} s, N", EXPERIMENT["maximum_load"],
+                        by_wall(over["tank_walls"], "maximum_load"),
+                        over["table3"].query("case == 'E60'").maximum_load, positive=True))
+    broken = 100 * EXPERIMENT["failure_ratio"]
+    rows.append(row("floes with a failed joint, %", broken, by_wall(own["tank_walls"], "failure_ratio"), paper60.failure_ratio))
+    rows.append(row("floes cracked through, %", broken, by_wall(own["tank_walls"], "split_ratio", 100), None))
+    return table(["", "measured"] + [f"physics, {wall}" for wall in WALLS.values()] + ["paper's contacts, 69.1°"], rows)
 
 
 # -- the paper's question
@@ -208,27 +208,23 @@ def trend():
 
 
 def averaging():
-    """SD and maxima over increasing averaging times, at 60 MPa and, for the maxima, the ratio of 200 to 30 MPa."""
+    """Maxima over increasing averaging times, with the paper's contacts."""
     rows = []
     for time in ["", "_0.1s", "_0.5s", "_1s", "_2s"]:
         row = [time.strip("_").replace("s", " s") or "one step, 0.02 s"]
-        for campaign in ["table3", "table3_physical"]:
-            own = members(campaign)
-            row += [with_interval(own[own.case == case][f"mean_maximum{time}"]) for case in MODULI]
+        own = members("table3")
+        row += [with_interval(own[own.case == case][f"mean_maximum{time}"]) for case in MODULI]
         rows.append(row)
-    return table(["mean of the maxima, N, averaged over"] + [f"{contacts}, {modulus} MPa" for contacts in ["paper's", "physics"]
-                                                for modulus in MODULI.values()], rows)
+    return table(["mean of the maxima, N, averaged over"] + [f"{modulus} MPa" for modulus in MODULI.values()], rows)
 
 
 def modes():
     rows = []
-    for campaign, contacts in {"table3": "paper's", "table3_physical": "physics"}.items():
-        table_ = members(campaign)
-        for case, modulus in MODULI.items():
-            own = table_[table_.case == case]
-            rows.append([contacts, f"{modulus}"] + [with_interval(own[f"failures_{mode}"])
-                                                    for mode in ["bending", "shear", "compression"]])
-    return table(["contacts", "E, MPa", "joints failed in bending per run", "in shear", "in compression"], rows)
+    table_ = members("table3")
+    for case, modulus in MODULI.items():
+        own = table_[table_.case == case]
+        rows.append([f"{modulus}"] + [with_interval(own[f"failures_{mode}"]) for mode in ["bending", "shear", "compression"]])
+    return table(["E, MPa", "joints failed in bending per run", "in shear", "in compression"], rows)
 
 
 def answer():
@@ -250,12 +246,12 @@ def hybrid_points():
     curve = hybrid().set_index("elastic_modulus_MPa")
     rows = []
     for case, modulus in MODULI.items():
-        own = [members(campaign) for campaign in ["table3", "table3_physical"]]
+        own = members("table3")
         rows.append([f"{modulus}", number(curve.loc[modulus, "limit_stress"]), number(curve.loc[modulus, "limit_momentum"]),
-                     number(curve.loc[modulus, "hybrid"])] + [with_interval(rows_[rows_.case == case].mean_load) for rows_ in own]
-                    + [number(paper(case, "mean_load"))])
+                     number(curve.loc[modulus, "hybrid"]), with_interval(own[own.case == case].mean_load),
+                     number(paper(case, "mean_load"))])
     return table(["E, MPa", "limit stress, N", "limit momentum, N", "hybrid, N", "paper's contacts, N [95 %]",
-                  "physics, N [95 %]", "paper's simulation, N"], rows)
+                  "paper's simulation, N"], rows)
 
 
 def readings():
@@ -303,15 +299,15 @@ def vary_says():
     own = variations("vary_channel")
     mean, _ = varied(own, own.case[0])[0]
     down, up = mean.all_down / mean.base, mean.all_up / mean.base
-    tank = members("table3_physical").query("case == 'E60'").mean_load.mean()
+    tank = members("tank_walls").query("case == 'r_0.445'").mean_load.mean()
     low, high = tank * (1 + down), tank * (1 + up)
     inside = "inside" if low <= EXPERIMENT["mean_load"] <= high else "outside"
     return (f"Sampling leaves the channel's {mean.base:.1f} N open by ± {mean.sampling:.1f} N, the {own.input.nunique()} inputs "
             f"together by {mean.all_down:+.1f} to {mean.all_up:+.1f} N, which is\n{100 * down:+.0f} to {100 * up:+.0f} %. "
-            f"If the tank is as sensitive, its {tank:.1f} N are {low:.0f} to {high:.0f} N, and the {EXPERIMENT['mean_load']} N of the "
-            f"test lie {inside}. The wall\nis not among these inputs: [above](#the-tank-test-and-the-wall).\n")
+            f"If the tank is as sensitive, its {tank:.1f} N at 69.1 degrees are {low:.0f} to {high:.0f} N, and the\n"
+            f"{EXPERIMENT['mean_load']} N of the test lie {inside}.\n")
 
 
 BLOCKS = {"answer": answer, "vary": vary, "vary_says": vary_says, "table3": lambda: table3("table3"), "experiment": experiment,
-          "physical": lambda: table3("table3_physical"), "averaging": averaging, "modes": modes, "differences": differences,
+          "averaging": averaging, "modes": modes, "differences": differences,
           "trend": trend, "readings": readings, "window": window, "fit": fit, "hybrid": hybrid_points}

@@ -4,9 +4,8 @@
 Usage:
     water.py                    writes the tables
     water.py --check            writes nothing; fails if a table differs from the data
-    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5, water_tank.h5 and
-                                boundaries.h5 in FOLDER,
-                                as far as they are there
+    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5 and boundaries.h5 in FOLDER, as
+                                far as they are there
 """
 import pathlib
 import sys
@@ -20,11 +19,9 @@ from validation_tables import difference, table, with_interval
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "water"
-CASES = {"shares": "shares: damping under water too, no added mass", "no_damping": "shares, no damping",
-         "waves": "waves of the outline, no added mass", "outline": "**outline: waves and added mass (the default)**",
-         "outline_at_rest": "outline, water at rest", "in_plane_0": "outline, added mass in the plane 0",
-         "in_plane_0.2": "outline, added mass in the plane 0.2", "heave_drag_1.2": "outline, heave drag 1.2"}
-CAMPAIGNS = ["water_channel", "water_tank", "boundaries"]
+CASES = {"outline": "**waves and added mass of the outline (the default)**", "waves": "waves of the outline, no added mass",
+         "neither": "neither", "paper": "the paper's preset: 15 % of critical damping, under water too, no added mass"}
+CAMPAIGNS = ["water_channel", "boundaries"]
 QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
 WORK = {"ice_friction": "friction, ice on ice", "ice_crushing": "crushing and stopping, ice on ice",
         "hull_friction": "friction on the structure", "hull_crushing": "crushing and stopping on the structure",
@@ -55,10 +52,9 @@ def effects(name):
 
 
 BOUNDARIES = {"fixed": "**fixed sheets, half width 1.25 m, 24 floes (the channel of smoke.toml)**",
-              "width_0.75": "0.75 times as wide, as long", "width_1.5": "1.5 times as wide", "width_2": "2 times as wide",
-              "width_3": "3 times as wide", "length_0.75": "0.75 times as long", "length_2": "2 times as long",
-              "length_3": "3 times as long", "far_end_open": "far end open", "sides_open": "sides open",
-              "both_open": "far end and sides open", "pressure_5": "sheets press with 5 N/m",
+              "width_1.5": "1.5 times as wide", "width_2": "2 times as wide", "width_3": "3 times as wide",
+              "length_2": "2 times as long", "length_3": "3 times as long", "far_end_open": "far end open",
+              "sides_open": "sides open", "pressure_5": "sheets press with 5 N/m",
               "pressure_20": "sheets press with 20 N/m", "pressure_80": "sheets press with 80 N/m",
               "sides_press_20": "sides press with 20 N/m, far end open"}
 
@@ -79,7 +75,7 @@ def boundaries():
 
 def work(name):
     rows = members(name)
-    cases = [case for case in ("shares", "outline") if (rows.case == case).any()]
+    cases = ["outline"]
     own = {case: rows[rows.case == case] for case in cases}
     sums = {case: sum(one[f"work_{key}"].mean() for key in WORK) for case, one in own.items()}
     lines = []
@@ -91,7 +87,7 @@ def work(name):
         lines.append(cells)
     lines.append(["together; mean load"] + [cell for case, one in own.items()
                                             for cell in (f"{sums[case]:.2f}; {one['mean_N'].mean():.2f}", "100")])
-    return table(["work over the distance towed, N"] + [cell for case in cases for cell in (case, "%")], lines)
+    return table(["work over the distance towed"] + [cell for case in cases for cell in ("N", "%")], lines)
 
 
 def main():
@@ -105,8 +101,7 @@ def main():
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
     fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"), "work": lambda: work("water_channel"),
-                                       "boundaries": boundaries,
-                                       "tank": lambda: effects("water_tank"), "tank_work": lambda: work("water_tank")}},
+                                       "boundaries": boundaries}},
                   arguments == ["--check"], "water.py")
 
 

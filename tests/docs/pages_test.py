@@ -1,12 +1,16 @@
 #!/usr/bin/python3
-"""Pages lead where they say: relative links and their headings exist, every page of docs/ says for whom it is and is
-listed by the README, and what the README shows of a summary is what the tutorial shows.
+"""Pages lead where they say: relative links and their headings exist, docs/index.md lists every page of docs/ and all that
+the site lists, in the same order, and what the README shows of a summary is what the tutorial shows.
 
 Usage: pages_test.py PROJECT_FOLDER
 """
 import pathlib
 import re
 import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "docs/site"))
+import pages as site  # noqa: E402
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 FOLDERS = [".", "docs", "slurm", "bench", "python", "packaging"]
@@ -41,18 +45,47 @@ def broken_links(page, root):
             yield f"{page.relative_to(root)}: {file.name} has no heading #{heading}"
 
 
+def listed_by(index, root):
+    """Group -> the pages that docs/index.md links below it, as paths from the project's folder."""
+    groups = {}
+    for heading, text in re.findall(r"^## (.*)\n((?:(?!## ).*\n?)*)", index.read_text(encoding="utf-8"), re.M):
+        targets = [target.partition("#")[0] for target in re.findall(r"^\* \[[^\]]*\]\(([^)\s]+)\): \S", text, re.M)]
+        groups[heading] = [(index.parent / target).resolve().relative_to(root).as_posix() for target in targets]
+    return groups
+
+
+def faults_of_index(root):
+    index = root / "docs/index.md"
+    shown = listed_by(index, root)
+    of_site = {group: [name for name in names if name != "docs/index.md"] for group, names in site.groups_of(root).items()}
+    if list(shown) != list(of_site):
+        yield f"docs/index.md has the groups {list(shown)}, and {site.LIST} {list(of_site)}"
+    for group in of_site:
+        ours, theirs = shown.get(group, []), of_site[group]
+        yield from (f"docs/index.md does not list {name} under {group}, with what it answers" for name in theirs
+                    if name not in ours)
+        yield from (f"{site.LIST} does not list {name} under {group}, and docs/index.md does" for name in ours
+                    if name not in theirs)
+        if sorted(ours) == sorted(theirs) and ours != theirs:
+            yield f"docs/index.md and {site.LIST} list {group} in another order"
+    for page in sorted((root / "docs").glob("*.md")):
+        if page != index and f"docs/{page.name}" not in sum(shown.values(), []):
+            yield f"docs/index.md does not list docs/{page.name}"
+
+
 def faults(root):
     pages = [page for folder in FOLDERS for page in sorted((root / folder).glob("*.md"))]
     if len(pages) < 30:
         yield f"only {len(pages)} pages were found"
     for page in pages:
         yield from broken_links(page, root)
-    readme = (root / "README.md").read_text(encoding="utf-8")
+    yield from faults_of_index(root)
     for page in sorted((root / "docs").glob("*.md")):
-        if not re.match(r"# .+\n\n\*For [^*]+\.\*\n", page.read_text(encoding="utf-8")):
-            yield f"docs/{page.name} does not say below its title for whom it is, as *For ….*"
-        if f"](docs/{page.name})" not in readme:
-            yield f"README.md does not list docs/{page.name}"
+        if not page.read_text(encoding="utf-8").startswith("# "):
+            yield f"docs/{page.name} does not begin with a title"
+    readme = (root / "README.md").read_text(encoding="utf-8")
+    if "](docs/index.md)" not in readme:
+        yield "README.md does not lead to docs/index.md"
     tutorial = (root / "docs/tutorial.md").read_text(encoding="utf-8")
     shown = [line for line in readme.splitlines() if line.startswith("    ") and "±" in line]
     if len(shown) < 2:

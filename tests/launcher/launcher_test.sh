@@ -37,6 +37,14 @@ machine() {
     printf 'eta\n' >"$home/packaging/debian/packages-test-all.txt"
     printf 'epsilon\n' >"$home/packaging/debian/packages-slow.txt"
     printf 'zeta\n' >"$home/packaging/debian/packages-release.txt"
+    printf 'theta\n' >"$home/packaging/debian/packages-docs.txt"
+    mkdir -p "$home/docs/site"
+    cat >"$home/docs/site/build.py" <<'SITE'
+#!/bin/sh
+echo "site${1:+ $*}" >>"$STAGE/calls"
+echo "site/index.html"
+SITE
+    chmod +x "$home/docs/site/build.py"
     printf 'alpha\nbeta\ngamma\n' >"$stage/installed"
     touch "$stage/a b.toml" "$stage/c.toml" "$stage/c d.toml"
     echo 1000 >"$stage/uid"
@@ -224,17 +232,28 @@ check "--ranks is the program's" "program <run> <--ranks> <3> <c d.toml>" "$out"
 # -- packages: those just made, whatever an earlier version left
 machine
 launch package
-check_has "packages need their packages" "missing: zeta" "$err"
-echo zeta >>"$stage/installed"
+check_has "packages need their packages, and those of the site" "missing: theta zeta" "$err"
+printf 'theta\nzeta\n' >>"$stage/installed"
 launch status c.h5  # builds
 touch "$home/build/release/floes_1.0.0_amd64.deb" "$home/build/release/floes-1.0.0-Linux.tar.gz"
 launch package
 check "their names" "$home/build/release/floes_1.1.0_amd64.deb
 $home/build/release/floes-1.1.0-Linux.tar.gz" "$out"
 check_has "packages" "cmake --build $home/build/release --target all
+site
 cmake --build $home/build/release --target package" "$(calls)"
 launch package --fast
 check "packages with an argument" 2 "$status"
+
+# -- the site: its packages, and no build
+machine
+launch docs
+check_has "the site needs its packages" "missing: theta" "$err"
+check "without them nothing is made" "" "$(calls)"
+echo theta >>"$stage/installed"
+launch docs --versions releases
+check "the site: where it is" "site/index.html" "$out"
+check "the site needs no program" "site --versions releases" "$(calls)"
 
 # -- under mpirun it only executes
 for variable in OMPI_COMM_WORLD_RANK PMIX_RANK PMI_RANK; do
@@ -263,8 +282,8 @@ cmake --build $home/build/release --target tests" "$(calls)"
 launch test
 check "the next test configures nothing" "cmake --build $home/build/release --target tests" "$(calls)"
 launch test --all
-check_has "all tests need their packages too" "missing: eta" "$err"
-echo eta >>"$stage/installed"
+check_has "all tests need their packages too" "missing: eta theta" "$err"
+printf 'eta\ntheta\n' >>"$stage/installed"
 launch test --all -R wire
 check "test --all" "ctest in $home: --preset release --no-tests=error -j3 -LE slow -R wire" "$out"
 check_has "all tests have programs of their own" "--target all_tests" "$(calls)"
@@ -275,8 +294,8 @@ launch test --slow -R wire
 check "test --slow" "ctest in $home: --preset release --no-tests=error -j3 -R wire" "$out"
 : >"$stage/installed"
 launch test -L soak
-check_has "test -L needs them as well" "missing: alpha beta epsilon eta gamma zeta" "$err"
-printf '%s\n' alpha beta gamma epsilon eta zeta >"$stage/installed"
+check_has "test -L needs them as well" "missing: alpha beta epsilon eta gamma theta zeta" "$err"
+printf '%s\n' alpha beta gamma epsilon eta theta zeta >"$stage/installed"
 launch test -L soak
 check "test -L" "ctest in $home: --preset release --no-tests=error -j3 -L soak" "$out"
 
