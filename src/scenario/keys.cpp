@@ -82,7 +82,7 @@ TableTitles scenario_titles() {
          "and the concentration."},
         {"arrangement", "How the initial positions of the floes are generated."},
         {"structure",
-         "The towed structure. Its wall, the far end of the channel and how the floes lie decide the load."},
+         "The towed structure. Its wall and the far end of the channel decide the load."},
         {"hull",
          "The shape of the structure, where it is no body of revolution by structure.profile_m (hulls.md). Ahead is "
          "+x, starboard +z; the axis is in the middle of the waterline's length."},

@@ -7,7 +7,7 @@ set_tests_properties(docs.pages PROPERTIES LABELS default TIMEOUT 60)
 add_test(NAME docs.site_pages COMMAND /usr/bin/python3 -B ${PROJECT_SOURCE_DIR}/docs/site/pages.py ${PROJECT_SOURCE_DIR})
 set_tests_properties(docs.site_pages PROPERTIES LABELS default TIMEOUT 60)
 add_test(NAME docs.site COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/site_test.py ${PROJECT_SOURCE_DIR})
-set_tests_properties(docs.site PROPERTIES LABELS all TIMEOUT 600 PROCESSORS 2)
+set_tests_properties(docs.site PROPERTIES LABELS slow TIMEOUT 600 PROCESSORS 2)
 # A minute on one core; with sanitizers a multiple of that, for what other tests run as well.
 if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME docs.tutorial
@@ -22,7 +22,7 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME docs.notebook
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/notebook_test.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR})
-  set_tests_properties(docs.tutorial docs.year_tutorial docs.notebook PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2)
-  # Some minutes: a campaign at full scale.
-  set_tests_properties(docs.moored_hull PROPERTIES LABELS slow TIMEOUT 1800 PROCESSORS 2)
+  set_tests_properties(docs.tutorial PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2)
+  # Some minutes: campaigns at full scale, of a year and of a notebook.
+  set_tests_properties(docs.moored_hull docs.year_tutorial docs.notebook PROPERTIES LABELS slow TIMEOUT 1800 PROCESSORS 2)
 endif()
