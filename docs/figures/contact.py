@@ -30,9 +30,10 @@ CHOICES = {"default": "**default: friction cone, crushing at 145.6 kPa**", "pres
            "rigid_erp_0.8": "rigid, Γ 0.8"}
 PAPER = {"paper_physical_contacts": "**physical contacts**", "paper": "the paper's contacts"}
 NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s", "step_0.005": "step 0.005 s",
-            "tolerance_10": "tolerance 10 mm/s", "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps",
-            "sweeps_20": "at most 20 sweeps"}
-RIGID = {"rigid": "**rigid contacts, 0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "step 0.005 s"}
+            "step_0.0025": "step 0.0025 s", "tolerance_10": "tolerance 10 mm/s",
+            "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps", "sweeps_20": "at most 20 sweeps"}
+RIGID = {"rigid": "**0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "step 0.005 s",
+         "rigid_0.0025": "step 0.0025 s"}
 
 
 def collected(path, keys, columns=()):
@@ -77,7 +78,8 @@ def beside(data, words, first, more=(), step_by_step=False):
         cells = [words[case]]
         for quantity in QUANTITIES:
             if other is None:
-                cells.append(f"{number(one[quantity].mean())} ± {number(half_width(one[quantity]))}")
+                mean = number(one[quantity].mean())
+                cells.append(f"{mean} ± {half_width(one[quantity]):.{len(mean.partition('.')[2])}f}")
             else:
                 apart = (one[quantity] - other[quantity]).dropna()
                 cells.append(difference(apart.mean(), half_width(apart)))
@@ -98,8 +100,8 @@ def main(arguments):
     sweeps = [("sweeps a step", "mean_sweeps")]
     fill_or_check({DOCS / "contact.md": {"choices": lambda: beside(members("choices"), CHOICES, "contacts"),
                                          "paper": lambda: beside(members("choices"), PAPER, "contacts")},
-                   DOCS / "convergence.md": {"numerics": lambda: beside(members("resolution"), NUMERICS, "", sweeps),
-                                             "rigid": lambda: beside(members("resolution"), RIGID, "", sweeps)}},
+                   DOCS / "convergence.md": {"numerics": lambda: beside(members("resolution"), NUMERICS, "computed with", sweeps),
+                                             "rigid": lambda: beside(members("resolution"), RIGID, "rigid contacts", sweeps)}},
                   arguments == ["--check"], "contact.py")
 
 

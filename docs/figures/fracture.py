@@ -5,6 +5,7 @@ Usage:
     fracture.py                   writes the tables from docs/fracture/*.csv
     fracture.py --check           writes nothing; fails if a table differs from the data
     fracture.py --grid            first solves the grid of beams at rest on water, a minute; its own lines, not those of floes
+    fracture.py --wide RECORDING  draws the cracks of the wide floe instead, docs/fracture/wide_floe.svg
 """
 import math
 import pathlib
@@ -184,12 +185,54 @@ def crack_table():
                   for _, row in rows.iterrows()])
 
 
+def cracks(recording):
+    """Ends (x, z) of the edge of each joint that failed, as it lay at first, and when it failed, s."""
+    import h5py
+
+    with h5py.File(recording) as file:
+        position, turn = file["frames/position"][0], file["frames/orientation"][0]
+        corners = np.stack([file["ice/corner_x"][()], np.zeros(file["ice/corner_x"].shape), file["ice/corner_z"][()]], axis=-1)
+        a, b, time = file["joints/a"][()], file["joints/b"][()], file["joints/failure_time"][()]
+        failed = file["joints/failure_mode"][()] >= 0
+    real, axis = turn[:, None, :1], turn[:, None, 1:]
+    placed = corners + 2 * np.cross(axis, np.cross(axis, corners) + real * corners) + position[:, None, :]
+    for one, other, when in zip(a[failed], b[failed], time[failed]):
+        own, next_to = (corner[~np.isnan(corner[:, 0])][:, [0, 2]] for corner in (placed[one], placed[other]))
+        apart = np.linalg.norm(own[:, None] - next_to[None], axis=2).min(axis=1)
+        shared = own[np.argsort(apart)[:2]]
+        yield shared, when
+
+
+def draw_wide_floe(recording, path, until=9.0):
+    """The failed joints of the wide floe as cracks, in the colours of their time."""
+    import matplotlib
+
+    matplotlib.use("svg")
+    matplotlib.rcParams["svg.hashsalt"] = "floes"
+    from matplotlib import pyplot
+
+    found = [(edge, when) for edge, when in cracks(recording) if when <= until]
+    first = min(when for _, when in found)
+    figure, axes = pyplot.subplots(figsize=(6, 2.8), layout="constrained")
+    colours = matplotlib.colormaps["viridis"]
+    for edge, when in found:
+        axes.plot(edge[:, 1], edge[:, 0] - 2.1, linewidth=2, color=colours((when - first) / (until - first)))
+    axes.axhline(0, color="0.4", linewidth=1)
+    axes.set(aspect="equal", xlim=(-1.1, 1.1), ylim=(-0.1, 0.9), xlabel="across the tow, m", ylabel="from the rim, m")
+    scale = matplotlib.cm.ScalarMappable(matplotlib.colors.Normalize(first, until), colours)
+    figure.colorbar(scale, ax=axes, label="failed at, s", shrink=0.8)
+    figure.savefig(path, metadata={"Date": None})
+
+
 def main():
     arguments = sys.argv[1:]
     DATA.mkdir(exist_ok=True)
     if arguments == ["--grid"]:
         patches().to_csv(DATA / "patches.csv", index=False)
         first_cracks().to_csv(DATA / "first_cracks.csv", index=False)
+    elif arguments[:1] == ["--wide"] and len(arguments) == 2:
+        draw_wide_floe(arguments[1], DATA / "wide_floe.svg")
+        return
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
     fill_or_check({DOCS / "fracture.md": {"patches": patch_table, "first_cracks": crack_table}}, arguments == ["--check"],

@@ -35,7 +35,7 @@ def csv_of(program, *arguments):
 def measure(program):
     DATA.mkdir(exist_ok=True)
     csv_of(program, "laboratory", "cantilever", "--stiffness", "--elements", "3,6,12", "--modulus-MPa",
-           "60,1000,5000").to_csv(DATA / "strip.csv", index=False)
+           "60,5000").to_csv(DATA / "strip.csv", index=False)
     sheets = [csv_of(program, "laboratory", "plate", "--thickness-m", "0.03", "--sheet-m", str(sheet), "--element-m",
                      str(element), "--beam-MPa", "60,200") for element, sheet in SHEETS.items()]
     pd.concat(sheets).to_csv(DATA / "sheet.csv", index=False)
@@ -46,10 +46,10 @@ def members(name):
 
 
 def strip():
-    rows = [[f"{row.elastic_modulus_MPa:g}", f"{row.elements}", f"{row.deflection_m / row.elastic_deflection_m:.4f}",
-             f"{row.frequency_1_per_s:.4g}", f"{row.frequency_1_per_s / row.elastic_frequency_1_per_s:.4f}"]
-            for row in members("strip").itertuples()]
-    return table(["E, MPa", "elements", "deflection / elastic", "frequency, 1/s", "frequency / elastic"], rows)
+    rows = [[f"{row.elements}", f"{row.elastic_modulus_MPa:g}", f"{row.deflection_m / row.elastic_deflection_m:.4f}",
+             f"{row.frequency_1_per_s / row.elastic_frequency_1_per_s:.4f}"]
+            for row in members("strip").sort_values(["elements", "elastic_modulus_MPa"]).itertuples()]
+    return table(["elements", "E, MPa", "deflection / elastic", "frequency / elastic"], rows)
 
 
 def point_load_slope(modulus, thickness):
@@ -61,9 +61,9 @@ def sheet():
     rows = []
     for row in members("sheet").itertuples():
         elastic = point_load_slope(1e6 * row.set_modulus_MPa, row.thickness_m)
-        rows.append([f"{row.set_modulus_MPa:g}", f"{row.element_m:g}", f"{row.sheet_m:g}", f"{row.slope_N_per_m:.0f}",
-                     f"{elastic:.0f}", f"{row.slope_N_per_m / elastic:.4f}", f"{row.elastic_modulus_point_MPa:.1f}"])
-    return table(["E, MPa", "element, m", "sheet, m", "slope, N/m", "plate, N/m", "shown / plate", "E shown, MPa"], rows)
+        rows.append([f"{row.set_modulus_MPa:g}", f"{row.element_m:g}", f"{row.slope_N_per_m:.0f}", f"{elastic:.0f}",
+                     f"{row.slope_N_per_m / elastic:.4f}"])
+    return table(["E, MPa", "element, m", "slope, N/m", "plate, N/m", "slope / plate"], rows)
 
 
 def main():

@@ -55,7 +55,7 @@ def table(program, campaign):
 
 
 def pictures(program, campaign):
-    figure, axes = plt.subplots(1, len(CASES), figsize=(13, 3.6), layout="constrained")
+    figure, axes = plt.subplots(1, len(CASES), figsize=(13, 3.9), layout="constrained")
     with tempfile.TemporaryDirectory() as folder:
         for place, case in zip(axes, CASES):
             picture = pathlib.Path(folder) / f"{case}.png"

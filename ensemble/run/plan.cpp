@@ -186,9 +186,12 @@ bool is_upright(const Shape& shape) {
 /// s per unit of expected cost.
 double time_per_unit(const Scenario& scenario, const MemberCosts& costs) {
     switch (scenario.general.solver) {
-        case SolverKind::stock: return costs.stock_per_unit;
-        case SolverKind::lanes: return costs.lanes_per_unit;
-        case SolverKind::direct: break;
+        case SolverKind::stock:
+            return costs.stock_per_unit;
+        case SolverKind::lanes:
+            return costs.lanes_per_unit;
+        case SolverKind::direct:
+            break;
     }
     return costs.direct_per_unit * (is_upright(scenario.structure.shape) ? costs.jam : 1);
 }

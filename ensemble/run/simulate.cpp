@@ -70,8 +70,9 @@ MemberCosts measured_member_costs() {
         .variation = 0.05,
         .history_bytes = 5.3,
         .file_per_record_byte = 0.5,
-        .source = "the expected cost of each member, times the measured time per unit on a Xeon of 2023 (AVX-512); "
-                  "members of 27 configurations took 0.7 to 2.7 times as long. --from takes those of members that ran",
+        .source =
+            "the expected cost of each member, times the measured time per unit on a Xeon of 2023 (AVX-512); "
+            "members of 27 configurations took 0.7 to 2.7 times as long. --from takes those of members that ran",
     };
 }
 

@@ -81,8 +81,7 @@ TableTitles scenario_titles() {
          "The channel and the ice field in it. The length of the field follows from the number and size of the floes "
          "and the concentration."},
         {"arrangement", "How the initial positions of the floes are generated."},
-        {"structure",
-         "The towed structure. Its wall and the far end of the channel decide the load."},
+        {"structure", "The towed structure. Its wall and the far end of the channel decide the load."},
         {"hull",
          "The shape of the structure, where it is no body of revolution by structure.profile_m (hulls.md). Ahead is "
          "+x, starboard +z; the axis is in the middle of the waterline's length."},
