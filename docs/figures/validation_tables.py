@@ -126,39 +126,6 @@ def table3(campaign):
                  rows)
 
 
-def experiment():
-    """The tank test beside the default physics on three walls, and the paper's contacts, at its modulus. A load cell and its
-    recorder average over some time: which is not known, so the largest load is given for three."""
-    own = {campaign: members(campaign) for campaign in ["tank_walls", "table3"]}
-    peaks = {campaign: largest(campaign) for campaign in own}
-
-    def cell(measured, mean, one_run):
-        inside = "" if one_run[1] <= measured <= one_run[2] else ", **outside**"
-        return f"{bracketed(*mean)}, one run {number(one_run[1])} to {number(one_run[2])}{inside}"
-
-    def row(label, measured, walls, of_paper, positive=False):
-        means, runs = pooled(walls), pooled(walls, one_run=True, positive=positive)
-        cells = [label, number(measured)] + [cell(measured, means[case], runs[case]) for case in WALLS]
-        last = "–" if of_paper is None else cell(measured, interval(of_paper),
-                                                 interval(of_paper, one_run=True, positive=positive))
-        return cells + [last]
-
-    def by_wall(rows, quantity, scale=1):
-        return {case: scale * rows[rows.case == case][quantity].to_numpy() for case in WALLS}
-
-    paper60 = own["table3"].query("case == 'E60'")
-    rows = [row("mean load, N", EXPERIMENT["mean_load"], by_wall(own["tank_walls"], "mean_load"), paper60.mean_load)]
-    for time in sorted(peaks["table3"].averaged_over_s.unique()):
-        over = {campaign: peak[peak.averaged_over_s == time] for campaign, peak in peaks.items()}
-        rows.append(row(f"largest load over {time:g} s, N", EXPERIMENT["maximum_load"],
-                        by_wall(over["tank_walls"], "maximum_load"),
-                        over["table3"].query("case == 'E60'").maximum_load, positive=True))
-    broken = 100 * EXPERIMENT["failure_ratio"]
-    rows.append(row("floes with a failed joint, %", broken, by_wall(own["tank_walls"], "failure_ratio"), paper60.failure_ratio))
-    rows.append(row("floes cracked through, %", broken, by_wall(own["tank_walls"], "split_ratio", 100), None))
-    return table(["", "measured"] + [f"physics, {wall}" for wall in WALLS.values()] + ["paper's contacts, 69.1°"], rows)
-
-
 # -- the paper's question
 
 def signed_difference(row):
@@ -282,7 +249,7 @@ def vary():
     rows = [["*as it is*"] + [f"{scale * row.base:.1f} ± {scale * row.sampling:.1f}" for row, scale in varied(own, own.case[0])]]
     for case in own.case.unique():
         row = [f"`{case}`" + ("" if own[own.case == case].paired.iloc[0] else " (other floes)")]
-        row += [difference(scale * one.change, scale * (one.high - one.low) / 2) for one, scale in varied(own, case)]
+        row += [difference(scale * one.change, scale * (one.change_high - one.change_low) / 2) for one, scale in varied(own, case)]
         rows.append(row)
     rows.append(["all inputs together"]
                 + [f"{scale * one.all_down:+.1f} to {scale * one.all_up:+.1f}" for one, scale in varied(own, own.case[0])])
@@ -299,15 +266,10 @@ def vary_says():
     own = variations("vary_channel")
     mean, _ = varied(own, own.case[0])[0]
     down, up = mean.all_down / mean.base, mean.all_up / mean.base
-    tank = members("tank_walls").query("case == 'r_0.445'").mean_load.mean()
-    low, high = tank * (1 + down), tank * (1 + up)
-    inside = "inside" if low <= EXPERIMENT["mean_load"] <= high else "outside"
     return (f"Sampling leaves the channel's {mean.base:.1f} N open by ± {mean.sampling:.1f} N, the {own.input.nunique()} inputs "
-            f"together by {mean.all_down:+.1f} to {mean.all_up:+.1f} N, which is\n{100 * down:+.0f} to {100 * up:+.0f} %. "
-            f"If the tank is as sensitive, its {tank:.1f} N at 69.1 degrees are {low:.0f} to {high:.0f} N, and the\n"
-            f"{EXPERIMENT['mean_load']} N of the test lie {inside}.\n")
+            f"together by {mean.all_down:+.1f} to {mean.all_up:+.1f} N, which is\n{100 * down:+.0f} to {100 * up:+.0f} %.\n")
 
 
-BLOCKS = {"answer": answer, "vary": vary, "vary_says": vary_says, "table3": lambda: table3("table3"), "experiment": experiment,
+BLOCKS = {"answer": answer, "vary": vary, "vary_says": vary_says, "table3": lambda: table3("table3"),
           "averaging": averaging, "modes": modes, "differences": differences,
           "trend": trend, "readings": readings, "window": window, "fit": fit, "hybrid": hybrid_points}
