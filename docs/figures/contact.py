@@ -20,9 +20,11 @@ from validation_tables import difference, number, table
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "contact"
+COLUMNS = ["split_ratio", "mean_heave", "mean_sweeps"]
 CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution"}
 QUANTITIES = {"mean_N": "mean, N", "maximum_N": "largest, every step, N", "maximum_0.1s_N": "over 0.1 s, N",
               "maximum_1s_N": "over 1 s, N", "broken_percent": "broken floes, %"}
+NUMERIC_QUANTITIES = QUANTITIES | {"cracked_percent": "cracked through, %", "heave_N": "heave, N"}
 CHOICES = {"default": "**default: friction cone, crushing at 145.6 kPa**", "pressure_halved": "crushing at 72.8 kPa",
            "pressure_x4": "crushing at 582.4 kPa", "pressure_x16": "crushing at 2330 kPa",
            "edges_act": "crushing, internal edges act", "rigid": "rigid, Γ 0.2",
@@ -31,14 +33,15 @@ CHOICES = {"default": "**default: friction cone, crushing at 145.6 kPa**", "pres
 PAPER = {"paper_physical_contacts": "**physical contacts**", "paper": "the paper's contacts"}
 NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s", "step_0.005": "step 0.005 s",
             "step_0.0025": "step 0.0025 s", "tolerance_10": "tolerance 10 mm/s",
-            "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps", "sweeps_20": "at most 20 sweeps"}
+            "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps", "sweeps_20": "at most 20 sweeps",
+            "elements_0.3": "elements 0.3 m", "elements_0.15": "elements 0.15 m", "elements_0.1": "elements 0.1 m"}
 RIGID = {"rigid": "**0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "step 0.005 s",
          "rigid_0.0025": "step 0.0025 s"}
 
 
 def collected(path, keys, columns=()):
     """One row for each finished member of a campaign file. `keys`: name of a column -> a key of the configuration; any
-    table and "name" is the name of the case. `columns`: further ones of members."""
+    table with "name" is the name of the case. `columns`: further ones of members."""
     import h5py  # which --check does not need
 
     with h5py.File(path) as file:
@@ -62,31 +65,32 @@ def collected(path, keys, columns=()):
             row["broken_percent"] = 100 * file["members/failure_ratio"][i]
             row |= {column: file[f"members/{column}"][i] for column in columns}
             rows.append(row)
-    return pd.DataFrame(rows).round({name: 6 for name in rows[0] if name.endswith(("_N", "_percent", "_sweeps"))})
+    return pd.DataFrame(rows).round({name: 6 for name in rows[0] if name.endswith(("_N", "_percent"))})
 
 
 def members(name):
-    return pd.read_csv(DATA / f"{name}.csv")
+    rows = pd.read_csv(DATA / f"{name}.csv")
+    return rows.assign(cracked_percent=100 * rows.split_ratio, heave_N=rows.mean_heave)
 
 
-def beside(data, words, first, more=(), step_by_step=False):
+def beside(data, words, first, quantities=QUANTITIES, more=(), step_by_step=False):
     """Cases `words`, the first with its means, the others as paired differences from it, or `step_by_step` from the case
-    above. `more`: further columns, as heading and name, of which each case has its mean."""
+    above. `more`: further columns, as name and heading, of which each case has its mean."""
     rows, other = [], None
     for case in words:
         one = data[data.case == case].set_index("arrangement")
         cells = [words[case]]
-        for quantity in QUANTITIES:
+        for quantity in quantities:
             if other is None:
                 mean = number(one[quantity].mean())
                 cells.append(f"{mean} ± {half_width(one[quantity]):.{len(mean.partition('.')[2])}f}")
             else:
                 apart = (one[quantity] - other[quantity]).dropna()
                 cells.append(difference(apart.mean(), half_width(apart)))
-        rows.append(cells + [number(one[name].mean()) for _, name in more])
+        rows.append(cells + [number(one[name].mean()) for name in dict(more)])
         if other is None or step_by_step:
             other = one
-    return table([first, *QUANTITIES.values(), *(heading for heading, _ in more)], rows)
+    return table([first, *quantities.values(), *dict(more).values()], rows)
 
 
 def main(arguments):
@@ -94,14 +98,18 @@ def main(arguments):
         for campaign, name in CAMPAIGNS.items():
             file = pathlib.Path(arguments[1]) / f"{campaign}.h5"
             if file.exists():
-                collected(file, {"case": "joint.name"}, ["mean_sweeps"]).to_csv(DATA / f"{name}.csv", index=False)
+                collected(file, {"case": "joint.name"}, COLUMNS).round(6).to_csv(DATA / f"{name}.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    sweeps = [("sweeps a step", "mean_sweeps")]
-    fill_or_check({DOCS / "contact.md": {"choices": lambda: beside(members("choices"), CHOICES, "contacts"),
-                                         "paper": lambda: beside(members("choices"), PAPER, "contacts")},
-                   DOCS / "convergence.md": {"numerics": lambda: beside(members("resolution"), NUMERICS, "computed with", sweeps),
-                                             "rigid": lambda: beside(members("resolution"), RIGID, "rigid contacts", sweeps)}},
+    choices, resolution = members("choices"), members("resolution")
+
+    def numerics(words, first):
+        return beside(resolution, words, first, NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
+
+    fill_or_check({DOCS / "contact.md": {"choices": lambda: beside(choices, CHOICES, "contacts"),
+                                         "paper": lambda: beside(choices, PAPER, "contacts")},
+                   DOCS / "convergence.md": {"numerics": lambda: numerics(NUMERICS, "computed with"),
+                                             "rigid": lambda: numerics(RIGID, "rigid contacts")}},
                   arguments == ["--check"], "contact.py")
 
 
