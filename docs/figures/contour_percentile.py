@@ -1,13 +1,12 @@
 #!/usr/bin/python3
-"""The table of docs/year.md: which quantile of the largest load of a state, on the contour of a probability, is the load
-that years exceed with that probability. Loads and their variability are given by formula, so both are known.
+"""Of docs/year.md: which quantile of the largest load of a state, on the contour of a probability, is the load that years
+exceed with that probability. Loads and their variability are given by formula, so both are known. Prints a table.
 
-Usage: contour_percentile.py ICE [FLOES] [--write]
+Usage: contour_percentile.py ICE [FLOES]
 
-ICE is what floes contour reads; --write puts the table on the page.
+ICE is what floes contour reads.
 """
 import json
-import pathlib
 import subprocess
 import sys
 
@@ -15,16 +14,14 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.stats import norm
 
-from page_blocks import fill_or_check
 from validation_tables import table
 
-PAGE = pathlib.Path(__file__).resolve().parents[1] / "year.md"
 GROWTH = {"thickness": (1, 0), "thickness^2": (2, 0), "thickness^1.5 · speed^0.5": (1.5, 0.5)}
 VARIABILITY = {"6 %": 0.06, "14 %": 0.14, "30 %": 0.30}  # scale of Gumbel's distribution over its location
 
 
 def value(law, score, given):
-    first, second = ((lambda p: p["a"] + (p["b"] * given ** p["c"] if p["b"] else 0))(law[name])
+    first, second = (law[f"{name}_a"] + (law[f"{name}_b"] * given ** law[f"{name}_c"] if law[f"{name}_b"] else 0)
                      for name in ("first", "second"))
     if law["distribution"] == "weibull":
         return first * (-norm.logsf(score)) ** (1 / second)
@@ -36,8 +33,9 @@ def value(law, score, given):
 
 
 def main(arguments):
-    write = "--write" in arguments
-    ice, *program = [one for one in arguments if one != "--write"]
+    if len(arguments) not in (1, 2):
+        sys.exit(__doc__)
+    ice, *program = arguments
     command = [*(program or ["./floes"]), "contour", ice, "--points", "360", "--format", "json"]
     told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
     one, other = told["inputs"]
@@ -62,10 +60,7 @@ def main(arguments):
                 largest = max(point[keys[0]] ** power * point[keys[1]] ** speed for point in own)
                 cells.append(f"{100 * np.exp(-np.exp(-(load / largest - 1) / spread)):.0f} %")
             rows.append([name, words, *cells])
-    text = table(["load grows with", "variability", "quantile for 10^-2", "quantile for 10^-4"], rows)
-    print(text)
-    if write:
-        fill_or_check({PAGE: {"percentile": lambda: text}}, False, "docs/figures/contour_percentile.py")
+    print(table(["load grows with", "variability", "quantile for 10^-2", "quantile for 10^-4"], rows))
 
 
 if __name__ == "__main__":

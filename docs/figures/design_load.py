@@ -6,8 +6,8 @@ Usage:
     design_load.py                      writes tables and picture
     design_load.py --check              writes nothing; fails if a page differs from the data
     design_load.py --coverage           first takes the trials of build/release/tests/test_coverage from standard input
-    design_load.py --collect TABLE3 [FLOES]
-                                        first takes the tails of the campaign file TABLE3 with the program FLOES
+    design_load.py --collect CAMPAIGN [FLOES]
+                                        first takes the tails of the campaign file with the program FLOES
 """
 import json
 import pathlib
@@ -34,7 +34,9 @@ STOP_COLUMNS = ["members", "target_percent", "minimum", "median_n", "by_30_perce
 LOAD_STOP_COLUMNS = ["members", "target_percent", "campaigns", "median_n", "within_percent", "below_percent",
                      "error_percent"]
 SHOWN = ["both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"]
-COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}
+SHOWN_EXPOSURE = 10       # times the time run; all trials are in coverage.csv
+SHOWN_MEMBERS = [8, 50, 100]
+SHOWN_EXPOSURES = [1, 100]
 
 
 def take_coverage(lines):
@@ -102,34 +104,50 @@ def load_stop_coverage():
 def unlike_coverage():
     data = pd.read_csv(DATA / "coverage_unlike.csv")
     rows = []
-    for (load, members), own in data.groupby(["load", "members"], sort=False):
+    for (load, members), own in data[data.members.isin(SHOWN_MEMBERS)].groupby(["load", "members"], sort=False):
         own = own.set_index("exposure")
         rows.append([load, str(members)]
                     + [f"{own.loc[x, 'within_percent']:.0f} % ({own.loc[x, 'centre_percent']:+.0f} %, "
-                       f"{own.loc[x, 'high_over_low']:.1f})" for x in (1, 10, 100)])
-    return table(["members", "n"] + [f"{x:g} x the time run: within (centre, upper / lower end)" for x in (1, 10, 100)],
-                 rows)
+                       f"{own.loc[x, 'high_over_low']:.1f})" for x in SHOWN_EXPOSURES])
+    return table(["members", "n", *[f"exposure {x} x" for x in SHOWN_EXPOSURES]], rows)
 
 
 def take_tails(campaign, program):
+    """Of the first case of the campaign."""
     command = [program, "design", campaign, "--format", "json"]
     told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)["design"]
-    threshold = {one["case"]: one["threshold"] for one in told["basis"]}
-    rates = [point for point in told["rates"]
-             if point["case"] == "E60" and point["load"] > 0.6 * threshold["E60"]]
-    kept = {"basis": told["basis"], "over_thresholds": told["over_thresholds"], "loads": told["loads"], "rates": rates}
+    basis = told["basis"][0]
+    kept = {"basis": basis} | {name: [one for one in told[name] if one["case"] == basis["case"]]
+                               for name in ("over_thresholds", "loads", "rates")}
+    kept["rates"] = [point for point in kept["rates"] if point["load"] > 0.6 * basis["threshold"]]
     (DATA / "tails.json").write_text(json.dumps(kept, indent=1) + "\n")
+
+
+def tails():
+    return json.loads((DATA / "tails.json").read_text())
+
+
+def example():
+    loads = pd.DataFrame(tails()["loads"])
+
+    def cell(method, figure):
+        own = loads[(loads.method == method) & (loads.figure == figure)].iloc[0]
+        if pd.isna(own.load):
+            return "–"
+        return f"{own.load:.0f} [{own.load_low:.0f}, {own.load_high:.0f}]"
+
+    return table(["method", "expected largest load in 3 h, N", "3 h load with 10 % exceedance probability, N"],
+                 [[method, cell(method, "expected"), cell(method, "quantile")] for method in SHOWN])
 
 
 def coverage():
     data = pd.read_csv(DATA / "coverage.csv")
-    data = data[data["quantile"] == 0.9]
+    data = data[(data["quantile"] == 0.9) & (data.exposure == SHOWN_EXPOSURE)]
     rows = []
-    for (process, exposure), own in data.groupby(["process", "exposure"], sort=False):
+    for process, own in data.groupby("process", sort=False):
         own = own.set_index("method")
-        rows.append([process, f"{exposure:g}"]
-                    + [f"{own.loc[m, 'within_percent']:.0f} % ({own.loc[m, 'error_percent']:+.1f} %)" for m in SHOWN])
-    return table(["load", "exposure / time run"] + [f"{method}: within (error)" for method in SHOWN], rows)
+        rows.append([process] + [f"{own.loc[m, 'within_percent']:.0f} % ({own.loc[m, 'error_percent']:+.0f} %)" for m in SHOWN])
+    return table(["load", *SHOWN], rows)
 
 
 def draw(path):
@@ -139,13 +157,14 @@ def draw(path):
     matplotlib.rcParams["svg.hashsalt"] = "floes"
     import matplotlib.pyplot as plt
 
-    told = json.loads((DATA / "tails.json").read_text())
+    told = tails()
+    basis = told["basis"]
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4.2))
     rates = pd.DataFrame(told["rates"])
     left.step(rates.load, 3600 * rates.seen_per_s, color="black", linewidth=1, label="declustered peaks seen")
     for name, colour in [("pareto", "#0072B2"), ("weibull", "#D55E00")]:
         left.plot(rates.load, 3600 * rates[f"{name}_per_s"].astype(float), color=colour, label=f"{name.title()} tail")
-    exposure = told["basis"][0]["exposure"]
+    exposure = basis["exposure"]
     left.axhline(3600 / exposure, color="0.6", linestyle=":", label=f"once in {exposure / 3600:g} h")
     left.set_yscale("log")
     left.set_xlabel("load averaged over 1 s, N")
@@ -154,7 +173,6 @@ def draw(path):
     peaks = rates.load.to_numpy()[::-1]
     middle.plot(peaks[:-5], [(peaks[peaks > u] - u).mean() for u in peaks[:-5]], color="black", linewidth=1,
                 label="peaks seen")
-    basis = next(one for one in told["basis"] if one["case"] == "E60")
     scale, shape, threshold = basis["pareto_scale"], basis["pareto_shape"], basis["threshold"]
     above = np.array([threshold, peaks[-5]])
     middle.plot(above, (scale + shape * (above - threshold)) / (1 - shape), color="#0072B2", label="Pareto tail")
@@ -163,16 +181,14 @@ def draw(path):
     middle.set_ylabel("mean excess over it, N")
     middle.legend(frameon=False, fontsize=8)
     loads = pd.DataFrame(told["loads"])
-    loads = loads[(loads.method == "both tails") & (loads.figure == "quantile")].set_index("case")
-    for shift, one in enumerate(told["basis"]):
-        points = pd.DataFrame([point for point in told["over_thresholds"] if point["case"] == one["case"]])
-        colour = COLOURS[one["case"]]
-        right.plot(100 * points.share, points.load, "o-", color=colour, label=f"{one['case'].removeprefix('E')} MPa")
-        own = loads.loc[one["case"]]
-        right.errorbar(25 + shift - 1, own.load, [[own.load - own.load_low], [own.load_high - own.load]], color=colour, capsize=4)
+    own = loads[(loads.method == "both tails") & (loads.figure == "quantile")].iloc[0]
+    points = pd.DataFrame(told["over_thresholds"])
+    right.plot(100 * points.share, points.load, "o-", color="black", label="by share")
+    right.errorbar(25, own.load, [[own.load - own.load_low], [own.load_high - own.load]], color="#D55E00", fmt="s",
+                   capsize=4, label="both tails, 95 %")
     right.set_ylim(bottom=0)
     right.set_xlabel("share of the peaks that the tails are fitted to, %")
-    right.set_ylabel("load exceeded with 10 % in 3 h, N")
+    right.set_ylabel("3 h load with 10 %\nexceedance probability, N")
     right.legend(frameon=False, fontsize=8)
     for axes in (left, middle, right):
         axes.spines[["top", "right"]].set_visible(False)
@@ -186,7 +202,7 @@ def main(arguments):
     if arguments[:1] == ["--collect"]:
         take_tails(arguments[1], arguments[2] if len(arguments) > 2 else "./floes")
     check = arguments == ["--check"]
-    fill_or_check({PAGE: {"coverage": coverage, "unlike": unlike_coverage},
+    fill_or_check({PAGE: {"example": example, "coverage": coverage, "unlike": unlike_coverage},
                    STATISTICS: {"means": mean_coverage, "pairs": pair_coverage, "stops": stop_coverage,
                                 "loadstops": load_stop_coverage}},
                   check, "design_load.py")

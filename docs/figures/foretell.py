@@ -1,16 +1,14 @@
 #!/usr/bin/python3
-"""Does a load foretell a larger one? The table of docs/year.md, from the histories of campaign files.
+"""Tables of docs/year.md: does a load foretell a larger one, from the histories of campaign files; and the coverage.
 
 Of each member, every 5 s of its window: the mean load of the last 1, 5 and 10 s, and the largest 1 s average of the 15 s
 that begin 0, 2, 5 and 10 s later. Their rank correlation (Spearman) is over all members of a case together, as a score
 that decides which run is to be continued would be; its 95 % interval is by bootstrap over members (1000, percentiles).
 
 Usage:
-    foretell.py                          writes the table
-    foretell.py --check                  writes nothing; fails if the table differs from the data
-    foretell.py --collect NAME FILE [TIMES]
-                                         first takes the cases of a campaign file; NAME is what the table calls them,
-                                         and all times above are TIMES as long (Froude's law; default 1)
+    foretell.py                          writes the tables
+    foretell.py --check                  writes nothing; fails if a table differs from the data
+    foretell.py --collect NAME FILE      first takes the cases of a campaign file; NAME is what the table calls them
     foretell.py --show FILE ...          only prints the correlations of the campaign files
 """
 import pathlib
@@ -40,8 +38,7 @@ def running_means(values, count):
 
 
 def pairs_of(load, step, past, later):
-    """Rows of (mean load of the last `past` s, largest load of the 15 s that begin `later` s after them), with a step that
-    is given for TIMES 1."""
+    """Rows of (mean load of the last `past` s, largest load of the 15 s that begin `later` s after them)."""
     count, peak = round(past / step), round(PEAK / step)
     before, peaks = running_means(load, count), running_means(load, peak)
     first, ahead = round(later / step), round(AHEAD / step)
@@ -64,7 +61,7 @@ def with_interval(members):
     return rank_correlation(np.concatenate(members)), *np.percentile(drawn, [2.5, 97.5])
 
 
-def correlations(path, name, times=1):
+def correlations(path, name):
     rows = []
     with h5py.File(path) as file:
         if "history/surge_load" not in file:
@@ -75,7 +72,6 @@ def correlations(path, name, times=1):
             first, count = (round(float(file[f"cases/{key}"][index]) / step) for key in ("steady_start", "window"))
             done = np.flatnonzero((file["members/case"][:] == index) & (file["members/status"][:] == 0))
             loads = [file["history/surge_load"][member][first:first + count] for member in done]
-            step /= times
             if count * step < max(PAST) + max(LATER) + AHEAD:
                 print(f"{path}, {case}: a window of {count * step:g} s has no room for {max(PAST)} s before and "
                       f"{max(LATER) + AHEAD} s after; left out", file=sys.stderr)
@@ -83,21 +79,18 @@ def correlations(path, name, times=1):
             for past in PAST:
                 for later in LATER:
                     members = [pairs_of(load, step, past, later) for load in loads]
-                    rows.append([name, case, len(members), sum(map(len, members)), past * times, later * times,
+                    rows.append([name, case, len(members), sum(map(len, members)), past, later,
                                  *with_interval(members)])
     columns = ["campaign", "case", "members", "moments", "past_s", "later_s", "correlation", "low", "high"]
     return pd.DataFrame(rows, columns=columns)
 
 
-def page_table(scale):
-    """Of the campaigns whose times are `scale` as long."""
-    data = pd.read_csv(DATA)
-    data = data[data.groupby("campaign").past_s.transform("min") == scale * min(PAST)]
+def page_table():
     lines = []
-    for (campaign, case, past), rows in data.groupby(["campaign", "case", "past_s"], sort=False):
+    for (campaign, case, past), rows in pd.read_csv(DATA).groupby(["campaign", "case", "past_s"], sort=False):
         cells = [f"{row.correlation:+.2f} ({row.low:+.2f} to {row.high:+.2f})" for row in rows.itertuples()]
         lines.append([f"{campaign}, {case}", f"{rows.members.iloc[0]}", f"{past} s", *cells])
-    return table(["campaign, case", "members", "mean of the last", *[f"{scale * later} s later" for later in LATER]], lines)
+    return table(["campaign, case", "members", "mean of the last", *[f"{later} s later" for later in LATER]], lines)
 
 
 def main(words):
@@ -105,25 +98,28 @@ def main(words):
         for path in words[1:]:
             print(correlations(path, pathlib.Path(path).stem).to_string(index=False, float_format="{:.3f}".format))
         return
-    if words[:1] == ["--collect"]:
-        new = correlations(words[2], words[1], int(words[3]) if len(words) > 3 else 1)
+    if words[:1] == ["--collect"] and len(words) == 3:
+        new = correlations(words[2], words[1])
         if DATA.exists():
             old = pd.read_csv(DATA)
             new = pd.concat([old[old.campaign != words[1]], new])
         new.to_csv(DATA, index=False, float_format="%.4f")
     elif words not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "year.md": {"foretell": lambda: page_table(1), "foretell_six": lambda: page_table(6),
-                                      "coverage": coverage_table}}, words == ["--check"],
+    fill_or_check({DOCS / "year.md": {"foretell": page_table, "coverage": coverage_table}}, words == ["--check"],
                   pathlib.Path(__file__).name)
 
 
 def coverage_table():
-    """As the rows of tests/coverage/year_coverage_test.cpp, kept in docs/year/coverage.txt."""
+    """The rows of tests/coverage/year_coverage_test.cpp, kept in docs/year/coverage.txt; a line for each two levels."""
     lines = (DATA.parent / "coverage.txt").read_text().splitlines()
-    rows = [[cell.strip() for cell in line.strip("|").split("|")][1:] for line in lines if line.startswith("| year")]
-    return table(["regimes of 600 h and 60 h a year", "members of each", "a year", "within", "interval ends below",
-                  "centre", "upper / lower end"], rows)
+    rows = {}
+    for line in lines:
+        if line.startswith("| year"):
+            regimes, members, _, within, _, centre, width = [cell.strip() for cell in line.strip("|").split("|")][1:]
+            rows.setdefault((regimes, members), []).append(f"{within} ({centre}, {float(width):.0f})")
+    return table(["regimes of 600 h and 60 h a year", "members of each", "10^-2", "10^-4"],
+                 [[*key, *cells] for key, cells in rows.items()])
 
 
 if __name__ == "__main__":
