@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The package in a bare Debian 12: what lintian says of it, whether apt installs it, and whether floes gives there the
-# members that it gives here. Needs root, mmdebstrap and lintian; apt's own sources of this machine serve the new root.
+# members that it gives here. Needs root, mmdebstrap, lintian and busybox; apt's own sources of this machine serve the new root.
 #   debian_root.sh BUILD_FOLDER PROGRAM
 # FLOES_BARE_ROOT names a tarball of such a root, for those who run this often.
 set -euo pipefail
@@ -11,7 +11,7 @@ stage=$(mktemp -d)
 trap 'rm -rf -- "$stage"' EXIT
 fail() { echo "FAILED: $*" >&2; exit 1; }
 
-(cd "$build" && cpack -G "DEB;TGZ" -B "$stage") >"$stage/log" || fail "cpack: $(<"$stage/log")"
+(cd "$build" && cpack -G "DEB;External" -B "$stage") >"$stage/log" || fail "cpack: $(<"$stage/log")"
 package=$(echo "$stage"/floes_*.deb)
 [[ -e $package ]] || fail "no package was made: $(<"$stage/log")"
 
@@ -48,11 +48,19 @@ h5diff --exclude-path /provenance "$stage/root/root/smoke.h5" "$stage/smoke.h5" 
 here floes run smoke -o /root/two.h5 --ranks 2 >"$stage/log" 2>&1 && fail "mpirun is there unasked"
 [[ $(<"$stage/log") == *"could not be started"* ]] || fail "without mpirun it says $(<"$stage/log")"
 [[ -e $stage/root/usr/lib/python3/dist-packages/floes_reader/__init__.py ]] || fail "the Python reader is missing"
-# The tarball, from a folder of its own.
-tar -C "$stage/root/opt" -xf "$stage"/floes-*.tar.gz
+# The tarball, on a machine that has a kernel, a shell and no library.
+mkdir -p "$stage"/none/{bin,dev,opt,proc,root,tmp}
+cp "$(command -v busybox)" "$stage/none/bin/busybox"
+for word in sh env dirname readlink; do ln -s busybox "$stage/none/bin/$word"; done
+tar -C "$stage/none/opt" -xf "$stage"/floes-*.tar.gz
 # shellcheck disable=SC2016
-[[ $(here sh -c '/opt/floes-*/bin/floes config --check smoke') == "ok: "* ]] || fail "the tarball does not run"
+unshare -m sh -c 'mount -t proc proc "$0/proc" && mount --bind /dev "$0/dev" && exec chroot "$0" /bin/env -i PATH=/bin \
+    HOME=/root sh -c "cd /root && /opt/floes-*/bin/floes run smoke && /opt/floes-*/bin/floes replay smoke.h5 --worst -o worst.png"' \
+    "$stage/none" >"$stage/log" 2>&1 || fail "without libraries the tarball says: $(tail -20 "$stage/log")"
+h5diff --exclude-path /provenance "$stage/none/root/smoke.h5" "$stage/smoke.h5" || fail "the tarball's members differ"
+[[ -s $stage/none/root/worst.png && -e $(echo "$stage"/none/opt/floes-*/share/doc/floes/licences/libc6) ]] ||
+    fail "the tarball's picture or its licences are missing"
 here dpkg --verify floes || fail "files changed"
 here apt-get -q purge -y floes >"$stage/log" 2>&1 || fail "apt-get purge: $(<"$stage/log")"
 [[ ! -e $stage/root/usr/share/floes ]] || fail "purge leaves files"
-echo "installed in a bare root, ran, same members"
+echo "installed in a bare root, ran there and without any library, same members"
