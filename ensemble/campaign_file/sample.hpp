@@ -33,6 +33,8 @@ class Sample {
     std::size_t case_of(std::size_t member) const { return case_of_.at(member); }
     /// Equal for members that began from the same floes.
     int arrangement_of(std::size_t member) const { return arrangement_of_.at(member); }
+    /// The number of the member's arrangement, as people name it: that of its case.
+    int number_of(std::size_t member) const { return static_cast<int>(member / cases()); }
 
     /// For each of the members; NaN where it was not measured.
     std::vector<double> values(const Members& members, const Quantity& quantity) const;

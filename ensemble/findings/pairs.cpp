@@ -59,7 +59,7 @@ PairRow compare(const Sample& sample, const SharedMembers& pair, const Quantity&
         if (std::isnan(before) || std::isnan(after)) continue;  // an older version did not measure it
         first.push_back(before);
         second.push_back(after);
-        arrangements.push_back(sample.arrangement_of(member));
+        arrangements.push_back(sample.number_of(member));
     }
     PairRow row{.quantity = quantity, .first = pair.first, .second = pair.second};
     row.found = compare_paired(first, second);

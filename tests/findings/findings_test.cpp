@@ -102,6 +102,17 @@ TEST(Pairs, SayWhichAreLeftOut) {
     EXPECT_EQ(left_out_text(whole.summary, compare_pairs(whole)), "");
 }
 
+// E200 has a field of its own, so E30 and E60 share every second row of /arrangements; people know arrangements by
+// number.
+TEST(Pairs, NameArrangementsThatStandApartByTheirNumber) {
+    CampaignTable table = evidence().table;
+    for (MemberRow& row : table.members) row.arrangement = 2 * row.arrangement + (row.case_index == 2 ? 1 : 0);
+    table.members[3 * 7 + 1].load.mean = 300;
+    const std::vector<PairRow> rows = compare_pairs(evidence_of({}, std::move(table)));
+    ASSERT_FALSE(rows.empty());
+    EXPECT_THAT(rows.front().apart, testing::ElementsAre(7));
+}
+
 TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {
     const CaseExtremes soft = find_extremes(evidence().table).front();
     EXPECT_EQ(soft.maxima, 36u);
