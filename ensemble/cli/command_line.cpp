@@ -289,4 +289,24 @@ void add_window(OptionList& verb, std::string& window) {
         .shows_default();
 }
 
+Option add_exposure(OptionList& verb, double& hours) {
+    return verb.option("--exposure-h", hours, "Exposure, h at full scale").within(1e-3, 1e6).shows_default();
+}
+
+Option add_quantiles(OptionList& verb, std::vector<double>& quantiles) {
+    return verb
+        .option("--quantile", quantiles, "Probabilities that the load is not exceeded in the exposure, comma-separated")
+        .comma_separated()
+        .within(0.001, 0.99999)
+        .shows_default();
+}
+
+Option add_averaging(OptionList& verb, double& seconds) {
+    return verb
+        .option("--averaging-s", seconds,
+                "Time that the load is averaged over, s at full scale: one of the campaign's analysis.averaging_s")
+        .positive()
+        .shows_default();
+}
+
 }  // namespace floes

@@ -107,6 +107,12 @@ void add_format(OptionList& verb, std::string& format);
 /// The option --window of a verb that measures loads: "given" or "auto".
 void add_window(OptionList& verb, std::string& window);
 
+/// The options of a verb that extrapolates to an exposure: its length, h, and the probabilities of not being exceeded.
+Option add_exposure(OptionList& verb, double& hours);
+Option add_quantiles(OptionList& verb, std::vector<double>& quantiles);
+/// And the time, s, that its loads are averaged over.
+Option add_averaging(OptionList& verb, double& seconds);
+
 class CommandLine {
   public:
     explicit CommandLine(const std::string& description = {});

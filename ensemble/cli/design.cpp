@@ -101,11 +101,12 @@ void write_year(const YearOptions& options, const std::vector<Section>& sections
 
 void tell_year(const YearOptions& options) {
     const bool known = options.output.empty() || options.output.ends_with(".html") ||
-                       options.output.ends_with(".svg") || options.output.ends_with(".xlsx");
+                       options.output.ends_with(".pdf") || options.output.ends_with(".svg") ||
+                       options.output.ends_with(".xlsx");
     if (!known)
         throw InputError(
-            fmt::format("{} would be a page, a picture or a workbook: give a name that ends with .html, .svg "
-                        "or .xlsx.",
+            fmt::format("{} would be a page, a picture or a workbook: give a name that ends with .html, .pdf, "
+                        ".svg or .xlsx.",
                         options.output));
     const bool table = options.regimes.ends_with(".csv");
     const std::string text = read_text(options.regimes);
@@ -332,9 +333,10 @@ int answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
     request.of = *std::ranges::find(design_ofs, options.of, &DesignOf::word);
-    if (!options.output.empty() && !options.output.ends_with(".html") && !options.output.ends_with(".xlsx"))
+    if (!options.output.empty() && !options.output.ends_with(".html") && !options.output.ends_with(".pdf") &&
+        !options.output.ends_with(".xlsx"))
         throw InputError(
-            fmt::format("{} would be a page or a workbook: give a name that ends with .html or .xlsx; the "
+            fmt::format("{} would be a page or a workbook: give a name that ends with .html, .pdf or .xlsx; the "
                         "curve (.svg) is of a year, with --regimes.",
                         options.output));
     expect_campaign_file(options.file);
@@ -391,15 +393,9 @@ void add_design(CommandLine& line) {
     auto options = std::make_shared<DesignOptions>();
     Verb verb = line.verb("design", "Design load: the largest load in an exposure, or in a year, with its uncertainty");
     verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
-    Option exposure = verb.option("--exposure-h", options->exposure_h, "Exposure, h at full scale");
-    exposure.within(1e-3, 1e6).shows_default();
-    Option quantile = verb.option("--quantile", options->request.quantiles,
-                                  "Probabilities that the load is not exceeded in the exposure, comma-separated");
-    quantile.comma_separated().within(0.001, 0.99999).shows_default();
-    verb.option("--averaging-s", options->request.averaging,
-                "Time that the load is averaged over, s at full scale: one of the campaign's analysis.averaging_s")
-        .positive()
-        .shows_default();
+    Option exposure = add_exposure(verb, options->exposure_h);
+    Option quantile = add_quantiles(verb, options->request.quantiles);
+    add_averaging(verb, options->request.averaging);
     verb.option("--scale", options->request.scale,
                 "Length at full scale over length in the campaign: loads grow with its cube, times with its square "
                 "root (Froude)")
@@ -417,7 +413,7 @@ void add_design(CommandLine& line) {
     add_year(verb, options->year, exposure, quantile, mooring, of);
     add_window(verb, options->window);
     verb.option("-o,--output", options->output,
-                "Write a page (.html) or a workbook (.xlsx) too; of a year also the exceedance curve (.svg)");
+                "Write a page (.html, .pdf) or a workbook (.xlsx) too; of a year also the exceedance curve (.svg)");
     add_format(verb, options->format);
     verb.footer(
         "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"

@@ -1,14 +1,22 @@
 #include "cli/files.hpp"
 
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.hpp"
 #include "core/shell_word.hpp"
@@ -97,22 +105,86 @@ void expect_no_other_file(const fs::path& path) {
                                  other.string()));
 }
 
-void write_page(const std::filesystem::path& path, const std::string& page) {
-    const std::filesystem::path target = target_of(path);
-    const std::filesystem::path aside = target.string() + ".tmp";
-    const auto refuse = [&](const std::string& reason) {
+namespace {
+
+/// Takes the file away that it names, unless it was renamed.
+class AsideFile {
+  public:
+    explicit AsideFile(fs::path path) : path_(std::move(path)) {}
+    AsideFile(const AsideFile&) = delete;
+    AsideFile& operator=(const AsideFile&) = delete;
+    ~AsideFile() {
         std::error_code ignored;
-        std::filesystem::remove(aside, ignored);
-        throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
-                                   path.string(), reason));
-    };
-    std::ofstream file(aside, std::ios::binary);
+        fs::remove(path_, ignored);
+    }
+    const fs::path& path() const { return path_; }
+
+  private:
+    fs::path path_;
+};
+
+[[noreturn]] void refuse_page(const fs::path& path, const std::string& reason) {
+    throw RunError(
+        fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?", path.string(), reason));
+}
+
+/// The exit status of a program with these words, which says nothing here; none where there is no such program.
+std::optional<int> status_of(std::vector<std::string> words) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        ::posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+    pid_t process = -1;
+    const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) return std::nullopt;
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// Prints the page in the file `from` to the file `to`. Our pages have no scripts and load nothing, so the browser
+/// needs no sandbox, which it would not get as root or in a container.
+void print_page(const fs::path& from, const fs::path& to, const fs::path& named) {
+    std::vector<std::string> browsers{"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
+                                      "microsoft-edge"};
+    if (const char* given = std::getenv("FLOES_BROWSER"); given != nullptr && *given != '\0') browsers = {given};
+    for (const std::string& browser : browsers) {
+        const std::optional<int> status =
+            status_of({browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
+                       "--print-to-pdf-no-header", "--print-to-pdf=" + fs::absolute(to).string(),
+                       "file://" + fs::absolute(from).string()});
+        if (!status) continue;
+        if (*status != 0 || !first_bytes(to).starts_with("%PDF"))
+            throw RunError(fmt::format("{} could not print {} (exit status {}); write {} and print it from a browser.",
+                                       browser, named.string(), *status,
+                                       fs::path(named).replace_extension(".html").string()));
+        return;
+    }
+    throw InputError(fmt::format(
+        "{} would be printed by a browser, and {} cannot be started. Install one of Chromium's kind, name it with "
+        "FLOES_BROWSER, or write {} and print it yourself.",
+        named.string(), fmt::join(browsers, ", "), fs::path(named).replace_extension(".html").string()));
+}
+
+}  // namespace
+
+void write_page(const fs::path& path, const std::string& page) {
+    const fs::path target = target_of(path);
+    const bool printed = target.extension() == ".pdf";
+    const AsideFile aside(target.string() + (printed ? ".tmp.html" : ".tmp"));
+    std::ofstream file(aside.path(), std::ios::binary);
     file << page;
     file.close();
-    if (!file) refuse(std::strerror(errno));
+    if (!file) refuse_page(path, std::strerror(errno));
+    const AsideFile print(target.string() + ".tmp.pdf");
+    if (printed) print_page(aside.path(), print.path(), path);
     std::error_code error;
-    std::filesystem::rename(aside, target, error);
-    if (error) refuse(error.message());
+    fs::rename(printed ? print.path() : aside.path(), target, error);
+    if (error) refuse_page(path, error.message());
 }
 
 std::string typed_program(const std::string& program) {

@@ -20,8 +20,9 @@ void expect_no_other_file(const std::filesystem::path& path);
 
 // Writes a page that a browser may be reading at the same time.
 
-/// Writes a temporary file and renames it, so that a reader finds either the old page or the new one. Throws RunError
-/// if the file cannot be written.
+/// Writes a temporary file and renames it, so that a reader finds either the old page or the new one. A path that ends
+/// with .pdf gets the page as a browser of this machine prints it (FLOES_BROWSER names one). Throws RunError if the
+/// file cannot be written, InputError where there is no browser.
 void write_page(const std::filesystem::path& path, const std::string& page);
 
 // Commands that people copy into a shell.

@@ -202,8 +202,8 @@ void add_match(CommandLine& line) {
         .within(1.0, 1000.0)
         .shows_default()
         .needs(exposure);
-    verb.option("-o,--output", options->page, "Write a page with figures to this HTML file")
-        .file_ending({".html", ".htm"});
+    verb.option("-o,--output", options->page, "Write a page with figures (.html, .pdf)")
+        .file_ending({".html", ".htm", ".pdf"});
     add_format(verb, options->format);
     verb.footer(
         "Emulators predict each target over the design's axes. A point is ruled out when a target is more than three\n"

@@ -14,6 +14,7 @@
 #include "cli/files.hpp"
 #include "cli/terminal.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 #include "draw/picture.hpp"
 #include "page/page.hpp"
 #include "replay/replay_member.hpp"
@@ -93,12 +94,19 @@ struct ReportOptions {
     std::string output;
     bool skip_plate_tests = false;
     std::string pictures = "worst";
+    double exposure_h = 3;
+    DesignLoadRequest design;
+    bool asks_design = false;
 };
 
 void report(const ReportOptions& options) {
     const std::filesystem::path file = options.file;
     const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
     ReportData data{read_evidence(file), {}, ""};
+    if (options.asks_design) {
+        data.evidence.design_request = options.design;
+        data.evidence.design_request->exposure = options.exposure_h * unit::hour;
+    }
     const Scenario& first = data.evidence.campaign.cases.front().scenario;
     const bool follows_cfm = first.joint.model == JointModel::cfm;  // else there is no curve: E is what it says
     if (!options.skip_plate_tests && follows_cfm) data.evidence.plate_tests = measure_curve(curve_plans(first));
@@ -112,10 +120,15 @@ void report(const ReportOptions& options) {
 
 void add_report(CommandLine& line) {
     auto options = std::make_shared<ReportOptions>();
-    Verb verb = line.verb("report", "Write one self-contained HTML page with the tables and figures of a campaign");
+    Verb verb = line.verb("report", "Write one self-contained page with the tables and figures of a campaign");
     verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
-    verb.option("-o,--output", options->output, "The page; default: CAMPAIGN.html in this folder")
-        .file_ending({".html", ".htm"});
+    verb.option("-o,--output", options->output,
+                "The page; default: CAMPAIGN.html in this folder. With the ending .pdf a browser of Chromium's kind "
+                "prints it")
+        .file_ending({".html", ".htm", ".pdf"});
+    const Option exposure = add_exposure(verb, options->exposure_h);
+    const Option quantile = add_quantiles(verb, options->design.quantiles);
+    const Option averaging = add_averaging(verb, options->design.averaging);
     verb.flag("--no-plate-tests", options->skip_plate_tests,
               "Omit the E-Σ curve of this ice, whose plate tests take some seconds");
     verb.option("--pictures", options->pictures,
@@ -123,7 +136,8 @@ void add_report(CommandLine& line) {
                 "of the campaign; all, that of each case; none")
         .one_of({"none", "worst", "all"})
         .shows_default();
-    verb.runs([options] {
+    verb.runs([options, exposure, quantile, averaging] {
+        options->asks_design = exposure.given() || quantile.given() || averaging.given();
         report(*options);
         return 0;
     });

@@ -67,10 +67,11 @@ const Sensitivity& sensitivity_of(Evidence& evidence) {
 
 const DesignLoads& designs_of(Evidence& evidence) {
     if (evidence.designs) return *evidence.designs;
-    DesignLoads& designs = evidence.designs.emplace();
+    DesignLoads& designs = evidence.designs.emplace(evidence.design_request.value_or(DesignLoadRequest{}));
     const std::vector<double>& times = evidence.table.averaging_times;
     if (times.empty()) return designs;
-    if (std::ranges::find(times, designs.asked.averaging) == times.end()) designs.asked.averaging = times.back();
+    if (!evidence.design_request && std::ranges::find(times, designs.asked.averaging) == times.end())
+        designs.asked.averaging = times.back();
     designs.of_cases = find_design_loads(evidence.table, designs.asked);
     return designs;
 }

@@ -42,7 +42,8 @@ struct Evidence {
     std::optional<DesignLoads> designs = {};
     std::optional<std::vector<BreakRow>> breaks = {};
     std::optional<std::vector<PieceRow>> pieces = {};
-    Reference reference;                       ///< case that the others are compared with
+    Reference reference;                                   ///< case that the others are compared with
+    std::optional<DesignLoadRequest> design_request = {};  ///< none: by default
     double resolve = 0.1;                      ///< difference that pairs are to resolve, of the first case's mean
     double scale = 1;                          ///< length at full scale / length in the campaign
     std::optional<MooredRequest> moored = {};  ///< hull that the loads move; none: nobody asks
@@ -59,7 +60,8 @@ Evidence evidence_of(Campaign campaign, CampaignTable table);
 
 const std::vector<CaseExtremes>& extremes_of(Evidence& evidence);
 const Sensitivity& sensitivity_of(Evidence& evidence);
-/// As `floes design` has them by default; over the longest averaging time where the members did not take 1 s.
+/// As requested, else as `floes design` has them by default, over the longest averaging time where the members did not
+/// take 1 s. Throws InputError if the members did not take the averaging time that is requested.
 const DesignLoads& designs_of(Evidence& evidence);
 /// All joints that failed; none where the file keeps none.
 const std::vector<BreakRow>& breaks_of(Evidence& evidence);

@@ -369,7 +369,8 @@ namespace {
 
 /// Without what is for programs.
 Section for_people(const Evidence& evidence, const DesignOf& of) try {
-    const DesignLoadRequest request{.of = of};
+    DesignLoadRequest request = evidence.design_request.value_or(DesignLoadRequest{});
+    request.of = of;
     const std::vector<CaseDesignLoad> designs = find_simulated_designs(evidence, request);
     if (std::ranges::none_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); }))
         return {.missing =

@@ -16,9 +16,9 @@ constexpr std::size_t most_figures = 12;  // figures
 /// What is drawn of a case: floes by area.
 std::vector<FloeShape> drawn_floes(const Campaign& campaign, std::size_t of_case) {
     const Scenario& scenario = campaign.cases[of_case].scenario;
-    if (!sizes_may_differ(scenario) && !scenario.shapes.any()) return {scenario.floe};
     std::vector<FloeShape> shapes =
         floes_of(scenario, {arrangement_seed(campaign, static_cast<int>(of_case)), 0}).shapes;
+    if (!sizes_may_differ(scenario) && !scenario.shapes.any()) return {shapes.front()};
     for (FloeShape& shape : shapes) shape.thickness = scenario.floe.thickness;  // not seen from above
     std::ranges::stable_sort(shapes, {}, &FloeShape::area);
     std::vector<FloeShape> drawn;
@@ -93,8 +93,9 @@ std::vector<Figure> single_floes(Evidence& evidence) {
     const std::vector<FloeShape>& first = groups.front().first;
     const bool one_floe = groups.size() == 1 && first.size() == 1;
     figures.back().caption =
-        one_floe ? fmt::format("A floe of {:g} m × {:g} m: elements of {:g} m; dots are breakable joints.",
-                               first.front().length, first.front().breadth, first.front().element)
+        one_floe ? fmt::format("A floe of {:g} m × {:g} m in {} of {:g} m; dots are breakable joints.",
+                               first.front().length, first.front().breadth,
+                               first.front().cut().squares ? "elements" : "cells", first.front().element)
                  : "Floes and their elements; where floes differ, the smallest, the middle one by area and the largest "
                    "of the first arrangement. Dots are breakable joints.";
     return figures;

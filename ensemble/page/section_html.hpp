@@ -57,6 +57,7 @@ table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-num
 th:first-child,td:first-child{text-align:left}td small{color:var(--soft)}td{white-space:nowrap}td.words{white-space:normal;text-align:left}
 pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{font-size:.9em}
 @media(max-width:600px){figure{overflow-x:auto}figure>svg{max-width:none;min-width:560px}}
+@page{size:A4;margin:14mm}
 @media print{html{font-size:11px}body{font-size:1rem;margin:0;max-width:none}:root{--ink:#000;--ground:#fff}
 p,ul,h1,h2,h3,figcaption{max-width:none}h1,h2,h3,summary{break-after:avoid}figure,tr,.panels svg{break-inside:avoid}p,li{orphans:3;widows:3}
 h2{margin-top:1.2rem}figure{margin:.5rem 0}figure img{max-height:8cm;width:auto}figure svg{max-width:13cm}.panels svg{max-width:6cm}

@@ -66,7 +66,7 @@ TEST_F(DesignYear, IsAlsoAPageAPictureAndAWorkbook) {
     EXPECT_THAT(got("y.svg"), testing::StartsWith("<svg xmlns="));
     EXPECT_THAT(got("y.svg"), testing::Not(HasSubstr("var(")));  // Word and librsvg know no names of colours
     EXPECT_THAT(got("y.xlsx"), testing::StartsWith("PK"));
-    EXPECT_THAT(refusal([&] { year("year.toml", "-o y.pdf"); }), HasSubstr("ends with .html, .svg or .xlsx"));
+    EXPECT_THAT(refusal([&] { year("year.toml", "-o y.docx"); }), HasSubstr("ends with .html, .pdf, .svg or .xlsx"));
 }
 
 TEST_F(DesignYear, NamesTheCommandThatHelps) {

@@ -1,8 +1,13 @@
 // floes report, from a campaign file on the disk to a page.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "campaign_file/publish.hpp"
@@ -106,6 +111,58 @@ TEST_F(Report, SaysWhatItCannotReadOrWrite) {
     std::filesystem::create_directories(page_ / "with something in it");
     EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + page_.string()), RunError);
     EXPECT_FALSE(std::filesystem::exists(page_.string() + ".tmp"));
+}
+
+TEST_F(Report, ExtrapolatesToTheExposureThatIsAskedFor) {
+    const Campaign campaign = synthetic::campaign();
+    const std::vector<Session> sessions{synthetic::session()};
+    publish(file_, campaign, synthetic::records(campaign), sessions);
+    const std::string time = fmt::format("{:g}", campaign.cases.front().scenario.analysis.averaging.back());
+    run(file_.string() + " --pictures none --exposure-h 7 --averaging-s " + time + " -o " + page_.string());
+    EXPECT_THAT(file_text(page_), HasSubstr("the largest load averaged over " + time + " s in 7 h"));
+    EXPECT_THROW(run(file_.string() + " --pictures none --averaging-s 0.321 -o " + page_.string()), InputError);
+}
+
+/// A program that stands for a browser: it writes the file that it is asked for, or nothing.
+class PrintedReport : public Report {
+  protected:
+    void browser(const std::string& does) {
+        const std::filesystem::path program = folder_ / "browser";
+        std::ofstream(program) << "#!/bin/sh\n" << does << "\n";
+        std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+        setenv("FLOES_BROWSER", program.c_str(), 1);
+    }
+    void SetUp() override {
+        const Campaign campaign = synthetic::campaign();
+        const std::vector<Session> sessions{synthetic::session()};
+        publish(file_, campaign, synthetic::records(campaign), sessions);
+        page_ = folder_ / "page.pdf";
+    }
+    void TearDown() override { unsetenv("FLOES_BROWSER"); }
+    std::size_t files() const {
+        return static_cast<std::size_t>(std::ranges::distance(std::filesystem::directory_iterator(folder_ / ".")));
+    }
+};
+
+TEST_F(PrintedReport, IsWhatTheBrowserPrints) {
+    browser(
+        "for word; do case $word in --print-to-pdf=*) (echo %PDF-1.4; cat \"${word#*=}\") 2>/dev/null "
+        ">\"${word#*=}\";; esac; done");
+    const std::size_t before = files();
+    run(file_.string() + " --pictures none -o " + page_.string());
+    EXPECT_THAT(file_text(page_), testing::StartsWith("%PDF"));
+    EXPECT_EQ(files(), before + 1);
+}
+
+TEST_F(PrintedReport, SaysWhichBrowserFailed) {
+    browser("exit 3");
+    const std::size_t before = files();
+    EXPECT_THAT([&] { run(file_.string() + " --pictures none -o " + page_.string()); },
+                testing::ThrowsMessage<RunError>(HasSubstr("could not print " + page_.string() + " (exit status 3)")));
+    setenv("FLOES_BROWSER", (folder_ / "none").c_str(), 1);
+    EXPECT_THAT([&] { run(file_.string() + " --pictures none -o " + page_.string()); },
+                testing::ThrowsMessage<InputError>(HasSubstr("name it with FLOES_BROWSER")));
+    EXPECT_EQ(files(), before);
 }
 
 }  // namespace report_test

@@ -54,7 +54,7 @@ TEST(UnknownOptions, AreAnsweredWithTheNearest) {
 
 // What an ending promises is written, or refused before anything is read.
 TEST(OutputFiles, AreWhatTheirNamesSay) {
-    for (const auto& words : {std::vector<std::string>{"report", "a.h5", "-o", "a.pdf"},
+    for (const auto& words : {std::vector<std::string>{"report", "a.h5", "-o", "a.docx"},
                               std::vector<std::string>{"status", "a.h5", "--html", "a.txt"},
                               std::vector<std::string>{"summarize", "a.h5", "-o", "a.docx"}}) {
         const CommandLineEnd end = end_of(words);

@@ -83,6 +83,9 @@ def main(floes, config):
                        stdout=subprocess.DEVNULL)
         subprocess.run([floes, "report", campaign, "-o", folder / "report.html"], check=True)
         subprocess.run([floes, "status", campaign, "--html", folder / "status.html"], check=True)
+        subprocess.run([floes, "report", campaign, "--pictures", "none", "-o", folder / "report.pdf"], check=True)
+        if not (folder / "report.pdf").read_bytes().startswith(b"%PDF"):
+            sys.exit("the report is not printed")
         looked_at(folder / "status.html")
         figures = looked_at(folder / "report.html")
     if len(figures) < 12:
