@@ -122,7 +122,7 @@ void check_kind(hid_t file, const FileKind& kind, const std::filesystem::path& p
                         path.string(), version.empty() ? 0 : version[0], kind.version[0]));
     if (version[1] < kind.oldest_minor)
         throw InputError(
-            fmt::format("{} has layout {}.{}, of a floes before 2.0, which this program does not read any more; floes "
+            fmt::format("{} has layout {}.{}, of floes 2.0.0 or before, which this program does not read any more; floes "
                         "2.0.0 does.",
                         path.string(), version[0], version[1]));
 }

@@ -303,11 +303,12 @@ void add_sizes(Keys& keys, Sizes& sizes) {
     const auto lognormal = only_for("sizes.law = \"lognormal\"", law_is(SizeLaw::lognormal));
     const auto mixed =
         only_for("a sizes.law other than \"one\"", law_is(SizeLaw::list, SizeLaw::lognormal, SizeLaw::power_law));
-    keys.push_back(late_key(
-        word_key("sizes.law", sizes.law, {"one", "list", "lognormal", "power_law"}, "the paper: one size",
-                 "Sizes of the floes, docs/sea_ice.md. one: all as [floe] says. list: those of list_m in their shares. "
-                 "lognormal and power_law: spread evenly over the law, from smallest_m to largest_m, so that every "
-                 "arrangement has the same floes and covers the same area. Sides are rounded to whole elements.")));
+    keys.push_back(late_key(word_key(
+        "sizes.law", sizes.law, {"one", "list", "lognormal", "power_law"}, "the paper: one size",
+        "Sizes of the floes, docs/sea_ice.md. one: all as [floe] says. list: those of list_m in their shares. "
+        "lognormal and power_law: spread evenly over the law, from smallest_m to largest_m, so that every "
+        "arrangement has the same floes and covers the same area. Squares (floe.elements) round sides to whole "
+        "elements.")));
     keys.push_back(mixed(word_key("sizes.by", sizes.by, {"number", "area"}, "as densities of floes are published",
                                   "What the shares, or the density, of the law are of: the number of floes, or the "
                                   "area that floes of a size cover.")));
