@@ -75,10 +75,13 @@ class Grain(unittest.TestCase):
             for case in ("step_0.01", "step_0.005"):
                 self.assert_alike(f"{case}: {quantity}", paired(cells[quantity], cone.values[case][quantity]),
                                   cells[quantity].mean(), 0.03)
-        # What the page says of shorter steps: more floes break, most of it by the first half.
+        # Broken floes may grow by the few of 100 that the page states, with the step as it is and a quarter of it.
         broken = {case: cone.values[case]["broken"] for case in ("cells", "step_0.01", "step_0.005")}
-        self.assertGreater(broken["step_0.01"].mean(), broken["cells"].mean())
-        self.assert_alike("steps: broken", paired(broken["step_0.01"], broken["step_0.005"]), broken["cells"].mean(), 0.03)
+        for case in ("step_0.01", "step_0.005"):
+            difference, half = paired(broken["cells"], broken[case])
+            with self.subTest(f"{case}: broken"):
+                self.assertLess(abs(difference), 0.07)  # 24 arrangements have 0.036; at 0.2 m/s 0.08 without averaging_s
+                self.assertLess(half, 0.05)
 
     def test_on_a_wall(self):
         # Jams scatter: fewer arrangements would see nothing.
