@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "campaign/identity.hpp"
 #include "campaign_file/campaign_file.hpp"
 #include "campaign_file/content.hpp"
@@ -73,10 +75,13 @@ void publish(const std::filesystem::path& path, const Campaign& campaign, const 
     try {
         write_file(aside, content, sessions, calibrations);
         sync_data(open_file(aside, O_RDWR), aside);
-    } catch (const RunError&) {
+    } catch (const RunError& error) {
         std::error_code ignored;
         std::filesystem::remove(aside, ignored);  // on a full disk the journal needs the room
-        throw;
+        throw RunError(
+            fmt::format("{} cannot be written: {}. Every member that is done lies in the journal beside it; make "
+                        "room, and the same command with --resume, or the same merge, writes the file.",
+                        path.string(), error.what()));
     }
     rename_into_place(aside, path);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -59,11 +60,15 @@ std::string find_config(const std::string& name) {
     const bool word = !name.empty() && name.find_first_of("/.") == std::string::npos;
     if (!word || std::filesystem::exists(name)) return name;
     std::error_code unknown;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    if (unknown) return name;
-    const std::filesystem::path installed =
-        (program.parent_path() / FLOES_SHARE_FROM_PROGRAM / "configs" / (name + ".toml")).lexically_normal();
-    return std::filesystem::exists(installed) ? installed.string() : name;
+    std::vector<std::filesystem::path> folders;
+    if (const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown); !unknown)
+        folders.push_back((program.parent_path() / FLOES_SHARE_FROM_PROGRAM).lexically_normal());
+    if (const char* launcher = std::getenv("FLOES_LAUNCHER"))  // of a clone
+        folders.push_back(std::filesystem::path(launcher).parent_path());
+    for (const std::filesystem::path& folder : folders)
+        if (const auto known = folder / "configs" / (name + ".toml"); std::filesystem::exists(known, unknown))
+            return known.string();
+    return name;
 }
 
 Campaign load_campaign(const std::string& name, const std::vector<std::string>& overrides) {

@@ -56,6 +56,8 @@ std::string what_it_is(const fs::path& path, GivenFile kind) {
             return missing(path);
         case GivenFile::folder:
             return fmt::format("{} is a folder; give a campaign file in it, the .h5 that floes run wrote.", name);
+        case GivenFile::unreadable:
+            return fmt::format("{} may not be read by you; its owner has to permit it (chmod).", name);
         case GivenFile::journal:
             return fmt::format("{} is the journal of a campaign; give its campaign file, {}.", name, campaign_file);
         case GivenFile::text:
@@ -77,6 +79,7 @@ GivenFile given_file(const fs::path& path) {
     std::error_code unknown;
     if (fs::is_directory(path, unknown)) return GivenFile::folder;
     if (!fs::exists(path, unknown)) return GivenFile::nothing;
+    if (::access(path.c_str(), R_OK) != 0) return GivenFile::unreadable;
     const std::string bytes = first_bytes(path);
     if (bytes.starts_with(hdf5_signature)) return GivenFile::hdf5;
     if (bytes.starts_with(journal_format::magic)) return GivenFile::journal;

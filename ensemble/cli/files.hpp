@@ -6,7 +6,7 @@
 
 namespace floes {
 
-enum class GivenFile { nothing, folder, hdf5, journal, text, other };
+enum class GivenFile { nothing, folder, unreadable, hdf5, journal, text, other };
 
 /// Judged by the first bytes.
 GivenFile given_file(const std::filesystem::path& path);

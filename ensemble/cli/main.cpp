@@ -1,10 +1,14 @@
 // floes: the program. Each verb has its own file and verbs.cpp lists them; this one only dispatches.
 
 #include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <span>
 #include <string_view>
@@ -32,6 +36,19 @@ int end(const floes::CommandLineEnd& said) {
     return said.status();
 }
 
+/// `status`, or 1 with a sentence where the output is not whole: a full disk, a quota. A reader that went away, as head
+/// does, has read what it wanted.
+int with_output_written(int status) {
+    errno = 0;
+    const bool whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+    struct stat output {};
+    if (whole || (::fstat(STDOUT_FILENO, &output) == 0 && (S_ISFIFO(output.st_mode) || S_ISSOCK(output.st_mode))))
+        return status;
+    std::fprintf(stderr, "floes: standard output could not be written whole (%s); has its disk free space?\n",
+                 errno != 0 ? std::strerror(errno) : "an error before its end");
+    return status == 0 ? 1 : status;
+}
+
 /// Where standard input, output or error is closed, the next file that is opened would be it.
 void fill_standard_streams() {
     for (int stream = 0; stream < 3; ++stream)
@@ -47,9 +64,9 @@ int main(int argc, char** argv) {
     floes::CommandLine line(floes::program_description);
     floes::add_verbs(line, words);
     try {
-        return line.run(words);
+        return with_output_written(line.run(words));
     } catch (const floes::CommandLineEnd& said) {
-        return end(said);
+        return with_output_written(end(said));
     } catch (const floes::InputError& error) {
         std::fprintf(stderr, "floes: %s\n", error.what());
         return 2;

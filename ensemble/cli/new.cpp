@@ -58,7 +58,13 @@ void write_new(const std::filesystem::path& path, const std::string& text) {
     if (file.get() < 0)
         throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", path.string(),
                                      std::strerror(errno)));
-    write_all(file, path, std::as_bytes(std::span(text)));
+    try {
+        write_all(file, path, std::as_bytes(std::span(text)));
+    } catch (const RunError&) {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+        throw;
+    }
 }
 
 int make(const NewOptions& options) {

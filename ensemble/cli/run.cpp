@@ -26,6 +26,7 @@
 #include "run/run_campaign.hpp"
 #include "run/signals.hpp"
 #include "run/worker.hpp"
+#include "store/file_calls.hpp"
 
 namespace floes {
 
@@ -46,15 +47,26 @@ struct RunVerb {
 };
 
 std::filesystem::path output_of(const RunVerb& verb) {
-    if (!verb.output.empty()) return verb.output;
+    if (!verb.output.empty()) return target_of(verb.output);  // a link is the campaign that it leads to
     const std::string name = std::filesystem::path(verb.config).stem().string();
     const std::string part = verb.part.substr(0, verb.part.find('/'));
     return verb.part.empty() ? name + ".h5" : fmt::format("{}.part{}.h5", name, part);
 }
 
-std::string resume_command(const RunVerb& verb, const std::string& program, int ranks) {
+/// "mpirun -n 4 --bind-to none --map-by ppr:1:node ": as many ranks, as many on a node, each with all cores of its
+/// node.
+std::string start_of_ranks(const Link& link) {
+    std::string command = fmt::format("mpirun -n {} ", link.size());
+    if (!library_version().starts_with("Open MPI")) return command;
+    command += "--bind-to none ";
+    const int on_a_node = link.topology().node_ranks;
+    return on_a_node < link.size() ? command + fmt::format("--map-by ppr:{}:node ", on_a_node) : command;
+}
+
+std::string resume_command(const RunVerb& verb, const std::string& program, const Link& link) {
+    const int ranks = link.size();
     const char* launcher = std::getenv("FLOES_LAUNCHER");  // the script that starts the ranks, if any
-    std::string command = ranks > 1 && launcher == nullptr ? fmt::format("mpirun -n {} ", ranks) : "";
+    std::string command = ranks > 1 && launcher == nullptr ? start_of_ranks(link) : "";
     command += fmt::format("{} run ", typed_program(program));
     if (ranks > 1 && launcher != nullptr) command += fmt::format("--ranks {} ", ranks);
     command += fmt::format("{} -o {} --resume", shell_word(verb.config), shell_word(output_of(verb).string()));
@@ -94,7 +106,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
                                   .part = part_of(verb, campaign),
                                   .retry_failed = verb.retry_failed},
                        .threads = verb.threads,
-                       .resume_command = resume_command(verb, program, link.size()),
+                       .resume_command = resume_command(verb, program, link),
                        .walltime = walltime};
     expect_no_other_file(options.places.campaign_file);
     int status = 0;

@@ -163,7 +163,13 @@ FileVerdict judge_journal(const std::filesystem::path& path, const JournalConten
 FileVerdict verify_file(const std::filesystem::path& path) {
     if (first_bytes(path, journal_format::magic.size()) == journal_format::magic) return verify_journal(path);
     FileVerdict verdict = verdict_on(path, "");
-    if (const GivenFile kind = given_file(path); kind == GivenFile::text || kind == GivenFile::other) {
+    const GivenFile kind = given_file(path);
+    if (kind == GivenFile::unreadable) {
+        verdict.state = FileState::not_of_floes;
+        verdict.faults.emplace_back("It may not be read by you; its owner has to permit it (chmod).");
+        return verdict;
+    }
+    if (kind == GivenFile::text || kind == GivenFile::other) {
         verdict.state = FileState::not_of_floes;
         verdict.faults.emplace_back("It is neither a campaign file, nor a recording, nor a journal of floes.");
         return verdict;

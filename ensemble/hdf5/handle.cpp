@@ -25,6 +25,13 @@ herr_t keep_description(unsigned, const H5E_error2_t* error, void* data) {
 std::string last_reason() {
     std::string reason;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_description, &reason);
+    // Where the operating system refused, only its words are for people: "... error message = 'No space left on
+    // device'".
+    constexpr std::string_view words = "error message = '";
+    if (const std::size_t at = reason.find(words); at != std::string::npos) {
+        const std::size_t first = at + words.size();
+        return reason.substr(first, reason.find('\'', first) - first);
+    }
     return reason.empty() ? "no reason given" : reason;
 }
 
@@ -121,10 +128,10 @@ void check_kind(hid_t file, const FileKind& kind, const std::filesystem::path& p
                         "floes that wrote it.",
                         path.string(), version.empty() ? 0 : version[0], kind.version[0]));
     if (version[1] < kind.oldest_minor)
-        throw InputError(
-            fmt::format("{} has layout {}.{}, of floes 2.0.0 or before, which this program does not read any more; floes "
-                        "2.0.0 does.",
-                        path.string(), version[0], version[1]));
+        throw InputError(fmt::format(
+            "{} has layout {}.{}, of floes 2.0.0 or before, which this program does not read any more; floes "
+            "2.0.0 does.",
+            path.string(), version[0], version[1]));
 }
 
 }  // namespace floes::hdf5

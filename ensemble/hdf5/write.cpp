@@ -62,7 +62,11 @@ Scale as_scale(Handle dataset, hsize_t size, const std::string& name) {
 [[noreturn]] void refuse_place(const std::filesystem::path& path) {
     const std::string reason = last_reason();
     const Descriptor tried(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
-    if (tried.get() >= 0) throw RunError(fmt::format("H5Fcreate of {} failed: {}", path.string(), reason));
+    if (tried.get() >= 0) {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+        throw RunError(fmt::format("{} cannot be written ({}); has its disk free space?", path.string(), reason));
+    }
     throw RunError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", path.string(),
                                std::strerror(errno)));
 }

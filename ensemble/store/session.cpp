@@ -117,7 +117,7 @@ Session describe_session(int ranks, int threads, std::span<const Software> other
 
 std::vector<std::string> changed_software(const Session& before, const Session& now) {
     std::vector<std::string> changes;
-    for (const char* name : {"git_revision", "compiler", "compiler_flags", "bullet", "math_library"}) {
+    for (const char* name : {"floes", "git_revision", "compiler", "compiler_flags", "bullet", "math_library"}) {
         const std::string then = version_of(before, name);
         const std::string here = version_of(now, name);
         if (then != here)

@@ -175,6 +175,8 @@ void write_workbook(const std::filesystem::path& path, std::span<const Sheet> sh
                             "has no such limit.",
                             sheet.name, sheet.records.rows.size(), most_rows));
     const auto refuse = [&](std::string_view reason) {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
         throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
                                    path.string(), reason));
     };

@@ -33,3 +33,15 @@ said other "general.iterations"
 [ "$before" = "$(sha256sum campaign.h5 campaign.journal)" ] || fail "a refused run changed the files"
 expect 0 overwritten "$FLOES" run campaign.toml "${SMALL[@]}" --set general.iterations=21 --overwrite
 
+# Output that is not whole is an error; a reader that has read enough is none.
+status=0
+"$FLOES" summarize campaign.h5 --format csv > /dev/full 2> full.log || status=$?
+[ "$status" = 1 ] || fail "summarize on a full disk ends with $status"
+said full "standard output could not be written whole"
+"$FLOES" summarize campaign.h5 --full | head -1 > first_line.txt
+
+# A link to a running campaign's file is that campaign.
+ln -s campaign.h5 link.h5
+expect 2 link "$FLOES" run campaign.toml "${SMALL[@]}" -o link.h5
+said link "campaign.h5"
+[ -L link.h5 ] && [ ! -e link.journal ] || fail "a link is a campaign of its own"

@@ -53,7 +53,8 @@ same whole.h5 again.h5
 "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml -o ranks.h5 > ranks.log 2>&1 &
 wait_for_a_member ranks.journal
 stopped ranks USR1 $!
-said ranks "to resume: mpirun -n 2 $FLOES run campaign.toml -o ranks.h5 --resume"
+said ranks " $FLOES run campaign.toml -o ranks.h5 --resume"
+said ranks "to resume: mpirun -n 2 "
 expect 0 ranks_resumed "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml -o ranks.h5 --resume
 same whole.h5 ranks.h5
 

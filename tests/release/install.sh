@@ -30,6 +30,16 @@ allowed='^\./(bin/floes$|share/(floes|man/man1|doc/floes|bash-completion|zsh|fis
 others=$(find . -type f | grep -vE "$allowed") || true
 [[ -z $others ]] || fail "installed as well: $others"
 
+# The pages lead where they say, as in the clone.
+/usr/bin/python3 -B - "$project/tests/docs" share/doc/floes <<'PYTHON' || fail "links of installed pages lead nowhere"
+import pathlib, sys
+sys.path.insert(0, sys.argv[1])
+import pages_test
+root = pathlib.Path(sys.argv[2]).resolve()
+faults = [fault for page in sorted(root.rglob("*.md")) for fault in pages_test.broken_links(page, root)]
+sys.exit("\n".join(faults) or 0)
+PYTHON
+
 # The moved tree works without the clone: no word of where it was built, no path of libraries in the program.
 readelf -d "$root/bin/floes" | grep -E 'R(UN)?PATH' && fail "the program looks for libraries in a folder of the build"
 grep -rlF "$project" "$root" --include=* | grep -v '/bin/floes$' && fail "installed files name the build's folder"

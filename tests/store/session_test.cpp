@@ -20,14 +20,15 @@ TEST(Session, NamesThePathOfTheMathLibrary) {
 }
 
 TEST(Session, TellsWhatMayChangeTheLastBits) {
-    const Session now =
-        session_with({{"git_revision", "b"}, {"bullet", "3.24"}, {"math_library", "glibc 2.36 with FMA"}});
+    const Session now = session_with(
+        {{"git_revision", "b"}, {"bullet", "3.24"}, {"math_library", "glibc 2.36 with FMA"}, {"floes", "3.1.0"}});
     EXPECT_THAT(changed_software(now, now), IsEmpty());
     Session before = now;
     before.software[0].version = "a";
     before.software[2].version = "glibc 2.36 without FMA";
+    before.software[3].version = "3.0.0";
     EXPECT_THAT(changed_software(before, now),
-                ElementsAre("git_revision: a before, b now",
+                ElementsAre("floes: 3.0.0 before, 3.1.0 now", "git_revision: a before, b now",
                             "math_library: glibc 2.36 without FMA before, glibc 2.36 with FMA now"));
 }
 
