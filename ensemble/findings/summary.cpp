@@ -55,17 +55,22 @@ CaseSummary summarise_case(const CampaignTable& table, const std::vector<Quantit
     for (const MemberRow& member : table.members)
         if (member.case_index == number) count(member, row);
     const std::vector<const MemberRow*> done = done_members(table, static_cast<std::size_t>(number));
+    std::vector<std::vector<double>> columns;
     for (const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
-        std::vector<double> values;
+        std::vector<double>& values = columns.emplace_back();
         for (const MemberRow* member : done) values.push_back(quantity.of(*member));
         std::erase_if(values,
                       [](double value) { return !std::isfinite(value); });  // an older version did not measure it
+    }
+    const std::vector<Limits> resampled = bca_mean_intervals(columns);
+    for (std::size_t k = 0; const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
+        const std::vector<double>& values = columns[k];
         const Apart out = quantity.unit == "N" ? apart(values, Sides::above) : Apart{};
         const Interval plain = quantity.positive ? positive_interval(values) : mean_interval(values);
         // Student's limits can leave the range of the values; those of the bootstrap cannot.
         row.estimates[std::string{quantity.key.view()}] = {
-            clipped(mixed_interval(values, plain, out, Sides::above), quantity.least, quantity.most),
-            bca_mean_interval(values), out.count()};
+            clipped(mixed_interval(values, plain, out, Sides::above), quantity.least, quantity.most), resampled[k++],
+            out.count()};
     }
     return row;
 }

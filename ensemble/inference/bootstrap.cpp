@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -142,19 +143,42 @@ std::vector<double> bca_draws(std::vector<double> resampled, double estimate, st
     return moved;
 }
 
-Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions& options) {
+std::vector<Limits> bca_mean_intervals(std::span<const std::vector<double>> columns, const BootstrapOptions& options) {
     check_confidence(options.confidence);
-    if (values.size() < 3) return no_limits;
-    const auto mean = [values](std::span<const std::uint32_t> rows) {
+    const auto mean = [](std::span<const double> values, std::span<const std::uint32_t> rows) {
         double sum = 0;
         for (const std::uint32_t row : rows) sum += values[row];
         return sum / static_cast<double>(rows.size());
     };
-    // Leaving out row i moves the mean by (x_i - mean) / (n - 1), so the influence needs no n sums.
-    const double accelerated =
-        acceleration_of(values, [middle = mean_of(values)](double value) { return value - middle; });
-    return corrected_limits(bootstrap(values.size(), mean, options), mean(all_rows(values.size())), accelerated,
-                            options.confidence);
+    std::map<std::size_t, std::vector<std::size_t>> alike;  // columns by their number of values
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        if (columns[k].size() >= 3) alike[columns[k].size()].push_back(k);
+    std::vector<Limits> limits(columns.size(), no_limits);
+    for (const auto& [rows, members] : alike) {
+        std::vector<std::vector<double>> resampled(members.size());
+        bootstrap(
+            rows,
+            [&](std::span<const std::uint32_t> drawn) {
+                for (std::size_t k = 0; k < members.size(); ++k)
+                    resampled[k].push_back(mean(columns[members[k]], drawn));
+                return 0.0;
+            },
+            options);
+        for (std::size_t k = 0; k < members.size(); ++k) {
+            const std::vector<double>& values = columns[members[k]];
+            // Leaving out row i moves the mean by (x_i - mean) / (n - 1), so the influence needs no n sums.
+            const double accelerated =
+                acceleration_of(values, [middle = mean_of(values)](double value) { return value - middle; });
+            limits[members[k]] = corrected_limits(std::move(resampled[k]), mean(values, all_rows(rows)), accelerated,
+                                                  options.confidence);
+        }
+    }
+    return limits;
+}
+
+Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions& options) {
+    const std::vector<std::vector<double>> only{{values.begin(), values.end()}};
+    return bca_mean_intervals(only, options).front();
 }
 
 Limits percentile_interval(std::vector<double> values, double confidence) {

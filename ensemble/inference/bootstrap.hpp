@@ -51,6 +51,11 @@ inline constexpr int fewest_for_bca = 20;
 /// The same for the mean of `values`.
 Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions& options = {});
 
+/// The same of each column, to the last bit: columns with equally many values share the rows that are drawn, which cost
+/// most of the time.
+std::vector<Limits> bca_mean_intervals(std::span<const std::vector<double>> columns,
+                                       const BootstrapOptions& options = {});
+
 /// Percentile interval of values in any order; those that are not finite are left out.
 Limits percentile_interval(std::vector<double> values, double confidence = 0.95);
 

@@ -128,6 +128,9 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
     const CampaignStatus& status = snapshot.status;
     Evidence evidence = evidence_of(snapshot.campaign, snapshot.table);
     const bool whole = total_of(status).missing == 0;
+    // A design load takes milliseconds a member, and this page is made again and again, on a login node perhaps.
+    constexpr int most_extrapolated = 200;
+    if (total_of(status).done > most_extrapolated) evidence.designs.emplace();
     const std::string when =
         status.at_work ? fmt::format("As of {}; this page loads itself again every {} s while the run is active.", now,
                                      status_page_seconds)
