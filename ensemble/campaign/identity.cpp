@@ -1,6 +1,7 @@
 #include "campaign/identity.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -104,6 +105,14 @@ std::string fingerprint(const Campaign& campaign) {
 std::string case_fingerprint(const Campaign& campaign, int case_index) {
     const Case& one = campaign.cases[static_cast<std::size_t>(case_index)];
     return digest_hex(fmt::format("seed {}\n{}", arrangement_seed(campaign, case_index), case_text(one)));
+}
+
+bool is_part_of(const Campaign& part, const Campaign& whole) {
+    std::set<std::string> keys;
+    for (int k = 0; k < static_cast<int>(whole.cases.size()); ++k) keys.insert(case_fingerprint(whole, k));
+    for (int k = 0; k < static_cast<int>(part.cases.size()); ++k)
+        if (!keys.contains(case_fingerprint(part, k))) return false;
+    return part.arrangements <= whole.arrangements;
 }
 
 std::vector<std::string> differences(const Campaign& there, const Campaign& here) {

@@ -20,6 +20,9 @@ std::string fingerprint(const Campaign& campaign);
 /// member of it is valid for.
 std::string case_fingerprint(const Campaign& campaign, int case_index);
 
+/// True if every member of `part` is one of `whole`. Names and order of cases do not matter.
+bool is_part_of(const Campaign& part, const Campaign& whole);
+
 /// One line a differing key: "general.iterations: 50 there, 20 here". Empty when equal.
 std::vector<std::string> differences(const Campaign& there, const Campaign& here);
 

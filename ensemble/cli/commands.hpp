@@ -19,6 +19,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command);
 /// With --ranks it starts `command` again under mpirun.
 void add_run(CommandLine& line, std::span<char* const> command);
 void add_new(CommandLine& line);
+void add_array(CommandLine& line);
 void add_merge(CommandLine& line);
 void add_status(CommandLine& line);
 void add_plan(CommandLine& line);

@@ -36,7 +36,8 @@
 namespace floes {
 
 struct YearOptions {
-    std::string file;     ///< the campaign file
+    std::filesystem::path file;  ///< the campaign file
+    std::string words;           ///< as it was given, for commands
     std::string regimes;  ///< TOML, or CSV by its name
     DesignLoadRequest load;
     std::vector<double> per_year{1e-2, 1e-4};
@@ -53,11 +54,11 @@ void tell_year(const YearOptions& options);
 namespace {
 
 /// `asked`: what the answer is of, "--regimes year.toml".
-std::string command_of(const std::string& program, const std::string& file, const std::string& asked,
+std::string command_of(const std::string& program, const std::string& words, const std::string& asked,
                        const DesignLoadRequest& load, bool automatic_window, const std::string& output) {
     std::string command =
         fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}", typed_program(program),
-                    shell_word(file), asked, load.averaging, load.scale, load.share);
+                    words, asked, load.averaging, load.scale, load.share);
     if (load.rising) command += " --rising";
     if (automatic_window) command += " --window auto";
     return command + " -o " + shell_word(output);
@@ -88,7 +89,7 @@ void write_year(const YearOptions& options, const std::vector<Section>& sections
     const Units units = year_units(year, request);
     if (!options.output.ends_with(".svg")) {
         write_output(options.output, "Loads of a year", sections,
-                     command_of(options.program, options.file, "--regimes " + shell_word(options.regimes), options.load,
+                     command_of(options.program, options.words, "--regimes " + shell_word(options.regimes), options.load,
                                 options.automatic_window, options.output),
                      units);
         return;
@@ -272,7 +273,7 @@ void add_contour(CommandLine& line) {
 namespace {
 
 struct DesignOptions {
-    std::string file;
+    std::vector<std::string> files;
     double exposure_h = 3;
     DesignLoadRequest request;
     std::string format = "table";
@@ -339,29 +340,30 @@ int answer(const DesignOptions& options) {
             fmt::format("{} would be a page or a workbook: give a name that ends with .html, .pdf or .xlsx; the "
                         "curve (.svg) is of a year, with --regimes.",
                         options.output));
-    expect_campaign_file(options.file);
-    const Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto");
+    const GivenCampaign given(options.files);
+    const Evidence evidence = read_evidence(CampaignFile(given.path()), options.window == "auto");
     Answer found = sections_of(options, evidence, request);
     std::string& before = found.sections.front().before;
     before = warning_lines(warnings_of(evidence.table, evidence.summary)) + before;
     std::fputs(written(found.sections, options.format, found.units).c_str(), stdout);
     if (!options.output.empty())
         write_output(options.output, "Design values", found.sections,
-                     command_of(options.program, options.file, asked(options), request, options.window == "auto",
+                     command_of(options.program, given.words(), asked(options), request, options.window == "auto",
                                 options.output),
                      found.units);
     return found.given ? 0 : 1;
 }
 
 void answer_of_year(const DesignOptions& options) {
+    const GivenCampaign given(options.files);
     YearOptions year = options.year;
-    year.file = options.file;
+    year.file = given.path();
+    year.words = given.words();
     year.load = options.request;
     year.format = options.format;
     year.automatic_window = options.window == "auto";
     year.program = options.program;
     year.output = options.output;
-    expect_campaign_file(year.file);
     tell_year(year);
 }
 
@@ -392,7 +394,7 @@ std::vector<std::string> words_of() {
 void add_design(CommandLine& line) {
     auto options = std::make_shared<DesignOptions>();
     Verb verb = line.verb("design", "Design load: the largest load in an exposure, or in a year, with its uncertainty");
-    verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
+    verb.option("campaign", options->files, "The campaign file (CAMPAIGN.h5), or the parts of one").required();
     Option exposure = add_exposure(verb, options->exposure_h);
     Option quantile = add_quantiles(verb, options->request.quantiles);
     add_averaging(verb, options->request.averaging);

@@ -18,9 +18,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "core/shell_word.hpp"
 #include "store/file_calls.hpp"
+#include "run/parts.hpp"
 #include "store/journal.hpp"
 
 namespace floes {
@@ -91,6 +93,42 @@ GivenFile given_file(const fs::path& path) {
 void expect_campaign_file(const fs::path& path) {
     const GivenFile kind = given_file(path);
     if (kind != GivenFile::hdf5) throw InputError(what_it_is(path, kind));
+}
+
+GivenCampaign::GivenCampaign(const std::vector<std::string>& files) : path_(files.front()) {
+    for (const std::string& file : files) words_ += (words_.empty() ? "" : " ") + shell_word(file);
+    if (files.size() == 1) {
+        expect_campaign_file(path_);
+        return;
+    }
+    const Parts parts(std::vector<fs::path>(files.begin(), files.end()));
+    tell_parts(parts);
+    std::string folder = (fs::temp_directory_path() / "floes-parts-XXXXXX").string();
+    if (::mkdtemp(folder.data()) == nullptr)
+        throw RunError(fmt::format("no folder can be made in {} to merge the parts in ({}); TMPDIR names another.",
+                                   fs::temp_directory_path().string(), std::strerror(errno)));
+    path_ = fs::path(folder) / (parts.campaign().name + ".h5");
+    merged_ = true;
+    try {
+        publish(path_, parts.campaign(), parts.members(), parts.sessions(), parts.calibrations());
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove_all(path_.parent_path(), ignored);
+        throw;
+    }
+}
+
+GivenCampaign::~GivenCampaign() {
+    std::error_code ignored;
+    if (merged_) fs::remove_all(path_.parent_path(), ignored);
+}
+
+void tell_parts(const Parts& parts) {
+    std::vector<std::string> sentences = parts.remarks();
+    sentences.push_back(parts.missing_parts());
+    sentences.push_back(parts.missing_members());
+    for (const std::string& sentence : sentences)
+        if (!sentence.empty()) fmt::print(stderr, "floes: {}\n", sentence);
 }
 
 void expect_no_other_file(const fs::path& path) {

@@ -16,6 +16,7 @@
 #include "campaign/variations.hpp"
 #include "cli/commands.hpp"
 #include "cli/config.hpp"
+#include "cli/files.hpp"
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
 #include "core/shell_word.hpp"
@@ -24,9 +25,6 @@
 // floes new: the configuration that a first campaign begins with.
 
 namespace floes {
-
-/// A file of ensemble/cli/starters by its name, as it was when the program was built.
-std::optional<std::string_view> starter(std::string_view name);
 
 namespace {
 
@@ -50,7 +48,8 @@ std::string text_of(const NewOptions& options, const std::string& name) {
     return text.replace(text.find(placeholder), placeholder.size(), name);
 }
 
-/// Makes the file; one that exists is never touched.
+}  // namespace
+
 void write_new(const std::filesystem::path& path, const std::string& text) {
     const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (file.get() < 0 && errno == EEXIST)
@@ -66,6 +65,8 @@ void write_new(const std::filesystem::path& path, const std::string& text) {
         throw;
     }
 }
+
+namespace {
 
 int make(const NewOptions& options) {
     const std::filesystem::path path = options.file;

@@ -90,7 +90,7 @@ void add_moments(const std::filesystem::path& file, bool all, ReportData& data) 
 namespace {
 
 struct ReportOptions {
-    std::string file;
+    std::vector<std::string> files;
     std::string output;
     bool skip_plate_tests = false;
     std::string pictures = "worst";
@@ -100,7 +100,8 @@ struct ReportOptions {
 };
 
 void report(const ReportOptions& options) {
-    const std::filesystem::path file = options.file;
+    const GivenCampaign given(options.files);
+    const std::filesystem::path& file = given.path();
     const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
     ReportData data{read_evidence(file), {}, ""};
     if (options.asks_design) {
@@ -121,7 +122,7 @@ void report(const ReportOptions& options) {
 void add_report(CommandLine& line) {
     auto options = std::make_shared<ReportOptions>();
     Verb verb = line.verb("report", "Write one self-contained page with the tables and figures of a campaign");
-    verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
+    verb.option("campaign", options->files, "The campaign file (CAMPAIGN.h5), or the parts of one").required();
     verb.option("-o,--output", options->output,
                 "The page; default: CAMPAIGN.html in this folder. With the ending .pdf a browser of Chromium's kind "
                 "prints it")

@@ -122,7 +122,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
         }
         status = run_campaign(campaign, options, link, compute_member, progress, &helper);
     }
-    if (status != exit_stopped) {
+    if (status != exit_stopped && options.places.part.of == 1) {
         Evidence evidence = read_evidence(options.places.campaign_file);
         std::fputs(written({overview_section(evidence, sensitivity_of(evidence)),
                             next_commands(evidence, typed_program(program))},

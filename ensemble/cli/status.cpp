@@ -54,6 +54,7 @@ std::string status_table(const CampaignStatus& status) {
     std::string text = counts_sentence(status) + "\n";
     if (const std::string work = work_sentence(status); !work.empty()) text += work + "\n";
     if (status.stop) text += stop_sentence(*status.stop) + "\n";
+    for (const std::string& remark : status.remarks) text += remark + "\n";
     std::size_t width = 4;
     for (const CaseStatus& one : status.cases) width = std::max(width, one.name.size());
     text += fmt::format("\n{:<{}}  {:>6}  {:>6}  {:>6}  {:>6}\n", "case", width, "done", "failed", "to do", "total");
@@ -77,6 +78,7 @@ std::string status_json(const CampaignStatus& status) {
                                          {"members_per_second", known(status.rate)},
                                          {"stop", Undefined{}},
                                          {"heartbeat", Undefined{}},
+                                         {"parts", Undefined{}},
                                          {"done", total.done},
                                          {"failed", total.failed},
                                          {"missing", total.missing},
@@ -101,6 +103,13 @@ std::string status_json(const CampaignStatus& status) {
                                            {"process", heartbeat->process},
                                            {"age_s", age_of(*heartbeat)},
                                            {"stale", !status.at_work}}));
+    all.push_back(list("remarks", "sentence", status.remarks,
+                       [](const std::string& one) -> std::vector<Datum> { return {one}; }));
+    if (const auto& parts = status.parts)
+        all.push_back(object("parts", {{"parts", parts->parts},
+                                       {"running", parts->running},
+                                       {"threads", parts->threads},
+                                       {"hosts", parts->hosts}}));
     all.push_back(timed("under_way", status.under_way));
     all.push_back(timed("slowest", status.slowest));
     all.push_back(list("sessions", "started ended outcome host job ranks threads reused computed retried set_aside",
@@ -114,7 +123,7 @@ std::string status_json(const CampaignStatus& status) {
 namespace {
 
 struct StatusOptions {
-    std::string file;
+    std::vector<std::string> files;
     std::string format = "table";
     std::string page;
     bool watch = false;
@@ -127,12 +136,13 @@ constexpr int least_pause_per_look = 10;  // reading a large campaign takes seco
 
 /// Prints the status or writes its page. Returns whether a run is active.
 bool show(const StatusOptions& options) {
+    const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
     if (!options.page.empty()) {
-        const CampaignSnapshot snapshot = read_snapshot(options.file);
-        write_page(options.page, status_page(snapshot, options.file, utc_now()));
+        const CampaignSnapshot snapshot = read_snapshot(files);
+        write_page(options.page, status_page(snapshot, options.files.front(), utc_now()));
         return snapshot.status.at_work;
     }
-    const CampaignStatus status = read_status(options.file);
+    const CampaignStatus status = read_status(files);
     if (options.watch && options.format == "table" && ::isatty(STDOUT_FILENO) == 1) std::fputs(clear_screen, stdout);
     std::fputs((options.format == "json" ? status_json(status) : status_table(status)).c_str(), stdout);
     std::fflush(stdout);
@@ -154,7 +164,8 @@ void watch(const StatusOptions& options) {
 void add_status(CommandLine& line) {
     auto options = std::make_shared<StatusOptions>();
     Verb verb = line.verb("status", "Show the members done, failed and still to do, also during a run");
-    verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5); its journal is read from the same folder")
+    verb.option("campaign", options->files,
+                "The campaign file (CAMPAIGN.h5), or the parts of one; journals are read from the same folder")
         .required();
     Option format = verb.option("--format", options->format, "table or json");
     format.one_of({"table", "json"}).shows_default();

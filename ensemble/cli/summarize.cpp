@@ -127,7 +127,7 @@ std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::st
 namespace {
 
 struct SummarizeOptions {
-    std::string file;
+    std::vector<std::string> files;
     std::string format = "table";
     std::string output;
     bool long_lines = false;
@@ -171,7 +171,7 @@ std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
 void write(const SummarizeOptions& options, Evidence& evidence, const std::string& program) {
     if (options.format != "xlsx") {
         std::vector<Section> sections = find(options, evidence);
-        if (options.format == "table" && !options.full && options.parts.empty())
+        if (options.format == "table" && !options.full && options.parts.empty() && options.files.size() == 1)
             sections.push_back(next_commands(evidence, typed_program(program)));
         const std::string text = written(sections, options.format, evidence.units);
         if (options.output.empty()) {
@@ -205,8 +205,8 @@ int answer(SummarizeOptions options, const std::string& program) {
         throw InputError(
             "--scale is for pressures on parts (--parts hull) and for a moored hull (--mooring-kN-m); other findings "
             "are at the scale of the campaign.");
-    expect_campaign_file(options.file);
-    Evidence evidence = read_evidence(CampaignFile(options.file), options.window == "auto", options.reference);
+    const GivenCampaign given(options.files);
+    Evidence evidence = read_evidence(CampaignFile(given.path()), options.window == "auto", options.reference);
     evidence.scale = options.scale;
     if (hull) evidence.moored = MooredRequest{*hull, options.scale};
     evidence.resolve = options.resolve_percent * unit::percent;
@@ -227,7 +227,7 @@ std::vector<std::string> part_names() {
 void add_summarize(CommandLine& line) {
     auto options = std::make_shared<SummarizeOptions>();
     Verb verb = line.verb("summarize", "Statistics of a campaign: one screen, or all of them");
-    verb.option("campaign", options->file, "The campaign file (CAMPAIGN.h5)").required();
+    verb.option("campaign", options->files, "The campaign file (CAMPAIGN.h5), or the parts of one").required();
     verb.flag("--full", options->full,
               "All statistics: cases with every interval, pairs, extremes; of a design its axes");
     verb.option("--format", options->format,

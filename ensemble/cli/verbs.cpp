@@ -7,6 +7,7 @@ namespace floes {
 void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_new(line);
     add_run(line, command);
+    add_array(line);
     add_merge(line);
     add_status(line);
     add_plan(line);

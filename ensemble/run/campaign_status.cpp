@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "core/units.hpp"
 #include "inference/precision_stop.hpp"
 #include "run/inventory.hpp"
+#include "run/parts.hpp"
 #include "run/progress.hpp"
 #include "store/journal.hpp"
 
@@ -20,9 +22,24 @@ namespace floes {
 
 namespace {
 
+constexpr std::size_t most_under_way = 20;
+
 /// With a stop rule the run may end sooner.
 std::string left_text(const CampaignStatus& status) {
     return fmt::format(", {} {} left", status.stop ? "at most" : "about", duration_text(*status.seconds_left));
+}
+
+/// Of several parts.
+std::string work_sentence(const CampaignStatus& status, const PartsAtWork& parts) {
+    if (parts.running == 0)
+        return total_of(status).missing > 0
+                   ? fmt::format("None of {} runs; start those again that are not complete, with --resume.",
+                                 counted(parts.parts, "part"))
+                   : fmt::format("No part runs; floes merge makes one file of {}.", counted(parts.parts, "part"));
+    return fmt::format("Running: {} of {}, {} on {}{}{}.", parts.running, counted(parts.parts, "part"),
+                       counted(parts.threads, "thread"), counted(parts.hosts, "host"),
+                       status.rate ? ", " + rate_text(*status.rate) : "",
+                       status.seconds_left ? left_text(status) : "");
 }
 
 }  // namespace
@@ -49,6 +66,7 @@ std::string counts_sentence(const CampaignStatus& status) {
 
 std::string work_sentence(const CampaignStatus& status) {
     const int missing = total_of(status).missing;
+    if (status.parts) return work_sentence(status, *status.parts);
     if (status.sessions.empty()) return missing > 0 ? "Continue it with floes run --resume." : "";
     const Session& last = status.sessions.back();
     if (status.at_work)
@@ -161,15 +179,6 @@ std::optional<StopStatus> stop_status(const Campaign& campaign, const std::optio
                       .obstacle = rule->obstacle()};
 }
 
-/// The rule with every member that has a record.
-std::optional<PrecisionStop> told_rule(const Campaign& campaign, const StoredMembers& members, const Matched& records) {
-    std::optional<PrecisionStop> rule = stop_rule_of(campaign);
-    for (std::size_t k = 0; rule && k < records.size(); ++k)
-        if (records[k]) tell(rule, member_key(campaign, static_cast<int>(k)), members.read(*records[k]));
-    if (rule) rule->look();
-    return rule;
-}
-
 // Assumes that members of a case take equally long and that the threads of the session share the remaining work.
 std::optional<double> seconds_left(const Campaign& campaign, const CampaignStatus& status, const MemberNotes& notes,
                                    const Matched& records, int threads) {
@@ -234,39 +243,68 @@ void add_heartbeat(CampaignStatus& status, const Campaign& campaign, const Membe
     status.heartbeat = std::move(heartbeat);
 }
 
-/// What a journal says, without the results.
-struct JournalStatus {
-    JournalContents contents;
-    CampaignStatus status;
-    Campaign campaign;  ///< as its stop rule wants it
-};
-
-JournalStatus status_of_journal(const std::filesystem::path& path) {
-    JournalContents contents = read_journal(path);
-    Campaign campaign = read_stored_campaign(contents, path);
-    const StoredMembers members = stored_members(contents, path);
-    Matched records = match_records(campaign, contents.members);
-    const std::optional<StopStatus> stop = stop_status(campaign, told_rule(campaign, members, records));
-    // Parts of a merged campaign were run in full, regardless of the stop rule.
-    if (stop && stop->met && std::ranges::any_of(records, [](const auto& record) { return !record; })) {
-        campaign.arrangements = stop->arrangements;
-        records.resize(static_cast<std::size_t>(member_count(campaign)));
+/// Several parts: who works on them, and the time left at their common pace.
+void add_parts(CampaignStatus& status, const Parts& parts) {
+    PartsAtWork at_work{.parts = static_cast<int>(parts.all().size())};
+    double cost_rate = 0;
+    double rate = 0;
+    std::set<std::string> hosts;
+    for (const Parts::Part& part : parts.all()) {
+        if (!is_at_work(part.journal)) continue;
+        ++at_work.running;
+        if (!part.contents.sessions.empty()) {
+            at_work.threads += part.contents.sessions.back().threads;
+            hosts.insert(part.contents.sessions.back().host);
+        }
+        const std::optional<Heartbeat> heartbeat = read_heartbeat(heartbeat_path(part.journal));
+        if (!heartbeat || is_stale(*heartbeat) || heartbeat->elapsed <= 0) continue;
+        cost_rate += heartbeat->finished_cost / heartbeat->elapsed;
+        rate += heartbeat->finished / heartbeat->elapsed;
+        for (TimedMember& one : under_way(parts.campaign(), *heartbeat, parts.notes(), parts.matched()))
+            status.under_way.push_back(std::move(one));
     }
-    CampaignStatus status = status_of(campaign, members, records);
-    status.stop = stop;
-    status.sessions = contents.sessions;
-    status.slowest = slowest(campaign, contents.members, records);
-    status.at_work = is_being_written(path);
-    const int threads = contents.sessions.empty() ? 0 : contents.sessions.back().threads;
-    add_heartbeat(status, campaign, contents.members, records, read_heartbeat(heartbeat_path(path)));
-    if (!status.seconds_left) status.seconds_left = seconds_left(campaign, status, contents.members, records, threads);
-    return {std::move(contents), std::move(status), std::move(campaign)};
+    std::ranges::stable_sort(status.under_way, std::greater(), &TimedMember::seconds);
+    if (status.under_way.size() > most_under_way) status.under_way.resize(most_under_way);
+    at_work.hosts = static_cast<int>(hosts.size());
+    status.at_work = at_work.running > 0;
+    status.parts = at_work;
+    if (rate > 0) status.rate = rate;
+    double cost_left = 0;
+    for (std::size_t k = 0; k < parts.matched().size(); ++k)
+        if (!parts.matched()[k]) cost_left += expected_cost(parts.campaign(), static_cast<int>(k));
+    if (cost_rate > 0) status.seconds_left = cost_left / cost_rate;
 }
 
-CampaignSnapshot snapshot_of_journal(const std::filesystem::path& path) {
-    JournalStatus found = status_of_journal(path);
-    CampaignTable table = campaign_table(found.campaign, stored_members(found.contents, path));
-    return {std::move(found.status), std::move(found.campaign), std::move(table)};
+/// Of one journal.
+void add_run(CampaignStatus& status, const Parts& parts) {
+    const Parts::Part& only = parts.all().front();
+    status.at_work = is_being_written(only.journal);
+    add_heartbeat(status, parts.campaign(), parts.notes(), parts.matched(),
+                  read_heartbeat(heartbeat_path(only.journal)));
+    const int threads = status.sessions.empty() ? 0 : status.sessions.back().threads;
+    if (!status.seconds_left)
+        status.seconds_left = seconds_left(parts.campaign(), status, parts.notes(), parts.matched(), threads);
+}
+
+/// What journals say, without the results.
+CampaignStatus status_of(const Parts& parts) {
+    CampaignStatus status = status_of(parts.campaign(), parts.members(), parts.matched());
+    status.stop = stop_status(parts.whole_campaign(), parts.rule());
+    status.sessions = parts.sessions();
+    status.slowest = slowest(parts.campaign(), parts.notes(), parts.matched());
+    status.remarks = parts.remarks();
+    if (parts.all().size() == 1) {
+        add_run(status, parts);
+        return status;
+    }
+    add_parts(status, parts);
+    for (const std::string& sentence : {parts.missing_parts(), parts.missing_members()})
+        if (!sentence.empty()) status.remarks.push_back(sentence);
+    return status;
+}
+
+CampaignSnapshot snapshot_of(const Parts& parts) {
+    return {status_of(parts), parts.campaign(), campaign_table(parts.campaign(), parts.members())};
 }
 
 CampaignSnapshot snapshot_of_file(const std::filesystem::path& path) {
@@ -280,17 +318,19 @@ CampaignSnapshot snapshot_of_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-CampaignSnapshot read_snapshot(const std::filesystem::path& campaign_file) {
-    const std::filesystem::path journal = journal_path(campaign_file);
-    if (std::filesystem::exists(journal)) return snapshot_of_journal(journal);
-    if (std::filesystem::exists(campaign_file)) return snapshot_of_file(campaign_file);
+CampaignSnapshot read_snapshot(std::span<const std::filesystem::path> campaign_files) {
+    const std::filesystem::path& first = campaign_files.front();
+    if (campaign_files.size() > 1 || std::filesystem::exists(journal_path(first)))
+        return snapshot_of(Parts(campaign_files));
+    if (std::filesystem::exists(first)) return snapshot_of_file(first);
     throw InputError(fmt::format("there is neither {} nor its journal {}. Give the output file of floes run.",
-                                 campaign_file.string(), journal.string()));
+                                 first.string(), journal_path(first).string()));
 }
 
-CampaignStatus read_status(const std::filesystem::path& campaign_file) {
-    const std::filesystem::path journal = journal_path(campaign_file);
-    return std::filesystem::exists(journal) ? status_of_journal(journal).status : read_snapshot(campaign_file).status;
+CampaignStatus read_status(std::span<const std::filesystem::path> campaign_files) {
+    if (campaign_files.size() > 1 || std::filesystem::exists(journal_path(campaign_files.front())))
+        return status_of(Parts(campaign_files));
+    return read_snapshot(campaign_files).status;
 }
 
 }  // namespace floes

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -48,12 +49,22 @@ struct StopStatus {
     std::string obstacle = {};  ///< why it is NaN, without a full stop; empty if that is plain
 };
 
+/// Of several parts that were given.
+struct PartsAtWork {
+    int parts = 0;
+    int running = 0;
+    int threads = 0;  ///< of these
+    int hosts = 0;    ///< that these run on
+};
+
 struct CampaignStatus {
     std::string title;
     std::vector<CaseStatus> cases;
     std::vector<FailedMember> failures;  ///< in member order
     std::vector<Session> sessions;       ///< in order of time; none from a campaign file alone
     std::optional<StopStatus> stop;      ///< empty if there is no rule
+    std::vector<std::string> remarks;    ///< sentences on what is told apart from the rest, as Parts has them
+    std::optional<PartsAtWork> parts;    ///< empty: of one file
     bool at_work = false;                ///< a run is writing the journal now, judged by its lock or heartbeat
     std::optional<Heartbeat> heartbeat;  ///< of an active run, or of one that did not end properly
     std::optional<double> rate;          ///< members finished per second in the present run
@@ -70,11 +81,18 @@ struct CampaignSnapshot {
     CampaignTable table;  ///< of its members
 };
 
-/// Throws InputError when neither the campaign file nor its journal can be read.
-CampaignSnapshot read_snapshot(const std::filesystem::path& campaign_file);
+/// Of one campaign file, or of several parts together. Throws InputError when neither the campaign file nor its journal
+/// can be read, of several a journal, or as Parts does.
+CampaignSnapshot read_snapshot(std::span<const std::filesystem::path> campaign_files);
+inline CampaignSnapshot read_snapshot(const std::filesystem::path& campaign_file) {
+    return read_snapshot(std::span(&campaign_file, 1));
+}
 
 /// The same without the results.
-CampaignStatus read_status(const std::filesystem::path& campaign_file);
+CampaignStatus read_status(std::span<const std::filesystem::path> campaign_files);
+inline CampaignStatus read_status(const std::filesystem::path& campaign_file) {
+    return read_status(std::span(&campaign_file, 1));
+}
 
 // A campaign's status in sentences, the same on a terminal and on a page.
 

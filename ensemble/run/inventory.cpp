@@ -109,7 +109,7 @@ Inventory take_inventory(const Campaign& campaign, const StoredMembers& members,
         }
         found.tasks.push_back({.number = number,
                                .cost = cost,
-                               .batch = found.precision ? key.arrangement / campaign.stop.batch : 0,
+                               .batch = campaign.stop.active() ? key.arrangement / campaign.stop.batch : 0,
                                .attempts_made = failures + lost,
                                .failures = failures,
                                .suspect = lost > 0});

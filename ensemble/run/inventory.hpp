@@ -27,7 +27,7 @@ struct CampaignPart {
 };
 
 /// The campaign's stop rule before any member. Empty if there is no rule, and for a part, which has no consecutive
-/// arrangements and is run in full. Throws InputError as PrecisionStop does.
+/// arrangements: all parts meet it together (Recorder::together). Throws InputError as PrecisionStop does.
 std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const CampaignPart& part);
 
 struct Inventory {

@@ -83,6 +83,7 @@ void Master::advance() {
     }
     if (scheduler_.workers() == 0) request_stop("the loss of all ranks that compute");
     if (signals_.received() != 0) request_stop(signal_name(signals_.received()));
+    if (recorder_.together()) request_stop("the stop rule");
     const auto now = std::chrono::steady_clock::now();
     watch_ranks(now);
     watch_time(now);

@@ -1,6 +1,7 @@
 #include "run/progress.hpp"
 
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -154,11 +155,15 @@ std::optional<Heartbeat> read_heartbeat(const std::filesystem::path& path) {
         if (words.fail()) return {};
     }
     if (heartbeat.host.empty() || heartbeat.process <= 0) return {};
+    struct stat about {};
+    heartbeat.written = ::stat(path.c_str(), &about) == 0 ? about.st_mtim.tv_sec : heartbeat.time;
     return heartbeat;
 }
 
 double age_of(const Heartbeat& heartbeat) {
-    return static_cast<double>(std::time(nullptr) - heartbeat.time);
+    const auto now = static_cast<std::int64_t>(std::time(nullptr));
+    const auto by_host = static_cast<double>(now - heartbeat.time);
+    return std::abs(by_host) <= longest_silence ? by_host : static_cast<double>(now - heartbeat.written);
 }
 
 bool is_stale(const Heartbeat& heartbeat) {

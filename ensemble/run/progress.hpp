@@ -86,6 +86,7 @@ struct Heartbeat {
     std::string host;                 ///< of rank 0
     std::int64_t process = 0;         ///< of rank 0
     std::int64_t time = 0;            ///< time of writing, s since 1970 by that host's clock
+    std::int64_t written = 0;         ///< the same by the clock of the file system
     double elapsed = 0;               ///< s since the session began
     int finished = 0;                 ///< members done or failed in the session
     double finished_cost = 0;         ///< their expected cost
@@ -102,7 +103,7 @@ void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat);
 /// Empty if there is no such file or it cannot be parsed.
 std::optional<Heartbeat> read_heartbeat(const std::filesystem::path& path);
 
-/// Seconds since it was written, if the clocks agree.
+/// Seconds since it was written: by the clock of its host, or by that of the file system where the former is off.
 double age_of(const Heartbeat& heartbeat);
 
 /// True if the run has certainly or probably died: its process does not exist on this host, or the heartbeat is more

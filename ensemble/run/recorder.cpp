@@ -12,6 +12,7 @@
 #include "campaign/identity.hpp"
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
+#include "run/parts.hpp"
 
 namespace floes {
 
@@ -20,6 +21,7 @@ namespace {
 constexpr std::chrono::milliseconds sync_interval{900};
 constexpr std::chrono::seconds heartbeat_interval{5};
 constexpr int least_work_per_publishing = 20;
+constexpr std::chrono::seconds look_interval{20};
 
 }  // namespace
 
@@ -45,6 +47,11 @@ void UpkeepTimer::synced(Time now) {
 
 void UpkeepTimer::heartbeat_written(Time now) {
     next_heartbeat_ = now + heartbeat_interval;
+}
+
+void UpkeepTimer::publish_first(Time now) {
+    unpublished_ = true;
+    next_publishing_ = now;
 }
 
 void UpkeepTimer::published(Time begin, Time end, bool success) {
@@ -92,7 +99,8 @@ void Recorder::check(const Places& places) {
 }
 
 Recorder::Recorder(const Campaign& campaign, Places places)
-    : places_(std::move(places)),
+    : campaign_(campaign),
+      places_(std::move(places)),
       journal_(open(campaign, places_)),
       tally_(campaign,
              take_inventory(campaign, journal_.members(), journal_.attempts(), places_.part, places_.retry_failed),
@@ -107,7 +115,11 @@ std::vector<std::string> Recorder::begin(Session session) {
     for (const CalibrationRecord& calibration : places_.calibrations) journal_.append(calibration);
     session.reused = found.reused();
     session.retried = found.retried;
+    session.part = places_.part.number;
+    session.parts = places_.part.of;
     journal_.begin_session(session);
+    // So that NAME.part*.h5 names every part that has begun.
+    if (places_.part.of > 1 && !fs::exists(places_.campaign_file)) timer_.publish_first(Clock::now());
     return changes;
 }
 
@@ -129,15 +141,32 @@ std::string Recorder::tend(Time now) {
         write_heartbeat(heartbeat_path(places_.campaign_file), tally_.heartbeat(now));
         timer_.heartbeat_written(now);
     }
-    if (!timer_.publishing_is_due(now)) return {};
     std::string trouble;
-    try {
-        publish_now();
-    } catch (const RunError& error) {
-        trouble = error.what();
+    if (timer_.publishing_is_due(now)) {
+        try {
+            publish_now();
+        } catch (const RunError& error) {
+            trouble = error.what();
+        }
+        timer_.published(now, Clock::now(), trouble.empty());
     }
-    timer_.published(now, Clock::now(), trouble.empty());
+    if (places_.part.of > 1 && campaign_.stop.active() && !together_ && now >= next_look_) {
+        try {
+            look_at_other_parts();
+        } catch (const std::exception& error) {
+            trouble = error.what();
+        }
+        const Time end = Clock::now();
+        next_look_ = end + std::max<Time::duration>(look_interval, least_work_per_publishing * (end - now));
+    }
     return trouble;
+}
+
+void Recorder::look_at_other_parts() {
+    std::vector<fs::path> files = other_parts(places_.campaign_file, places_.part);
+    files.insert(files.begin(), places_.campaign_file);
+    const Parts parts(files);
+    if (parts.rule() && parts.rule()->met()) together_ = parts.rule();
 }
 
 void Recorder::sync() {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ class UpkeepTimer {
 
     /// True if the campaign file lacks a result and publishing is due.
     bool publishing_is_due(Time now) const { return unpublished_ && now >= next_publishing_; }
+    /// Publishing is due now, with whatever there is.
+    void publish_first(Time now);
     /// Publishing took from `begin` to `end`. The next one, also after a failure, is delayed so that publishing takes
     /// at most a twentieth of the time.
     void published(Time begin, Time end, bool success);
@@ -86,9 +89,13 @@ class Recorder {
     /// On return, everything noted and kept so far survives the end of this process, whatever its cause.
     void hand_over() { journal_.hand_over(); }
 
-    /// To be called often: syncs the journal to the disk and publishes when due. Returns a sentence if publishing
-    /// failed; nothing is lost then, because the journal has all results.
+    /// To be called often: syncs the journal to the disk and publishes when due; of a part under a stop rule it looks
+    /// whether all parts meet it together. Returns a sentence if publishing or looking failed; nothing is lost then,
+    /// because the journal has all results.
     std::string tend(Time now);
+
+    /// Of a part: the stop rule with the members of all parts that lie beside it, once it is met.
+    const std::optional<PrecisionStop>& together() const { return together_; }
 
     /// Syncs the journal to the disk now.
     void sync();
@@ -102,11 +109,15 @@ class Recorder {
 
   private:
     void publish_now();
+    void look_at_other_parts();
 
+    const Campaign& campaign_;
     Places places_;
     Journal journal_;
     Tally tally_;
     UpkeepTimer timer_;
+    std::optional<PrecisionStop> together_;
+    Time next_look_{};  ///< at other parts
 };
 
 }  // namespace floes

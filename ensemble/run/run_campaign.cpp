@@ -75,6 +75,11 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
         progress.say(fmt::format(
             "precise enough after {} of at most {} arrangements: half-width {:.1f} %, target {:g} %",
             precision.arrangements(), campaign.arrangements, 100 * precision.achieved(), 100 * precision.target()));
+    } else if (const auto& together = recorder.together(); together && !stopped_by.empty()) {
+        progress.say(fmt::format(
+            "precise enough: all parts together have the half-width {:.1f} %, target {:g} %, after {} of at most {} "
+            "arrangements, so what is left of this part is not needed",
+            100 * together->achieved(), 100 * together->target(), together->arrangements(), campaign.arrangements));
     } else if (!stopped_by.empty()) {
         recorder.sync();  // before anything slow, because the batch system may kill the run soon
         if (resumed) progress.say(harvest(tally));

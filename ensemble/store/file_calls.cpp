@@ -35,6 +35,12 @@ std::uint64_t file_size(const Descriptor& file, const std::filesystem::path& pat
     return static_cast<std::uint64_t>(status.st_size);
 }
 
+double modified_at(const Descriptor& file, const std::filesystem::path& path) {
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) refuse("fstat", path, errno);
+    return static_cast<double>(status.st_mtim.tv_sec) + 1e-9 * static_cast<double>(status.st_mtim.tv_nsec);
+}
+
 bool read_at(const Descriptor& file, const std::filesystem::path& path, std::uint64_t offset,
              std::span<std::byte> bytes) {
     while (!bytes.empty()) {

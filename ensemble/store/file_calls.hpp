@@ -16,6 +16,8 @@ namespace floes {
 /// open(2) with close-on-exec.
 Descriptor open_file(const std::filesystem::path& path, int flags);
 std::uint64_t file_size(const Descriptor& file, const std::filesystem::path& path);
+/// When it was written last, s since 1970 by the clock of the file system.
+double modified_at(const Descriptor& file, const std::filesystem::path& path);
 /// Fills `bytes` from `offset` on; false if the file is too short.
 bool read_at(const Descriptor& file, const std::filesystem::path& path, std::uint64_t offset,
              std::span<std::byte> bytes);

@@ -1,12 +1,14 @@
 #include "store/journal.hpp"
 
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <cmath>
 #include <cstring>
 #include <exception>
 #include <memory>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -139,7 +141,7 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
             contents.add(decode_member_record(payload), place);
             break;
         case RecordType::session_begin:
-            contents.begin(decode_session(payload));
+            contents.begin(decode_session(payload), place.offset);
             break;
         case RecordType::session_end: {
             ByteReader in(payload);
@@ -158,6 +160,9 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
         }
         case RecordType::campaign:
             contents.campaign_text = ByteReader(payload).text();
+            break;
+        case RecordType::session_surroundings:
+            if (!contents.sessions.empty()) decode_surroundings(payload, contents.sessions.back());
             break;
     }
 }
@@ -227,6 +232,7 @@ Reading read(const Descriptor& file, const std::filesystem::path& path) {
     JournalContents& contents = reading.contents;
     contents.campaign_text.assign(reinterpret_cast<const char*>(text.data()), length);
     contents.good_bytes = fixed_header_bytes + length + crc_bytes;
+    contents.first_record = contents.good_bytes;
 
     std::uint64_t at = contents.good_bytes;
     std::uint64_t effort = std::max(4 * size, least_effort);
@@ -269,9 +275,10 @@ void JournalContents::add(const MemberRecord& record, Place place) {
     places.push_back(place);
 }
 
-void JournalContents::begin(const Session& session) {
+void JournalContents::begin(const Session& session, std::uint64_t at) {
     attempts.close_session();
     sessions.push_back(session);
+    session_begins.push_back(at);
 }
 
 void JournalContents::end(const std::string& when, const std::string& outcome) {
@@ -286,6 +293,11 @@ namespace {
 using journal_format::RecordType;
 
 constexpr std::size_t most_appended = 1 << 20;  // bytes buffered before a write()
+constexpr double least_told_difference = 10;    // s between two clocks; a sync to a busy disk takes seconds
+
+double seconds_since_1970() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
 
 struct flock whole_file(short type) {
     struct flock lock {};
@@ -312,15 +324,6 @@ std::string load_nothing(const std::string& path) {
 
 Campaign read_text(const std::string& campaign_text, const std::filesystem::path& path) {
     return read_campaign({campaign_text, path.string(), {}}, load_nothing);
-}
-
-/// True if every member of `part` is one of `whole`. Names and order of cases do not matter.
-bool is_part_of(const Campaign& part, const Campaign& whole) {
-    std::set<std::string> keys;
-    for (int k = 0; k < static_cast<int>(whole.cases.size()); ++k) keys.insert(case_fingerprint(whole, k));
-    for (int k = 0; k < static_cast<int>(part.cases.size()); ++k)
-        if (!keys.contains(case_fingerprint(part, k))) return false;
-    return part.arrangements <= whole.arrangements;
 }
 
 }  // namespace
@@ -364,6 +367,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     JournalContents contents;
     contents.campaign_text = campaign_text;
     contents.good_bytes = header.size();
+    contents.first_record = contents.good_bytes;
     return {path, std::move(file), std::move(contents)};
 }
 
@@ -454,8 +458,15 @@ void Journal::sync() {
 }
 
 void Journal::begin_session(const Session& session) {
+    const std::uint64_t at = contents_.good_bytes;
     write_record(static_cast<std::uint32_t>(RecordType::session_begin), encode(session));
-    contents_.begin(session);
+    contents_.begin(session, at);
+    sync();
+    Session& begun = contents_.sessions.back();
+    const double ahead = seconds_since_1970() - modified_at(file_, path_);
+    if (std::abs(ahead) >= least_told_difference) begun.clock_ahead = ahead;
+    if (begun.parts == 1 && begun.clock_ahead == 0) return;
+    write_record(static_cast<std::uint32_t>(RecordType::session_surroundings), encode_surroundings(begun, ::getpid()));
     sync();
 }
 

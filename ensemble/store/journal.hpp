@@ -27,10 +27,12 @@ struct JournalContents {
         std::uint64_t size = 0;
     };
 
+    std::uint64_t first_record = 0;  ///< offset in the file
     std::string campaign_text;      ///< resolved configuration, TOML
     MemberNotes members;            ///< in order of arrival; their records are left in the file
     std::deque<Place> places;       ///< of these records
     std::vector<Session> sessions;  ///< in order of time
+    std::vector<std::uint64_t> session_begins;  ///< offset in the file of each
     std::vector<CalibrationRecord> calibrations;
     AttemptBook attempts;
     std::uint64_t good_bytes = 0;     ///< up to the end of the last whole record
@@ -40,7 +42,7 @@ struct JournalContents {
     /// Adds a member whose record is at `place`, and counts it in the current session.
     void add(const MemberRecord& record, Place place);
     /// A session begins; attempts left open by the previous one are lost.
-    void begin(const Session& session);
+    void begin(const Session& session, std::uint64_t at);
     /// The latest session has ended properly.
     void end(const std::string& when, const std::string& outcome);
 };
@@ -68,7 +70,8 @@ enum class RecordType : std::uint32_t {
     calibration = 4,
     attempt_started = 5,
     campaign = 6,
-    member = 8  ///< 7 was that of floes 1.0
+    member = 8,  ///< 7 was that of floes 1.0
+    session_surroundings = 9
 };
 
 /// A whole journal, of a schema that only a newer floes reads.
@@ -132,7 +135,7 @@ class Journal {
     /// On return everything appended so far is on the disk. Throws RunError if the disk refuses, or if the file no
     /// longer exists under its name.
     void sync();
-    /// Records the start of a session, and syncs.
+    /// Records the start of a session and, by the file that is written, how far the clock is off; and syncs.
     void begin_session(const Session& session);
     /// Records that the latest session has ended now, and syncs.
     void end_session(const std::string& outcome);

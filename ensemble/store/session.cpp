@@ -115,13 +115,16 @@ Session describe_session(int ranks, int threads, std::span<const Software> other
     return session;
 }
 
-std::vector<std::string> changed_software(const Session& before, const Session& now) {
+std::vector<std::string> changed_software(const Session& before, const Session& now, std::string_view where_before,
+                                          std::string_view where_now) {
     std::vector<std::string> changes;
     for (const char* name : {"floes", "git_revision", "compiler", "compiler_flags", "bullet", "math_library"}) {
         const std::string then = version_of(before, name);
         const std::string here = version_of(now, name);
         if (then != here)
-            changes.push_back(fmt::format("{}: {} before, {} now", name, then.empty() ? "none" : then, here));
+            changes.push_back(
+                fmt::format("{}: {} {}, {} {}", name, then.empty() ? "none" : then, where_before,
+                            here.empty() ? "none" : here, where_now));
     }
     return changes;
 }
@@ -144,6 +147,22 @@ Bytes encode(const Session& session) {
     out.i32(session.reused);
     out.i32(session.retried);
     return out.take();
+}
+
+Bytes encode_surroundings(const Session& session, std::int64_t process) {
+    ByteWriter out;
+    out.i32(session.part);
+    out.i32(session.parts);
+    out.f64(session.clock_ahead);
+    out.u64(static_cast<std::uint64_t>(process));
+    return out.take();
+}
+
+void decode_surroundings(std::span<const std::byte> bytes, Session& session) {
+    ByteReader in(bytes);
+    session.part = in.i32();
+    session.parts = in.i32();
+    session.clock_ahead = in.f64();
 }
 
 Session decode_session(std::span<const std::byte> bytes) {

@@ -1,6 +1,7 @@
 #pragma once
 // Version, sources and tools of this build.
 
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
@@ -71,6 +72,9 @@ struct Session {
     int computed = 0;   ///< members done in it; counted by the journal
     int set_aside = 0;  ///< members set aside in it; counted by the journal
     std::vector<Software> software;
+    int part = 1;           ///< K of --part K/N
+    int parts = 1;          ///< N
+    double clock_ahead = 0; ///< s: the host's clock less that of the file system, to which it wrote; 0: they agree
     friend bool operator==(const Session&, const Session&) = default;
 };
 
@@ -89,9 +93,17 @@ std::string version_of(const Session& session, std::string_view name);
 /// The differences between two sessions that may change the last bits of a member: revision, compiler, flags, Bullet,
 /// and the C library with the code path of its sin and cos. Each line is like "git_revision: 1a2b3c before, 4d5e6f
 /// now".
-std::vector<std::string> changed_software(const Session& before, const Session& now);
+std::vector<std::string> changed_software(const Session& before, const Session& now,
+                                          std::string_view where_before = "before", std::string_view where_now = "now");
 
+/// Without part and clock, which encode_surroundings() has.
 Bytes encode(const Session& session);
+
+/// Part and clock of a session; and the process, so that two sessions that began alike differ.
+Bytes encode_surroundings(const Session& session, std::int64_t process);
+
+/// Into the session that it is of. Throws RunError as decode_session().
+void decode_surroundings(std::span<const std::byte> bytes, Session& session);
 
 /// Throws RunError if the bytes are not exactly one session.
 Session decode_session(std::span<const std::byte> bytes);

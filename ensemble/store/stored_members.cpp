@@ -68,6 +68,16 @@ void MemberNotes::add(const MemberRecord& record) {
                       .status = record.result.status});
 }
 
+void MemberNotes::add(const MemberNotes& others) {
+    std::vector<int> key_here(others.keys().size());
+    for (const auto& [key, there] : others.keys())
+        key_here[static_cast<std::size_t>(there)] = keys_.try_emplace(key, static_cast<int>(keys_.size())).first->second;
+    for (MemberNote note : others.notes_) {
+        note.key = key_here[static_cast<std::size_t>(note.key)];
+        notes_.push_back(note);
+    }
+}
+
 StoredMembers::StoredMembers(const MemberNotes& notes, Read read) : notes_(notes), read_(std::move(read)) {}
 
 StoredMembers::StoredMembers(std::span<const MemberRecord> records)

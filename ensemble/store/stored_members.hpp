@@ -35,6 +35,7 @@ int found_along(const MemberNote& note, const ArrayAxis& axis);
 class MemberNotes {
   public:
     void add(const MemberRecord& record);
+    void add(const MemberNotes& others);
 
     std::size_t size() const { return notes_.size(); }
     const MemberNote& operator[](std::size_t k) const { return notes_[k]; }

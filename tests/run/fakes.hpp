@@ -56,7 +56,8 @@ class Run {
     int on(Link& link, const MemberFunction& compute, Existing existing = Existing::refuse, int threads = 2,
            Helper* helper = nullptr) {
         std::ostringstream out;
-        const RunOptions options{{file, existing}, threads, "RESUME COMMAND", walltime, patience};
+        RunOptions options{{file, existing}, threads, "RESUME COMMAND", walltime, patience};
+        options.places.part = part;
         try {
             Progress progress(out, Progress::Style::plain);
             const int status = run_campaign(campaign, options, link, compute, progress, helper);
@@ -90,6 +91,7 @@ class Run {
     Campaign campaign;
     std::filesystem::path file;
     std::string said;
+    CampaignPart part;
     Walltime walltime;
     SilenceLimits patience;
 };

@@ -48,8 +48,10 @@ TEST(Heartbeat, IsStaleWhenItsProcessIsGoneOrSilent) {
     Heartbeat read = *read_heartbeat(folder / "a.alive");
     const std::string here = read.host;
     read.time -= 120;
+    read.written -= 120;
     EXPECT_TRUE(is_stale(read));
     read.time += 120;
+    read.written += 120;
     const pid_t child = fork();
     if (child == 0) _exit(0);
     waitpid(child, nullptr, 0);
@@ -57,6 +59,22 @@ TEST(Heartbeat, IsStaleWhenItsProcessIsGoneOrSilent) {
     EXPECT_TRUE(is_stale(read));
     read.host = "elsewhere";
     EXPECT_FALSE(is_stale(read)) << "processes of another machine cannot be asked for";
+}
+
+TEST(Heartbeat, OfAHostWhoseClockIsOffIsJudgedByTheFileSystem) {
+    const TemporaryFolder folder;
+    write_heartbeat(folder / "a.alive", sample());
+    for (const int off : {-3600, 3600}) {
+        Heartbeat read = *read_heartbeat(folder / "a.alive");
+        read.host = "elsewhere";
+        read.time += off;
+        EXPECT_FALSE(is_stale(read)) << off;
+        EXPECT_LT(age_of(read), 30);
+        read.time -= 1800;
+        read.written -= 1800;  // it died half an hour ago
+        EXPECT_TRUE(is_stale(read)) << off;
+        EXPECT_NEAR(age_of(read), 1800, 30);
+    }
 }
 
 TEST(Heartbeat, ThatCannotBeWrittenOrUnderstoodIsNoTrouble) {

@@ -1,29 +1,42 @@
-# slurm/array.sbatch computes a campaign in parts without MPI, one of them stopped and requeued; slurm/merge.sbatch,
-# which waits for all, makes the file of an undisturbed campaign.
+# floes array under Slurm: 32 parts on two nodes, of which one comes late and goes again; some parts are put back into the
+# queue, asked to stop and killed, one finds a full disk. What is merged meanwhile and at the end is the file of one
+# undisturbed run.
+export ARRANGEMENTS=32
 source "$(dirname "$0")/cluster.sh"
-PROGRAM=$FLOES
+source "$(dirname "$0")/disturbed_array.sh"
 
-# The second part falls asleep after its first member, and is asked to stop.
-held=$(HELD_FLOES=$PROGRAM HELD_JOURNAL=$FOLDER/campaign.part2.journal FLOES=$FLOES_HOME/tests/slurm/held_floes \
-    submit --array=2 --cpus-per-task=1 --time=5 "$FLOES_HOME/slurm/array.sbatch" 3 campaign.toml)
-others=$(submit --array=1,3 --cpus-per-task=1 --time=5 "$FLOES_HOME/slurm/array.sbatch" 3 campaign.toml)
-merge=$(submit --dependency="afterany:$held:$others" "$FLOES_HOME/slurm/merge.sbatch" \
-    campaign.h5 campaign.part{1,2,3}.h5)
-
-is_asleep() {
-    grep -qs "held: asleep" "floes-${held}_2.log"
+# Slurm refuses what comes while it starts or ends the task: "try again later".
+requeue() {
+    until_true 20 scontrol requeue "${job}_$1" || fail "part $1 cannot be put back into the queue"
 }
-until_true 60 is_asleep || fail "the second part has no member after a minute"
-scancel --batch --signal=USR1 "$held"
 
-ends "$merge" COMPLETED 90
-said "floes-${held}_2.log" "part 2 of 3: 4 of these members"
-said "floes-${held}_2.log" "ended with 85 and requeued"
-said "floes-${held}_2.log" "resumed: "
-said "floes-merge-$merge.log" "12 of 12 members done, 0 failed, 0 missing from all parts"
-same whole.h5 campaign.h5
+ask_to_stop() {
+    until_true 20 scancel --batch --signal=USR1 "${job}_$1" || fail "part $1 cannot be asked to stop"
+}
 
-# What is no part of it is refused.
-refused=$(submit --array=4 --cpus-per-task=1 "$FLOES_HOME/slurm/array.sbatch" 3 campaign.toml)
-ends "$refused" FAILED 30
-said "floes-${refused}_4.log" "--part 4/3 is not a part of this campaign"
+is_over() {
+    [ -z "$(squeue -h -j "$1" 2> /dev/null)" ]
+}
+
+scontrol update nodename=n2 state=drain reason=late
+"$PROGRAM" array campaign.toml --for slurm --parts 32 --cores 1 2> array.log
+job=$(submit campaign.slurm.sh)
+until_true 60 test -e campaign.part1.h5 || fail "no part began in a minute"
+scontrol update nodename=n2 state=resume
+disturb_parts
+scontrol update nodename=n2 state=drain reason=goes
+until_true 150 is_over "$job" || fail "job $job has not ended"
+all_but_the_full_one_are_done
+scontrol update nodename=n2 state=resume
+job=$(submit --array=$FULL campaign.slurm.sh)
+until_true 60 is_over "$job" || fail "job $job has not ended"
+all_is_one_run
+
+# scancel ends a task, which keeps what is done and does not come back.
+rm held.* asleep.* campaign.part"${HELD[0]}".*
+job=$(submit --array="${HELD[0]}" campaign.slurm.sh)
+until_true 60 test -e "asleep.${HELD[0]}" || fail "part ${HELD[0]} has no member after a minute"
+until_true 20 scancel "$job" || fail "job $job cannot be cancelled"
+until_true 60 is_over "$job" || fail "job $job has not ended"
+said "campaign.part${HELD[0]}.log" "part ${HELD[0]} of 32 ended with 85"
+ends "${job}_${HELD[0]}" CANCELLED 5

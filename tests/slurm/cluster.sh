@@ -1,82 +1,17 @@
 # Sourced by the tests of slurm/: bash TEST.sh FLOES PROJECT. Starts a Slurm cluster of two nodes on this machine that
 # belongs to this test alone: own munge, own ports, own folder, no systemd, any user. Whatever happens to the test, the
 # cluster ends with it.
-set -euo pipefail
-export FLOES=$1       # what the scripts run
-export FLOES_HOME=$2  # where the scripts are
+MARK_VARIABLE=SLURM_CONF
+MARK_FILE=slurm.conf
+source "$(dirname "${BASH_SOURCE[0]}")/batch_system.sh"
 NODES=${NODES:-n1 n2}
-TEST=$$
-
-FOLDER=$(mktemp -d)   # short: the path of a socket has at most 107 characters
-CLUSTER=$FOLDER/cluster
-export SLURM_CONF=$CLUSTER/slurm.conf
 # Two ranks of one machine on two nodes of Slurm: shared memory would mix up their names, and a container may have no
 # network but this one. Root is all there is in a container.
 export OMPI_MCA_btl=self,tcp OMPI_MCA_btl_tcp_if_include=lo OMPI_MCA_oob_tcp_if_include=lo
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
-fail() {
-    echo "FAILED: $*" >&2
-    tail -n +1 "$FOLDER"/*.log >&2 || true
-    scontrol show jobs >&2 2>&1 || true
-    tail -n 20 "$CLUSTER"/log/*.log >&2 || true
-    exit 1
-}
-
-# The processes that were started with this cluster's configuration: its daemons, its jobs and all they started.
-cluster_pids() {
-    env -u SLURM_CONF grep -lzsxF "SLURM_CONF=$SLURM_CONF" /proc/[0-9]*/environ | cut -d/ -f3
-}
-
-end_cluster() {
-    local pids
-    for _ in 1 2 3 4 5; do  # until nothing is left that could start another
-        mapfile -t pids < <(cluster_pids)
-        [ ${#pids[@]} -gt 0 ] || break
-        kill -CONT "${pids[@]}" 2> /dev/null || true
-        kill -KILL "${pids[@]}" 2> /dev/null || true
-        sleep 0.2
-    done
-    rm -rf "$FOLDER"
-}
-trap end_cluster EXIT
-trap 'exit 1' INT TERM HUP
-
-# The trap does not run when the test is killed. This one outlives it and is nobody's child, so that whoever kills a
-# tree of processes does not find it.
-watch_over_test() {
-    while kill -0 "$TEST" 2> /dev/null; do sleep 1; done
-    [ ! -e "$FOLDER" ] || end_cluster
-}
-(trap - EXIT; trap '' INT TERM HUP; watch_over_test > /dev/null 2>&1 < /dev/null &)
-
-# until_true SECONDS COMMAND…: fails unless the command succeeds within that time.
-until_true() {
-    local end=$((SECONDS + $1))
-    shift
-    until "$@"; do
-        [ $SECONDS -lt $end ] || return 1
-        sleep 0.1
-    done
-}
-
-# free_ports USE…: a port for each.
-free_ports() {
-    /usr/bin/python3 - "$@" <<'PYTHON'
-import socket, sys
-held = [socket.socket() for _ in sys.argv[1:]]
-for one in held:
-    one.bind(("127.0.0.1", 0))
-print(*(one.getsockname()[1] for one in held))
-PYTHON
-}
-
-# as_daemon NAME COMMAND…: in a session of its own, its output in the cluster's logs.
-as_daemon() {
-    local name=$1
-    shift
-    setsid "$@" > "$CLUSTER/log/$name.out" 2>&1 < /dev/null &
-    disown  # no word from bash when it is killed
+tell_system() {
+    scontrol show jobs
 }
 
 start_munge() {
@@ -163,7 +98,7 @@ start_cluster() {
         PATH=$PATH:/usr/sbin command -v "$program" > /dev/null || fail "$program is missing; packages-test-all.txt has it"
     done
     PATH=$PATH:/usr/sbin
-    mkdir -p "$CLUSTER"/{run,state,log,munge}
+    mkdir -p "$CLUSTER/munge"
     chmod 755 "$CLUSTER" "$CLUSTER/munge"
     start_munge
     write_configuration
@@ -176,37 +111,6 @@ start_cluster() {
 }
 
 start_cluster
-cd "$FOLDER"
-
-# campaign.toml: 2 cases x 6 arrangements of two floes, a tenth of a second each: the time is Slurm's.
-cat > campaign.toml <<'TOML'
-[campaign]
-seed = 1
-arrangements = 6
-
-[field]
-floes = 2
-concentration_percent = 40.0
-begin_m = 2.0
-half_width_m = 1.25
-
-[structure]
-profile_m = [[-0.443, 0.43], [0.0, 0.614], [0.122, 0.736]]
-start_m = 1.38
-speed_m_s = 0.03
-
-[analysis]
-steady_start_s = 2.0
-window_s = 12.0
-
-[[case]]
-name = "E30"
-elastic_modulus_MPa = 30.0
-
-[[case]]
-name = "E200"
-elastic_modulus_MPa = 200.0
-TOML
 
 # submit ARGUMENT…: prints the job's number.
 submit() {
@@ -226,16 +130,3 @@ has_state() {
 ends() {
     until_true "$3" has_state "$1" "$2" || fail "job $1 is $(state_of "$1") instead of $2 after $3 s"
 }
-
-# same A.h5 B.h5: fails unless both files have the same values outside /provenance.
-same() {
-    h5diff --exclude-path /provenance "$1" "$2" > difference.log 2>&1 || fail "$1 and $2 differ"
-}
-
-# said LOG TEXT: fails unless the log has the text.
-said() {
-    grep -qF -- "$2" "$1" || fail "$1 does not say '$2'"
-}
-
-# What the same program makes of the campaign without Slurm.
-"$FLOES" run campaign.toml -o whole.h5 > /dev/null 2> whole.log || fail "the campaign does not run without Slurm"

@@ -1,0 +1,371 @@
+#include "run/parts.hpp"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign/identity.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "member/array_output.hpp"
+#include "member/quantity.hpp"
+#include "run/progress.hpp"
+
+namespace floes {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double told_clock = 60;          // s
+constexpr std::size_t most_told = 20;      // ranges or sentences of a kind
+constexpr std::uint64_t piece = 1 << 20;   // bytes read at a time
+
+/// "2, 5-9, 12"
+std::string ranges(const std::vector<int>& sorted) {
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < sorted.size();) {
+        std::size_t last = k;
+        while (last + 1 < sorted.size() && sorted[last + 1] == sorted[last] + 1) ++last;
+        texts.push_back(last == k ? fmt::format("{}", sorted[k]) : fmt::format("{}-{}", sorted[k], sorted[last]));
+        k = last + 1;
+    }
+    const std::size_t more = texts.size() > most_told ? texts.size() - most_told : 0;
+    texts.resize(texts.size() - more);
+    return fmt::format("{}{}", fmt::join(texts, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+/// True if both are the same to the last bit, all but the times that they took.
+bool same_result(const MemberRecord& one, const MemberRecord& other) {
+    const auto equal = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; };
+    for (const Quantity& of : quantities)
+        if (!equal(of.place.get(one.result), of.place.get(other.result))) return false;
+    for (std::size_t k = 0; k < array_outputs.size(); ++k)
+        if (!(one.array(k) == other.array(k))) return false;
+    return true;
+}
+
+Parts::Part read_part(const fs::path& file) {
+    Parts::Part part{.file = file, .journal = journal_path(file), .contents = {}, .campaign = {}};
+    if (!fs::exists(part.journal))
+        throw InputError(fmt::format("there is no journal {} beside {}; parts are read from their journals, so the two "
+                                     "files stay together.",
+                                     part.journal.string(), file.string()));
+    part.contents = read_journal(part.journal);
+    part.campaign = read_stored_campaign(part.contents, part.journal);
+    return part;
+}
+
+}  // namespace
+
+Parts::Parts(std::span<const fs::path> files, bool merged_before) : merged_before_(merged_before) {
+    for (const fs::path& file : files) parts_.push_back(read_part(file));
+    check_campaigns();
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        notes_.add(parts_[k].contents.members);
+        for (std::size_t record = 0; record < parts_[k].contents.places.size(); ++record) places_.push_back({k, record});
+    }
+    gather_blocks();
+    apply_rule();
+}
+
+void Parts::apply_rule() {
+    published_ = whole_campaign();
+    matched_ = match_records(published_, notes_);
+    rule_ = stop_rule_of(published_);
+    for (std::size_t k = 0; rule_ && k < matched_.size(); ++k)
+        if (matched_[k]) tell(rule_, member_key(published_, static_cast<int>(k)), read(*matched_[k]));
+    if (rule_) rule_->look();
+    if (rule_ && rule_->met()) {
+        published_.arrangements = rule_->arrangements();
+        matched_.resize(static_cast<std::size_t>(member_count(published_)));
+    }
+}
+
+void Parts::check_campaigns() {
+    for (std::size_t k = 1; k < parts_.size(); ++k) {
+        const Campaign& largest = parts_[largest_].campaign;
+        if (is_part_of(parts_[k].campaign, largest)) continue;
+        if (is_part_of(largest, parts_[k].campaign)) {
+            largest_ = k;
+            continue;
+        }
+        throw InputError(fmt::format("{} belongs to a different campaign than {}: {}. Leave it out, or run that part "
+                                     "again with the configuration of the others.",
+                                     parts_[k].journal.string(), parts_[largest_].journal.string(),
+                                     fmt::join(differences(largest, parts_[k].campaign), "; ")));
+    }
+}
+
+bool Parts::begins_with(const Block& longer, const Block& shorter) const {
+    const Descriptor one = open_file(parts_[longer.part].journal, O_RDONLY);
+    const Descriptor other = open_file(parts_[shorter.part].journal, O_RDONLY);
+    for (std::uint64_t at = 0; at < shorter.to - shorter.from; at += piece) {
+        const std::uint64_t size = std::min(piece, shorter.to - shorter.from - at);
+        Bytes here(size);
+        Bytes there(size);
+        if (!read_at(one, parts_[longer.part].journal, longer.from + at, here) ||
+            !read_at(other, parts_[shorter.part].journal, shorter.from + at, there) || here != there)
+            return false;
+    }
+    return true;
+}
+
+void Parts::gather_blocks() {
+    std::multimap<std::string, std::size_t> alike;  // blocks by the beginning of their session
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        const JournalContents& contents = parts_[k].contents;
+        std::vector<std::uint64_t> begins{contents.first_record};
+        begins.insert(begins.end(), contents.session_begins.begin(), contents.session_begins.end());
+        for (std::size_t i = 0; i < begins.size(); ++i) {
+            const Block block{k, begins[i], i + 1 < begins.size() ? begins[i + 1] : contents.good_bytes};
+            if (block.from == block.to) continue;
+            const std::string begin =
+                i == 0 ? "" : contents.sessions[i - 1].started + " " + contents.sessions[i - 1].host;
+            const auto [first, last] = alike.equal_range(begin);
+            const auto known = std::find_if(first, last, [&](const auto& entry) {
+                Block& there = blocks_[entry.second];
+                const bool longer = block.to - block.from > there.to - there.from;
+                if (!(longer ? begins_with(block, there) : begins_with(there, block))) return false;
+                if (longer) there = block;
+                return true;
+            });
+            if (known != last) continue;
+            alike.emplace(begin, blocks_.size());
+            blocks_.push_back(block);
+        }
+    }
+}
+
+MemberRecord Parts::read(std::size_t record) const {
+    const Place& place = places_[record];
+    const Part& part = parts_[place.part];
+    return journal_format::read_member(open_file(part.journal, O_RDONLY), part.journal,
+                                       part.contents.places[place.record]);
+}
+
+StoredMembers Parts::members() const {
+    return {notes_, [this](std::size_t k) { return read(k); }};
+}
+
+std::vector<Session> Parts::sessions() const {
+    std::vector<Session> sessions;
+    for (const Block& block : blocks_) {
+        const JournalContents& contents = parts_[block.part].contents;
+        const auto begin = std::ranges::find(contents.session_begins, block.from);
+        if (begin != contents.session_begins.end())
+            sessions.push_back(contents.sessions[static_cast<std::size_t>(begin - contents.session_begins.begin())]);
+    }
+    return sessions;
+}
+
+std::vector<CalibrationRecord> Parts::calibrations() const {
+    std::vector<CalibrationRecord> all;
+    for (const Part& part : parts_)
+        for (const CalibrationRecord& one : part.contents.calibrations)
+            if (find_calibration(all, one.key) == nullptr) all.push_back(one);
+    return all;
+}
+
+CampaignPart Parts::place_of(std::size_t part) const {
+    const std::vector<Session>& sessions = parts_[part].contents.sessions;
+    if (sessions.empty()) return {};
+    const Session& first = sessions.front();
+    const auto same = [&](const Session& one) { return one.part == first.part && one.parts == first.parts; };
+    return std::ranges::all_of(sessions, same) ? CampaignPart{first.part, first.parts} : CampaignPart{};
+}
+
+PartCount Parts::count(std::size_t part) const {
+    PartCount count;
+    const CampaignPart place = place_of(part);
+    const MemberNotes& notes = parts_[part].contents.members;
+    const auto matched = match_records(published_, notes);
+    for (std::size_t k = 0; k < matched.size(); ++k) {
+        if (!place.has(member_key(published_, static_cast<int>(k)).arrangement)) continue;
+        ++(!matched[k] ? count.missing : notes[*matched[k]].done() ? count.done : count.failed);
+    }
+    return count;
+}
+
+std::vector<std::string> Parts::remarks() const {
+    std::vector<std::string> sentences;
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        if (parts_[k].campaign.arrangements == whole_campaign().arrangements &&
+            parts_[k].campaign.cases.size() == whole_campaign().cases.size())
+            continue;
+        if (k == 0 && merged_before_) continue;
+        sentences.push_back(fmt::format(
+            "{} was run for a smaller campaign: {}", parts_[k].file.string(),
+            fmt::join(differences(parts_[k].campaign, whole_campaign()), "; ")));
+    }
+    add_twins(sentences);
+    add_builds(sentences);
+    add_clocks(sentences);
+    add_unfinished(sentences);
+    return sentences;
+}
+
+void Parts::add_twins(std::vector<std::string>& sentences) const {
+    struct Twins {
+        std::vector<int> members;
+        std::vector<int> different;
+    };
+    std::map<std::pair<std::size_t, std::size_t>, Twins> twins;  // by first and later part
+    std::map<MemberIdentity, std::size_t> first;                 // the record of each done member
+    std::map<int, std::string> keys;
+    for (const auto& [key, number] : notes_.keys()) keys[number] = key;
+    std::map<MemberIdentity, int> numbers;
+    const std::vector<std::string> case_keys = case_fingerprints(whole_campaign());
+    for (int number = 0; number < member_count(whole_campaign()); ++number) {
+        const MemberKey key = member_key(whole_campaign(), number);
+        numbers.try_emplace({case_keys[static_cast<std::size_t>(key.case_index)], key.arrangement}, number);
+    }
+    for (std::size_t k = 0; k < notes_.size(); ++k) {
+        if (!notes_[k].done() || (merged_before_ && places_[k].part == 0)) continue;
+        const MemberIdentity member{keys.at(notes_[k].key), notes_[k].arrangement};
+        const auto [known, is_new] = first.try_emplace(member, k);
+        const auto number = numbers.find(member);
+        if (is_new || number == numbers.end() || places_[known->second].part == places_[k].part) continue;
+        Twins& pair = twins[{places_[known->second].part, places_[k].part}];
+        pair.members.push_back(number->second);
+        if (!same_result(read(known->second), read(k))) pair.different.push_back(number->second);
+    }
+    for (auto& [pair, found] : twins) {
+        std::ranges::sort(found.members);
+        std::ranges::sort(found.different);
+        const std::string told = fmt::format("{} of {} {} in {} too", counted(std::ssize(found.members), "member"),
+                                             parts_[pair.second].file.string(),
+                                             found.members.size() == 1 ? "is" : "are", parts_[pair.first].file.string());
+        sentences.push_back(
+            found.different.empty()
+                ? fmt::format("{}, with the same results; they count once.", told)
+                : fmt::format("{}, and {} of them differ (members {}): the two were not computed by the same build, "
+                              "or a machine computes wrong. Those of {} count.",
+                              told, found.different.size(), ranges(found.different), parts_[pair.first].file.string()));
+    }
+}
+
+void Parts::add_builds(std::vector<std::string>& sentences) const {
+    const Session* first = nullptr;
+    const Part* of = nullptr;
+    for (std::size_t k = merged_before_ ? 1 : 0; k < parts_.size(); ++k) {
+        const Part& part = parts_[k];
+        for (const Session& session : part.contents.sessions) {
+            if (first == nullptr) {
+                first = &session;
+                of = &part;
+            }
+            const std::vector<std::string> changes =
+                changed_software(*first, session, "in " + of->file.string(), "in " + part.file.string());
+            if (changes.empty()) continue;
+            sentences.push_back(fmt::format("{} was computed by another build, so single members may differ in the "
+                                            "last bits: {}.",
+                                            part.file.string(), fmt::join(changes, "; ")));
+            break;
+        }
+    }
+}
+
+void Parts::add_clocks(std::vector<std::string>& sentences) const {
+    for (std::size_t k = merged_before_ ? 1 : 0; k < parts_.size(); ++k) {
+        for (const Session& session : parts_[k].contents.sessions) {
+            if (std::abs(session.clock_ahead) < told_clock) continue;
+            sentences.push_back(fmt::format(
+                "{} was run on a clock that is off: that of {} was {} {} that of the file system. Only the times of "
+                "its sessions are, by as much.",
+                parts_[k].file.string(), session.host, duration_text(std::abs(session.clock_ahead)),
+                session.clock_ahead > 0 ? "ahead of" : "behind"));
+            break;
+        }
+    }
+}
+
+void Parts::add_unfinished(std::vector<std::string>& sentences) const {
+    std::size_t told = 0;
+    std::size_t all = 0;
+    for (std::size_t k = merged_before_ ? 1 : 0; k < parts_.size(); ++k) {
+        const CampaignPart place = place_of(k);
+        const PartCount found = count(k);
+        if (place.of == 1 || found.missing == 0 || ++all > most_told) continue;
+        ++told;
+        const Session& last = parts_[k].contents.sessions.back();
+        const std::string state = is_at_work(parts_[k].journal) ? fmt::format("it runs on {}", last.host)
+                                  : !last.ended.empty()         ? fmt::format("it ended {} ({})", last.ended, last.outcome)
+                                                                : fmt::format("it was killed on {}", last.host);
+        sentences.push_back(fmt::format("{}, part {} of {}, has {} of its {}: {}.", parts_[k].file.string(),
+                                        place.number, place.of, found.done,
+                                        counted(found.done + found.failed + found.missing, "member"), state));
+    }
+    if (all > told) sentences.push_back(fmt::format("{} more are not complete.", all - told));
+}
+
+std::string Parts::missing_parts() const {
+    std::set<int> given;
+    int of = 0;
+    for (const Session& session : sessions()) {
+        if (session.parts == 1) continue;
+        if (of != 0 && of != session.parts) return {};  // of different divisions
+        of = session.parts;
+        given.insert(session.part);
+    }
+    std::vector<int> missing;
+    for (int k = 1; k <= of; ++k)
+        if (!given.contains(k)) missing.push_back(k);
+    if (missing.empty()) return {};
+    return fmt::format("Of {} there is no file of {} {}.", counted(of, "part"), missing.size() == 1 ? "part" : "parts",
+                       ranges(missing));
+}
+
+std::string Parts::missing_members() const {
+    const std::size_t cases = published_.cases.size();
+    std::vector<int> whole;
+    std::vector<std::vector<int>> single(cases);
+    int missing = 0;
+    for (int arrangement = 0; arrangement < published_.arrangements; ++arrangement) {
+        std::vector<std::size_t> lacking;
+        for (std::size_t k = 0; k < cases; ++k)
+            if (!matched_[static_cast<std::size_t>(arrangement) * cases + k]) lacking.push_back(k);
+        missing += static_cast<int>(lacking.size());
+        if (lacking.size() == cases) {
+            whole.push_back(arrangement);
+            continue;
+        }
+        for (const std::size_t k : lacking) single[k].push_back(arrangement);
+    }
+    if (missing == 0) return {};
+    std::vector<std::string> texts;
+    if (!whole.empty()) texts.push_back(fmt::format("all of {} {}", whole.size() == 1 ? "arrangement" : "arrangements", ranges(whole)));
+    for (std::size_t k = 0; k < cases; ++k)
+        if (!single[k].empty())
+            texts.push_back(fmt::format("of case {} {} {}", published_.cases[k].name,
+                                        single[k].size() == 1 ? "arrangement" : "arrangements", ranges(single[k])));
+    return fmt::format("{} {} missing: {}.", counted(missing, "member"), missing == 1 ? "is" : "are",
+                       fmt::join(texts, "; "));
+}
+
+bool is_at_work(const fs::path& journal) {
+    if (is_being_written(journal)) return true;
+    const std::optional<Heartbeat> heartbeat = read_heartbeat(heartbeat_path(journal));
+    return heartbeat && !is_stale(*heartbeat);
+}
+
+std::vector<fs::path> other_parts(const fs::path& file, const CampaignPart& part) {
+    std::vector<fs::path> others;
+    const std::string stem = fs::path(file).replace_extension("").string();
+    const std::string own = fmt::format(".part{}", part.number);
+    if (!stem.ends_with(own)) return others;
+    for (int k = 1; k <= part.of; ++k) {
+        const fs::path other = fmt::format("{}.part{}.h5", stem.substr(0, stem.size() - own.size()), k);
+        if (k != part.number && fs::exists(journal_path(other))) others.push_back(other);
+    }
+    return others;
+}
+
+}  // namespace floes

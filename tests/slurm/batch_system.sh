@@ -1,0 +1,124 @@
+# Sourced by the tests of batch systems: bash TEST.sh FLOES PROJECT. What they share, whichever system they start: a folder
+# of their own, and the end of all that was started in it.
+set -euo pipefail
+export FLOES=$1       # what the scripts run
+export FLOES_HOME=$2  # where the scripts are
+PROGRAM=$FLOES
+TEST=$$
+
+FOLDER=$(mktemp -d)   # short: the path of a socket has at most 107 characters
+CLUSTER=$FOLDER/cluster
+mkdir -p "$CLUSTER"/{run,state,log}
+chmod 755 "$FOLDER"
+# What all processes of this test's system have in their environment, and no others.
+MARK=$MARK_VARIABLE=$CLUSTER/$MARK_FILE
+export "${MARK?}"
+
+fail() {
+    echo "FAILED: $*" >&2
+    tail -n +1 "$FOLDER"/*.log >&2 || true
+    tell_system >&2 2>&1 || true
+    tail -n 20 "$CLUSTER"/log/*.log >&2 || true
+    exit 1
+}
+
+# The processes of the system: its daemons, its jobs and all they started.
+cluster_pids() {
+    env -u "$MARK_VARIABLE" grep -lzsxF "$MARK" /proc/[0-9]*/environ | cut -d/ -f3
+}
+
+end_cluster() {
+    local pids
+    for _ in 1 2 3 4 5; do  # until nothing is left that could start another
+        mapfile -t pids < <(cluster_pids)
+        [ ${#pids[@]} -gt 0 ] || break
+        kill -CONT "${pids[@]}" 2> /dev/null || true
+        kill -KILL "${pids[@]}" 2> /dev/null || true
+        sleep 0.2
+    done
+    rm -rf "$FOLDER"
+}
+trap end_cluster EXIT
+trap 'exit 1' INT TERM HUP
+
+# The trap does not run when the test is killed. This one outlives it and is nobody's child, so that whoever kills a
+# tree of processes does not find it.
+watch_over_test() {
+    while kill -0 "$TEST" 2> /dev/null; do sleep 1; done
+    [ ! -e "$FOLDER" ] || end_cluster
+}
+(trap - EXIT; trap '' INT TERM HUP; watch_over_test > /dev/null 2>&1 < /dev/null &)
+
+# until_true SECONDS COMMAND…: fails unless the command succeeds within that time.
+until_true() {
+    local end=$((SECONDS + $1))
+    shift
+    until "$@"; do
+        [ $SECONDS -lt $end ] || return 1
+        sleep 0.1
+    done
+}
+
+# free_ports USE…: a port for each.
+free_ports() {
+    /usr/bin/python3 - "$@" <<'PYTHON'
+import socket, sys
+held = [socket.socket() for _ in sys.argv[1:]]
+for one in held:
+    one.bind(("127.0.0.1", 0))
+print(*(one.getsockname()[1] for one in held))
+PYTHON
+}
+
+# as_daemon NAME COMMAND…: in a session of its own, its output in the cluster's logs.
+as_daemon() {
+    local name=$1
+    shift
+    setsid "$@" > "$CLUSTER/log/$name.out" 2>&1 < /dev/null &
+    disown  # no word from bash when it is killed
+}
+
+cd "$FOLDER"
+
+# campaign.toml: 2 cases x 6 arrangements of two floes, a tenth of a second each: the time is the system's.
+cat > campaign.toml <<TOML
+[campaign]
+seed = 1
+arrangements = ${ARRANGEMENTS:-6}
+
+[field]
+floes = 2
+concentration_percent = 40.0
+begin_m = 2.0
+half_width_m = 1.25
+
+[structure]
+profile_m = [[-0.443, 0.43], [0.0, 0.614], [0.122, 0.736]]
+start_m = 1.38
+speed_m_s = 0.03
+
+[analysis]
+steady_start_s = 2.0
+window_s = 12.0
+
+[[case]]
+name = "E30"
+elastic_modulus_MPa = 30.0
+
+[[case]]
+name = "E200"
+elastic_modulus_MPa = 200.0
+TOML
+
+# same A.h5 B.h5: fails unless both files have the same values outside /provenance.
+same() {
+    h5diff --exclude-path /provenance "$1" "$2" > difference.log 2>&1 || fail "$1 and $2 differ"
+}
+
+# said LOG TEXT: fails unless the log has the text.
+said() {
+    grep -qF -- "$2" "$1" || fail "$1 does not say '$2'"
+}
+
+# What the same program makes of the campaign without a batch system.
+"$FLOES" run campaign.toml -o whole.h5 > /dev/null 2> whole.log || fail "the campaign does not run by itself"

@@ -1,0 +1,85 @@
+# Sourced by the tests of job arrays: what they do with 32 parts of campaign.toml, whichever system computes them. Some
+# parts, drawn by a seed that is told (FLOES_SEED repeats it), fall asleep in their first start once they have a member, and
+# are then put back into the queue, asked to stop, or killed.
+SEED=${FLOES_SEED:-$RANDOM}
+RANDOM=$SEED
+echo "seed $SEED"
+FULL=5  # this part finds a full disk in its first start: a limit to the size of files stands for it
+mapfile -t HELD < <(for part in $(seq 32); do [ "$part" = $FULL ] || echo "$RANDOM $part"; done | sort -n | head -6 |
+    cut -d' ' -f2 | sort -n)
+
+cat > floes_here <<SH
+#!/usr/bin/env bash
+[[ " \$* " =~ " --part "([0-9]+)/32" " ]] || exec $PROGRAM "\$@"
+part=\${BASH_REMATCH[1]}
+if [[ \$part == $FULL && ! -e $FOLDER/disk.was_full ]]; then
+    touch $FOLDER/disk.was_full
+    trap '' XFSZ
+    ulimit -f 20
+fi
+[[ " ${HELD[*]} " == *" \$part "* && ! -e $FOLDER/held.\$part ]] || exec $PROGRAM "\$@"
+touch $FOLDER/held.\$part
+nice -n 19 $PROGRAM "\$@" &  # so that what watches it is not late
+child=\$!
+trap 'kill -USR1 \$child; kill -CONT \$child' USR1
+until [[ \$(stat -c %s $FOLDER/campaign.part\$part.journal 2> /dev/null || echo 0) -gt 12000 ]]; do sleep 0.02; done
+kill -STOP \$child
+touch $FOLDER/asleep.\$part
+while kill -0 \$child 2> /dev/null; do wait \$child; done
+wait \$child
+SH
+chmod +x floes_here
+export FLOES=$FOLDER/floes_here
+
+# kill_part PART: the process that leads it.
+kill_part() {
+    local pid
+    for pid in $(cluster_pids); do
+        if { tr '\0' ' ' < "/proc/$pid/cmdline"; } 2> /dev/null | grep -q "^$PROGRAM run .*--part $1/32 "; then
+            kill -KILL "$pid" 2> /dev/null || true
+        fi
+    done
+}
+
+# disturb_parts: each that sleeps, by requeue PART, ask_to_stop PART and kill_part PART in turn. Meanwhile, what can be
+# read while tasks run.
+disturb_parts() {
+    local part ways=(requeue ask_to_stop kill_part) k=0
+    for part in "${HELD[@]}"; do
+        until_true 90 test -e "asleep.$part" || fail "part $part has no member after 90 s"
+        [ $k != 2 ] || while_it_runs
+        "${ways[k++ % 3]}" "$part"
+    done
+}
+
+while_it_runs() {
+    "$PROGRAM" status campaign.part*.h5 > status.log 2>&1 || fail "parts have no status while they run"
+    said status.log "of 64 members done"
+    said status.log "Running: "
+    "$PROGRAM" summarize campaign.part*.h5 > summary.log 2>&1 || fail "parts have no summary while they run"
+    said summary.log "of 64 members have no result yet"
+    "$PROGRAM" merge campaign.part*.h5 -o campaign.h5 > merge.log 2>&1 && fail "all members are there while parts run"
+    said merge.log "of 64 members done"
+}
+
+# all_but_the_full_one_are_done: the rest is told.
+all_but_the_full_one_are_done() {
+    said "campaign.part$FULL.log" "Is the disk full"
+    "$PROGRAM" merge campaign.part*.h5 -o campaign.h5 > merge.log 2>&1 && fail "all members are there despite a full disk"
+    said merge.log "Of 32 parts there is no file of part $FULL."
+    said merge.log "missing: all of arrangement $((FULL - 1))."
+    said "campaign.part${HELD[0]}.log" "ended with 85"   # put back into the queue
+    said "campaign.part${HELD[1]}.log" "ended with 85"   # asked to stop
+    said "campaign.part${HELD[2]}.log" "ended with 137"  # killed
+    local part
+    for part in "${HELD[@]}"; do said "campaign.part$part.log" "resumed: "; done
+}
+
+all_is_one_run() {
+    "$PROGRAM" merge campaign.part*.h5 -o campaign.h5 > merge.log 2>&1 || fail "members are missing"
+    said merge.log "64 of 64 members done, 0 failed, 0 missing"
+    same whole.h5 campaign.h5
+    "$PROGRAM" merge campaign.part*.h5 -o afresh.h5 > afresh.log 2>&1 || fail "the parts cannot be merged at once"
+    same whole.h5 afresh.h5
+    "$PROGRAM" verify campaign.h5 campaign.journal > verify.log 2>&1 || fail "the merged files are not whole"
+}
