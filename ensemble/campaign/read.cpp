@@ -208,6 +208,7 @@ class CampaignReader {
 
     Campaign read() {
         read_tables();
+        if (source_.without_design) leave_design_out();
         read_points_file();
         axes_ = read_axes(document_.blocks, origins_, source_.file, design_);
         refuse_hidden();
@@ -272,6 +273,11 @@ class CampaignReader {
             const Key* key = find_key(keys, full_path(entry.path));
             if (key != nullptr && !key->preset) overridden_.emplace_back(entry, exact_text(*key));
         }
+    }
+
+    void leave_design_out() {
+        design_ = {};
+        std::erase_if(document_.blocks, [](const Block& block) { return block.path == axis_block; });
     }
 
     /// Puts the axes of design.points_file among the blocks.

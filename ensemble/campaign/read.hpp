@@ -54,6 +54,7 @@ struct CampaignSource {
     std::vector<std::string> overrides;  ///< "key=value" pairs (--set), applied last; of two for one key the later one
     /// Not stored by write_campaign(): only present keys are allowed, and given poses are checked floe by floe.
     bool from_user = false;
+    bool without_design = false;  ///< [design] and its axes are left out: the cases as they are without
 };
 
 /// Reads and checks a campaign. Throws InputError, one sentence: file, line, key, value, what is allowed, and the

@@ -33,6 +33,7 @@ void add_hydro(CommandLine& line);
 void add_report(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_match(CommandLine& line);
+void add_serve(CommandLine& line);
 void add_vary(CommandLine& line);
 void add_verify(CommandLine& line);
 

@@ -22,6 +22,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_report(line);
     add_replay(line);
     add_match(line);
+    add_serve(line);
     add_verify(line);
     line.help_verb();
     line.version(version_text, "Print version, revision, libraries and the lane widths of this processor");

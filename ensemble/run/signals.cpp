@@ -18,10 +18,12 @@ namespace floes {
 
 namespace {
 
-// A handler can only use globals. These belong to the one StopSignals that exists.
+// A handler can only use globals. These belong to the outermost StopSignals that exists.
 std::atomic<int> first_signal{0};
 std::atomic<std::int64_t> first_time{0};  // ms, monotonic
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
+
+int stop_signals_alive = 0;  // made and destroyed by the main thread
 
 // timeout(1), or a batch system together with mpirun, may deliver one request twice within microseconds.
 constexpr std::int64_t same_request_ms = 250;
@@ -73,12 +75,15 @@ void give_back(const Former& former) {
 }  // namespace
 
 StopSignals::StopSignals() {
-    first_signal = 0;
-    first_time = 0;
+    if (stop_signals_alive++ == 0) {
+        first_signal = 0;
+        first_time = 0;
+    }
     catch_all(on_signal, former_);
 }
 
 StopSignals::~StopSignals() {
+    --stop_signals_alive;
     give_back(former_);
 }
 

@@ -15,7 +15,8 @@ inline constexpr int exit_stopped = 85;
 
 inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP, SIGUSR1};
 
-/// Catches the signals during its lifetime; at most one in a process.
+/// Catches the signals during its lifetime. Of several in a process, those within another one see what that received
+/// before them.
 class StopSignals {
   public:
     StopSignals();

@@ -321,5 +321,17 @@ TEST(CommonArrangements, CountForMembers) {
     EXPECT_THAT(differences(common, own), ElementsAre("campaign.common_arrangements: true there, false here"));
 }
 
+TEST(Design, CanBeLeftOut) {
+    const std::string text =
+        "[design]\nmethod = \"sobol\"\npoints = 4\n" + axis("ice.thickness_m", "from = 0.02\nto = 0.05") + two_cases;
+    EXPECT_EQ(read(text).cases.size(), 8u);
+    const CampaignSource source{text, "a.toml", {"case.A.ice.thickness_m=0.06"}, true, true};
+    const Campaign without = read_campaign(source, nullptr);
+    EXPECT_THAT(names(without), ElementsAre("A", "B"));
+    EXPECT_FALSE(without.design.active());
+    EXPECT_EQ(without.cases[0].scenario.floe.thickness, 0.06);
+    EXPECT_THAT(message(text, {"case.A.ice.thickness_m=0.06"}), HasSubstr("axis"));
+}
+
 }  // namespace design_test
 }  // namespace floes

@@ -33,6 +33,16 @@ TEST(StopSignals, GiveBackWhatWasThere) {
     EXPECT_EQ(after.sa_handler, before.sa_handler);
 }
 
+TEST(StopSignals, WithinOthersSeeWhatCameBefore) {
+    const StopSignals outer;
+    std::raise(SIGTERM);
+    {
+        const StopSignals inner;
+        EXPECT_EQ(inner.received(), SIGTERM);
+    }
+    EXPECT_EQ(outer.received(), SIGTERM);
+}
+
 TEST(StopSignals, LeaveAHangupThatIsToBeIgnored) {
     std::signal(SIGHUP, SIG_IGN);  // as nohup does
     {

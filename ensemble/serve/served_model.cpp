@@ -1,0 +1,107 @@
+#include "serve/served_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "keys/key.hpp"
+#include "member/quantity.hpp"
+#include "scenario/keys.hpp"
+
+namespace floes {
+
+namespace {
+
+/// The numbers of an axis, whether it has a range or values.
+std::pair<double, double> ends_of(const DesignAxis& axis) {
+    if (axis.values.empty()) return {axis.from, axis.to};
+    std::pair<double, double> ends{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const Value& value : axis.values) {
+        const auto* whole = std::get_if<std::int64_t>(&value.data);
+        const double number = whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value.data);
+        ends = {std::min(ends.first, number), std::max(ends.second, number)};
+    }
+    return ends;
+}
+
+InputError no_number(const std::string& key) {
+    return InputError(
+        fmt::format("{} takes no single number, so it cannot be an input; name the inputs by --input, such as "
+                    "--input ice.thickness_m",
+                    key));
+}
+
+ModelInput on_axis_of(const DesignAxis& axis) {
+    if (!axis.numeric) throw no_number(axis.key);
+    const auto [from, to] = ends_of(axis);
+    return {axis.key, from, to, axis.whole};
+}
+
+ModelInput free_input(const std::string& path) {
+    Scenario scratch;
+    const Keys keys = describe(scratch);
+    const Key* key = find_key(keys, path);
+    if (key == nullptr)
+        throw InputError(fmt::format("--input {}: this is not a key that a case takes; did you mean {}?", path,
+                                     nearest_path(keys, path)));
+    const bool whole = std::holds_alternative<IntegerField>(key->field);
+    if (!whole && !std::holds_alternative<NumberField>(key->field)) throw no_number(path);
+    return {.key = path, .whole = whole};
+}
+
+}  // namespace
+
+bool ModelInput::bounded() const {
+    return std::isfinite(from) && std::isfinite(to);
+}
+
+bool ModelQuestion::same_point(const ModelQuestion& other) const {
+    return values == other.values && arrangements == other.arrangements && seed == other.seed;
+}
+
+std::vector<ModelInput> model_inputs(const Design& design, const std::vector<std::string>& keys) {
+    std::vector<ModelInput> inputs;
+    if (keys.empty()) {
+        for (const DesignAxis& axis : design.axes) inputs.push_back(on_axis_of(axis));
+        if (inputs.empty())
+            throw InputError(
+                "The configuration has no [[design.axis]] whose keys could be the inputs; name them by --input, such "
+                "as "
+                "--input ice.thickness_m --input contact.ice_structure_friction");
+        return inputs;
+    }
+    for (const std::string& key : keys) {
+        if (std::ranges::find(inputs, key, &ModelInput::key) != inputs.end())
+            throw InputError(fmt::format("--input {} is given twice; keep one", key));
+        const auto axis = std::ranges::find(design.axes, key, &DesignAxis::key);
+        inputs.push_back(axis == design.axes.end() ? free_input(key) : on_axis_of(*axis));
+    }
+    return inputs;
+}
+
+std::vector<std::string> model_outputs(const Campaign& campaign, const std::vector<std::string>& keys) {
+    const std::vector<double> times = campaign.cases.front().scenario.averaging_times();
+    const std::vector<Quantity> measured = quantities_with(times);
+    if (keys.empty())
+        return {std::string{quantity("mean_load").key.view()}, std::string{headline_maximum(measured).key.view()}};
+    for (const std::string& key : keys) {
+        const std::optional<Quantity> known = any_quantity(key);
+        if (!known)
+            throw InputError(
+                fmt::format("--output {}: this is no quantity of a member; take mean_load, mean_maximum_1s, "
+                            "failure_ratio or another of floes summarize --format json",
+                            key));
+        if (std::ranges::find(measured, key, [](const Quantity& one) { return one.key.view(); }) == measured.end())
+            throw InputError(fmt::format(
+                "--output {}: the load is not averaged over {:g} s here; analysis.averaging_s has the times that it is "
+                "averaged over",
+                key, known->averaging));
+    }
+    return keys;
+}
+
+}  // namespace floes

@@ -1,0 +1,74 @@
+#pragma once
+// A campaign as a function of numbers, as samplers call it: what goes in, what comes out, what is wrong.
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "campaign/campaign.hpp"
+
+namespace floes {
+
+/// A key of the configuration that whoever asks sets to a number.
+struct ModelInput {
+    std::string key;                                         ///< full path of a scenario's key: "ice.thickness_m"
+    double from = -std::numeric_limits<double>::infinity();  ///< allowed, in the key's unit
+    double to = std::numeric_limits<double>::infinity();
+    bool whole = false;
+
+    /// Has an axis, so `from` and `to` are numbers.
+    bool bounded() const;
+};
+
+struct ServedModel {
+    std::vector<ModelInput> inputs;    ///< at least one, keys unique
+    std::vector<std::string> outputs;  ///< keys of quantities, at least one
+};
+
+/// The axes of the campaign's design as inputs, or with `keys` those keys: between the ends of their axis where they
+/// have one, otherwise within what the key allows. Throws InputError where there are none, for a key that is none of a
+/// scenario or takes no single number, and for one that is given twice.
+std::vector<ModelInput> model_inputs(const Design& design, const std::vector<std::string>& keys);
+
+/// `keys` as outputs, or without any the mean load and the largest load of the headlines. Throws InputError for one
+/// that is no quantity, or that the campaign's first case does not measure.
+std::vector<std::string> model_outputs(const Campaign& campaign, const std::vector<std::string>& keys);
+
+/// What is asked: the inputs' numbers, in their order, and what replaces the configuration's own.
+struct ModelQuestion {
+    std::vector<double> values;
+    std::optional<std::int64_t> arrangements = {};
+    std::optional<std::int64_t> seed = {};
+    bool standard_errors = false;  ///< are to be told; they are computed anyway
+
+    /// The same simulations answer both.
+    bool same_point(const ModelQuestion& other) const;
+};
+
+/// One number for each output, over arrangements.
+struct ModelValues {
+    std::vector<double> means;
+    std::vector<double> standard_errors;  ///< of the means; NaN of a single arrangement
+};
+
+/// Why there are none; what() is a sentence.
+class ModelError : public std::runtime_error {
+  public:
+    /// The types of errors of the protocol, and one for a server that does not take the request.
+    enum class Kind { invalid_input, invalid_output, model_not_found, unsupported_feature, unavailable };
+
+    ModelError(Kind kind, const std::string& sentence) : std::runtime_error(sentence), kind_(kind) {}
+
+    Kind kind() const { return kind_; }
+
+  private:
+    Kind kind_;
+};
+
+using ModelAnswer = std::variant<ModelValues, ModelError>;
+
+}  // namespace floes

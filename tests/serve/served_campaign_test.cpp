@@ -1,0 +1,214 @@
+#include "serve/served_campaign.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <csignal>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "run/signals.hpp"
+#include "support/synthetic.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace floes {
+namespace served_campaign_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+/// The case "soft" of the synthetic campaign; 2 arrangements of which number k has the mean load 100 (k + 1) + 0.1,
+/// more in thicker ice.
+class Served {
+  public:
+    explicit Served(std::filesystem::path kept, std::string case_name = "soft")
+        : folder(std::move(kept)),
+          campaign([](const auto& overrides) { return read(overrides); }, read({}), {{"ice.thickness_m", 0.02, 0.05}},
+                   {std::move(case_name), folder}) {}
+
+    static Campaign read(const std::vector<std::string>& overrides) {
+        return read_campaign({write_campaign(synthetic::campaign(2)), "synthetic.toml", overrides}, nullptr);
+    }
+
+    MemberResult compute(const Campaign& of, int number, const std::stop_token&) {
+        ++computed;
+        if (of.cases.size() != 1) throw std::logic_error("more than one case is computed");
+        MemberResult result = synthetic::record(of, number).result;
+        result.load.mean += 1000 * (of.cases.front().scenario.floe.thickness - 0.03) + static_cast<double>(of.seed) - 7;
+        if (number == failing) throw MemberFailure("an element ran away");
+        return result;
+    }
+
+    ModelAnswer answer(const ModelQuestion& question, const std::vector<std::string>& outputs = {"mean_load"}) {
+        std::ostringstream said;
+        return campaign.answer(
+            question, outputs,
+            {[this](const Campaign& of, int number, const std::stop_token& stop) { return compute(of, number, stop); },
+             2, nullptr, said});
+    }
+
+    double mean(const ModelQuestion& question) {
+        const ModelAnswer given = answer(question);
+        if (const auto* error = std::get_if<ModelError>(&given)) ADD_FAILURE() << error->what();
+        return std::holds_alternative<ModelValues>(given) ? std::get<ModelValues>(given).means.at(0) : 0;
+    }
+
+    ModelError refusal(const ModelQuestion& question) { return std::get<ModelError>(answer(question)); }
+
+    std::filesystem::path folder;
+    ServedCampaign campaign;
+    std::atomic<int> computed = 0;
+    int failing = -1;
+};
+
+TEST(ServedCampaign, AnswersWithMeansAndTheirStandardErrors) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    const auto values = std::get<ModelValues>(served.answer({{0.04}, 3}, {"mean_load", "mean_maximum_0.4s"}));
+    EXPECT_DOUBLE_EQ(values.means.at(0), 200.1 + 10);                      // of 100.1, 200.1 and 300.1
+    EXPECT_DOUBLE_EQ(values.standard_errors.at(0), 100 / std::sqrt(3.0));  // their sample deviation is 100
+    EXPECT_EQ(values.means.size(), 2u);
+    EXPECT_EQ(values.standard_errors.size(), 2u);
+    EXPECT_TRUE(std::isnan(std::get<ModelValues>(served.answer({{0.04}, 1})).standard_errors.at(0)));
+}
+
+TEST(ServedCampaign, TakesTheConfigurationsOwnWhereNothingElseIsAsked) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    EXPECT_DOUBLE_EQ(served.mean({{0.03}}), 150.1);
+    EXPECT_EQ(served.computed, 2);
+    EXPECT_DOUBLE_EQ(served.mean({{0.03}, {}, 9}), 152.1);  // two for the seed
+    EXPECT_EQ(served.campaign.at({{0.035}, 5, 11}).arrangements, 5);
+    EXPECT_EQ(served.campaign.at({{0.035}, 5, 11}).seed, 11u);
+    EXPECT_EQ(served.campaign.in_the_middle().cases.front().scenario.floe.thickness, 0.035);
+}
+
+TEST(ServedCampaign, ComputesNothingTwice) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    served.mean({{0.03}, 3});
+    EXPECT_EQ(served.computed, 3);
+    served.mean({{0.03}, 3});
+    EXPECT_EQ(served.computed, 3);
+    EXPECT_DOUBLE_EQ(served.mean({{0.03}, 5}), 300.1);
+    EXPECT_EQ(served.computed, 5);                      // two more
+    EXPECT_DOUBLE_EQ(served.mean({{0.03}, 2}), 150.1);  // of the first two
+    EXPECT_EQ(served.computed, 5);
+    served.mean({{0.04}, 2});
+    EXPECT_EQ(served.computed, 7);
+
+    Served again(folder / "kept");  // another day
+    EXPECT_DOUBLE_EQ(again.mean({{0.03}, 4}), 250.1);
+    EXPECT_EQ(again.computed, 0);
+}
+
+TEST(ServedCampaign, GoesOnWithWhatIsKeptOfMore) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    served.mean({{0.03}, 4});
+    const std::filesystem::path file = served.campaign.file_of(served.campaign.at({{0.03}}));
+    std::filesystem::remove(file);  // as if the run had been stopped before it was written
+    EXPECT_DOUBLE_EQ(served.mean({{0.03}, 2}), 150.1);
+    EXPECT_EQ(served.computed, 4);
+    EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+TEST(ServedCampaign, KeepsEachPointInAFile) {
+    const TemporaryFolder folder;
+    const Served served(folder / "kept");
+    const auto file = [&](const ModelQuestion& of) { return served.campaign.file_of(served.campaign.at(of)); };
+    EXPECT_EQ(file({{0.03}, 2}), file({{0.03}, 9}));
+    EXPECT_NE(file({{0.03}}), file({{
+                                        0.03,
+                                    },
+                                    {},
+                                    8}));
+    EXPECT_NE(file({{0.03}}), file({{0.030000000000000002}}));
+    EXPECT_THAT(file({{0.03}}).filename().string(), testing::StartsWith("synthetic-"));
+}
+
+TEST(ServedCampaign, SaysWhichMembersFailed) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    served.failing = 1;
+    const ModelError error = served.refusal({{0.03}, 3});
+    EXPECT_EQ(error.kind(), ModelError::Kind::invalid_output);
+    EXPECT_THAT(error.what(), HasSubstr("1 of 3 members failed, the first with: an element ran away"));
+    served.failing = -1;
+    EXPECT_STREQ(served.refusal({{0.03}, 3}).what(), error.what()) << "the same question has another answer";
+    EXPECT_DOUBLE_EQ(served.mean({{0.03}, 1}), 100.1);  // which does not need that member
+}
+
+TEST(ServedCampaign, SaysWhatTheConfigurationRefuses) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    const ModelError error = served.refusal({{-0.03}});
+    EXPECT_EQ(error.kind(), ModelError::Kind::invalid_input);
+    EXPECT_THAT(error.what(), HasSubstr("ice.thickness_m = -0.03"));
+    EXPECT_EQ(served.refusal({{0.03}, 4'000'000'000}).kind(), ModelError::Kind::invalid_input);
+    EXPECT_EQ(served.computed, 0);
+}
+
+TEST(ServedCampaign, SaysWhatIsWrongWithAFile) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    served.mean({{0.03}});
+    std::filesystem::resize_file(served.campaign.file_of(served.campaign.at({{0.03}})), 100);
+    EXPECT_EQ(served.refusal({{0.03}}).kind(), ModelError::Kind::invalid_output);
+    EXPECT_NEAR(served.mean({{0.031}}), 151.1, 1e-9) << "and answers others";
+}
+
+TEST(ServedCampaign, IsUnavailableWhereASignalStopsIt) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    {
+        const StopSignals signals;  // of the server
+        std::raise(SIGTERM);
+        EXPECT_EQ(served.refusal({{0.03}}).kind(), ModelError::Kind::unavailable);
+        EXPECT_EQ(signals.received(), SIGTERM);
+    }
+    EXPECT_DOUBLE_EQ(served.mean({{0.03}}), 150.1);
+}
+
+TEST(ServedCampaign, IsOfOneCase) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(
+        [&] { Served(folder / "kept", ""); },
+        ThrowsMessage<InputError>("one case is served, and this campaign has several; name it with --case: soft, "
+                                  "stiff, open"));
+    EXPECT_THAT([&] { Served(folder / "kept", "hard"); },
+                ThrowsMessage<InputError>("there is no case hard; the cases are soft, stiff, open"));
+    EXPECT_EQ(Served(folder / "kept", "open").campaign.in_the_middle().cases.front().name, "open");
+}
+
+TEST(ServedCampaign, NeedsNoCaseInADesign) {
+    const std::string ice = "structure = {start_m = 5}\nanalysis = {steady_start_s = 20, window_s = 9}\n";
+    const std::string design =
+        "[design]\nmethod = \"sobol\"\npoints = 4\n[[design.axis]]\nkey = \"ice.elastic_modulus_MPa\"\nfrom = 30\n"
+        "to = 200\n";
+    const auto served = [&](const std::string& cases, const std::string& name) {
+        const std::string text = ice + design + cases;
+        const Campaign whole = read_campaign({text, "a.toml", {}, true}, nullptr);
+        return ServedCampaign(
+            [text](const auto& overrides) {
+                return read_campaign({text, "a.toml", overrides, true, true}, nullptr);
+            },
+            whole, model_inputs(whole.design, {}), {name, "kept"});
+    };
+    const auto modulus = [](const ServedCampaign& of) {
+        return of.at({{50}}).cases.front().scenario.ice.elastic_modulus / 1e6;
+    };
+    EXPECT_DOUBLE_EQ(modulus(served("", "")), 50);
+    EXPECT_THAT([&] { served("", "A"); }, ThrowsMessage<InputError>(HasSubstr("leave --case out")));
+    const std::string two = "[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\nfloe.length_m = 1.2\n";
+    EXPECT_THAT([&] { served(two, ""); }, ThrowsMessage<InputError>(HasSubstr("name it with --case: A, B")));
+    EXPECT_DOUBLE_EQ(modulus(served(two, "B")), 50);
+    EXPECT_EQ(served(two, "B").at({{50}}).cases.front().name, "B");
+    const std::string written = "[[case]]\nname = \"A+p0\"\ndesign.base = \"A\"\ndesign.point = 0\n";
+    EXPECT_THAT([&] { served(two + written, "A"); }, ThrowsMessage<InputError>(testing::_));
+}
+
+}  // namespace served_campaign_test
+}  // namespace floes
