@@ -6,9 +6,11 @@
 
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -104,6 +106,8 @@ void Progress::write(const ProgressState& state) {
 }
 
 Progress::Style style_of_standard_error() {
+    const char* wanted = std::getenv("FLOES_PROGRESS");
+    if (wanted != nullptr && std::string_view(wanted) == "live") return Progress::Style::live;
     return ::isatty(STDERR_FILENO) == 1 ? Progress::Style::live : Progress::Style::plain;
 }
 

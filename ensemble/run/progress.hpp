@@ -69,7 +69,7 @@ class Progress {
     int last_finished_ = 0;
 };
 
-/// Live when standard error is a terminal.
+/// Live when standard error is a terminal, or the environment has FLOES_PROGRESS=live: for programs that show the line.
 Progress::Style style_of_standard_error();
 
 // A small file beside the journal that shows other terminals and nodes what a run is doing. It is replaced every few

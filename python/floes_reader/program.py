@@ -7,6 +7,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
 from typing import Any
 
 from .stored import CampaignError
@@ -46,18 +47,36 @@ def ask(verb: str, path: str | os.PathLike, **options: Any) -> dict[str, Any]:
         raise CampaignError(f"floes {verb} has no answer: {done.stderr.strip()}") from None
 
 
+def show(lines: Iterable[str]) -> str:
+    """Copies what the program says to sys.stderr, which a notebook shows: a state of the run takes the place of the one
+    before it. Returns the last line."""
+    last, under_way = "", 0  # characters of a state that the next line has to cover
+    for line in lines:
+        text = line.replace("\033[K", "").strip()
+        if not text:
+            continue
+        last, state = text, " done, " in text and " running" in text
+        print(text.ljust(under_way), end="\r" if state else "\n", file=sys.stderr, flush=True)
+        under_way = len(text) if state else 0
+    if under_way:
+        print(file=sys.stderr)
+    return last
+
+
 def compute(config: str | os.PathLike, output: str | os.PathLike, changes: dict[str, Any], **options: Any) -> None:
     """`floes run CONFIG -o OUTPUT`; its progress goes to sys.stderr, which a notebook shows. CampaignError where it ends
     before every member is done or set aside."""
     command = [executable(), "run", os.fspath(config), "-o", os.fspath(output), *words_of(options)]
     for key, value in changes.items():
         command += ["--set", f"{key}={json.dumps(value)}"]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
-        last = ""
-        for line in process.stderr or ():
-            last = line.strip() or last
-            print(line.rstrip("\n"), end="\r" if " done, " in line else "\n", file=sys.stderr, flush=True)
-    print(file=sys.stderr)
+    often = {**os.environ, "FLOES_PROGRESS": "live"}  # as on a terminal, where a state ends with \r; text=True splits there
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=often) as process:
+        try:
+            last = show(process.stderr or ())
+        except KeyboardInterrupt:  # a notebook's, which need not reach the program
+            process.terminate()
+            process.wait()
+            raise
     if process.returncode == STOPPED:
         raise CampaignError(f"The run was stopped; resume=True goes on with {os.fspath(output)}.")
     if process.returncode not in (0, 1) or not pathlib.Path(output).exists():

@@ -2,13 +2,17 @@
 """reader_test.py FLOES SYNTHETIC_FILE PROJECT: what python/floes_reader makes of campaign files, beside what floes
 says of them and what h5py reads. The page docs/python.md shows what its blocks print."""
 
+import contextlib
 import csv
 import io
 import json
 import os
+import pathlib
 import subprocess
 import sys
+import tempfile
 import unittest
+import unittest.mock
 
 import h5py
 import numpy
@@ -115,6 +119,46 @@ class Program(unittest.TestCase):
             floes_reader.run(smoke, output, set={"campaign.arrangement": 1}, overwrite=True)
         with floes_reader.open(SMOKE) as campaign:
             self.assertTrue(campaign.design_loads().empty)  # too few peaks
+
+
+class Progress(unittest.TestCase):
+    def compute(self, script, **options):
+        """What floes_reader says of a program that is this shell script, and its error."""
+        with tempfile.TemporaryDirectory() as folder:
+            fake = pathlib.Path(folder, "floes")
+            fake.write_text("#!/bin/sh\n" + script)
+            fake.chmod(0o755)
+            said = io.StringIO()
+            with unittest.mock.patch.dict(os.environ, {"FLOES": str(fake)}), contextlib.redirect_stderr(said):
+                with self.assertRaises(floes_reader.CampaignError) as error:
+                    floes_reader.run("a.toml", pathlib.Path(folder, "a.h5"), **options)
+        return said.getvalue(), str(error.exception)
+
+    def test_state_is_one_line_that_is_replaced(self):
+        said, error = self.compute(r"""printf 'floes: a note\n' >&2
+            printf '\r\033[Kfloes: 0 of 12 done, 0 failed, 2 running, a long way to go' >&2
+            printf '\r\033[Kfloes: 12 of 12 done, 0 failed, 0 running' >&2
+            printf '\r\033[Kfloes: the disk is full\n' >&2
+            exit 1""")
+        first = "floes: 0 of 12 done, 0 failed, 2 running, a long way to go"
+        second = "floes: 12 of 12 done, 0 failed, 0 running"
+        self.assertEqual(said, f"floes: a note\n{first}\r{second.ljust(len(first))}\r"
+                               f"{'floes: the disk is full'.ljust(len(second))}\n")
+        self.assertEqual(error, "floes run ended with status 1: floes: the disk is full")
+
+    def test_program_is_asked_for_a_live_line_and_gets_its_options(self):
+        said, error = self.compute('echo "$FLOES_PROGRESS $*" >&2; exit 85', ranks=3, time_left=60, set={"a.b": [1, "c"]})
+        self.assertRegex(said, r'live run a.toml -o \S+ --ranks 3 --time-left 60 --set a.b=\[1, "c"\]')
+        self.assertIn("resume=True goes on", error)
+
+    def test_ranks_of_a_run_are_mpi_s(self):
+        said = io.StringIO()
+        changes = {"campaign.arrangements": 1, "analysis.steady_start_s": 4, "analysis.window_s": 3}
+        with contextlib.redirect_stderr(said):
+            with floes_reader.run(PROJECT / "configs/smoke.toml", SMOKE.parent / "ranks.h5", set=changes, ranks=2) as made:
+                self.assertEqual(list(made.sessions.ranks), [2])
+        self.assertRegex(said.getvalue(), r"floes: 3 of 3 done, 0 failed, 0 running.*[\r\n]")
+        self.assertNotIn("\033", said.getvalue())
 
 
 class Tables(unittest.TestCase):

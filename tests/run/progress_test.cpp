@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 
 namespace floes {
@@ -71,6 +72,12 @@ TEST(Progress, KeepsOneLiveLineOnATerminal) {
         progress.show(half_way(), now += milliseconds(1));
     }
     EXPECT_EQ(out.str().back(), '\n');
+}
+
+TEST(Progress, IsLiveForAProgramThatAsksForIt) {
+    ASSERT_EQ(::setenv("FLOES_PROGRESS", "live", 1), 0);
+    EXPECT_EQ(style_of_standard_error(), Progress::Style::live);
+    ASSERT_EQ(::unsetenv("FLOES_PROGRESS"), 0);
 }
 
 }  // namespace progress_test
