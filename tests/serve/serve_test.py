@@ -62,7 +62,7 @@ class Server:
         """Exit status and seconds until then."""
         begin = time.monotonic()
         self.process.send_signal(by)
-        self.said += self.process.communicate(timeout=30)[1]
+        self.said += self.process.communicate(timeout=100)[1]
         return self.process.returncode, time.monotonic() - begin
 
     def ask(self, path, body=None, timeout=60, headers=None):
@@ -169,7 +169,7 @@ class Serve(unittest.TestCase):
             with Server(self.folder) as server:
                 status, seconds = server.end(by)
                 self.assertEqual(status, 0)
-                self.assertLess(seconds, 5)
+                self.assertLess(seconds, 20)
                 self.assertIn(f"stopped by {by.name}", server.said)
         with Server(self.folder) as server, concurrent.futures.ThreadPoolExecutor() as pool:
             asked = pool.submit(server.evaluate, 0.03, 0.2, arrangements=500)
@@ -179,7 +179,7 @@ class Serve(unittest.TestCase):
                 journal = next((self.folder / "quick.served").glob("*.journal"), None)
             status, seconds = server.end(signal.SIGTERM)
             self.assertEqual(status, 0)
-            self.assertLess(seconds, 15)
+            self.assertLess(seconds, 60)
             self.assertEqual(asked.result()[:2], (503, "Unavailable"))
         kept = subprocess.run([PROGRAM, "status", str(journal.with_suffix(".h5")), "--format", "json"], check=True,
                               capture_output=True, text=True)
