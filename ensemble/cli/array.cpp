@@ -110,10 +110,10 @@ std::string script_of(const ArrayOptions& options, const Division& division, con
     const int cores = options.cores == 0 ? usual_cores : options.cores;
     const int usual_hours = static_cast<int>(std::ceil(4 * division.longest / unit::hour));
     const int hours = options.hours > 0 ? options.hours : std::clamp(usual_hours, 1, 24);
-    const std::string next =
-        fmt::format("#     floes status {0}.part*.h5  # while they run; floes summarize takes the parts, too\n"
-                    "#     {1}  # of what is done; again: adds what is new",
-                    shell_word(stem), merge_words(output));
+    const std::string next = fmt::format(
+        "#     floes status {0}.part*.h5  # while they run; floes summarize takes the parts, too\n"
+        "#     {1}  # of what is done; again: adds what is new",
+        shell_word(stem), merge_words(output));
     const std::vector<std::pair<std::string_view, std::string>> values{
         {"@TASK@\n", std::string(starter("task.sh").value())},
         {"@SLOTS@\n", cores > 1 ? fmt::format("#$ -pe smp {}\n", cores) : ""},

@@ -38,7 +38,7 @@ namespace floes {
 struct YearOptions {
     std::filesystem::path file;  ///< the campaign file
     std::string words;           ///< as it was given, for commands
-    std::string regimes;  ///< TOML, or CSV by its name
+    std::string regimes;         ///< TOML, or CSV by its name
     DesignLoadRequest load;
     std::vector<double> per_year{1e-2, 1e-4};
     std::string format = "table";
@@ -56,9 +56,8 @@ namespace {
 /// `asked`: what the answer is of, "--regimes year.toml".
 std::string command_of(const std::string& program, const std::string& words, const std::string& asked,
                        const DesignLoadRequest& load, bool automatic_window, const std::string& output) {
-    std::string command =
-        fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}", typed_program(program),
-                    words, asked, load.averaging, load.scale, load.share);
+    std::string command = fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}",
+                                      typed_program(program), words, asked, load.averaging, load.scale, load.share);
     if (load.rising) command += " --rising";
     if (automatic_window) command += " --window auto";
     return command + " -o " + shell_word(output);
@@ -89,8 +88,8 @@ void write_year(const YearOptions& options, const std::vector<Section>& sections
     const Units units = year_units(year, request);
     if (!options.output.ends_with(".svg")) {
         write_output(options.output, "Loads of a year", sections,
-                     command_of(options.program, options.words, "--regimes " + shell_word(options.regimes), options.load,
-                                options.automatic_window, options.output),
+                     command_of(options.program, options.words, "--regimes " + shell_word(options.regimes),
+                                options.load, options.automatic_window, options.output),
                      units);
         return;
     }

@@ -21,8 +21,8 @@
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "core/shell_word.hpp"
-#include "store/file_calls.hpp"
 #include "run/parts.hpp"
+#include "store/file_calls.hpp"
 #include "store/journal.hpp"
 
 namespace floes {

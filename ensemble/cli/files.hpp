@@ -20,8 +20,8 @@ GivenFile given_file(const std::filesystem::path& path);
 /// journal beside a missing campaign file has its results.
 void expect_campaign_file(const std::filesystem::path& path);
 
-/// What a verb reads that was given one campaign file, or several parts of a campaign. Parts are merged into a file that
-/// is kept as long as this, and what is told apart or missing is told on standard error.
+/// What a verb reads that was given one campaign file, or several parts of a campaign. Parts are merged into a file
+/// that is kept as long as this, and what is told apart or missing is told on standard error.
 class GivenCampaign {
   public:
     /// Throws InputError, as expect_campaign_file() of one and as Parts of several.

@@ -38,8 +38,7 @@ std::string work_sentence(const CampaignStatus& status, const PartsAtWork& parts
                    : fmt::format("No part runs; floes merge makes one file of {}.", counted(parts.parts, "part"));
     return fmt::format("Running: {} of {}, {} on {}{}{}.", parts.running, counted(parts.parts, "part"),
                        counted(parts.threads, "thread"), counted(parts.hosts, "host"),
-                       status.rate ? ", " + rate_text(*status.rate) : "",
-                       status.seconds_left ? left_text(status) : "");
+                       status.rate ? ", " + rate_text(*status.rate) : "", status.seconds_left ? left_text(status) : "");
 }
 
 }  // namespace

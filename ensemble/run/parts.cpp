@@ -24,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double told_clock = 60;          // s
-constexpr std::size_t most_told = 20;      // ranges or sentences of a kind
-constexpr std::uint64_t piece = 1 << 20;   // bytes read at a time
+constexpr double told_clock = 60;         // s
+constexpr std::size_t most_told = 20;     // ranges or sentences of a kind
+constexpr std::uint64_t piece = 1 << 20;  // bytes read at a time
 
 /// "2, 5-9, 12"
 std::string ranges(const std::vector<int>& sorted) {
@@ -55,9 +55,10 @@ bool same_result(const MemberRecord& one, const MemberRecord& other) {
 Parts::Part read_part(const fs::path& file) {
     Parts::Part part{.file = file, .journal = journal_path(file), .contents = {}, .campaign = {}};
     if (!fs::exists(part.journal))
-        throw InputError(fmt::format("there is no journal {} beside {}; parts are read from their journals, so the two "
-                                     "files stay together.",
-                                     part.journal.string(), file.string()));
+        throw InputError(
+            fmt::format("there is no journal {} beside {}; parts are read from their journals, so the two "
+                        "files stay together.",
+                        part.journal.string(), file.string()));
     part.contents = read_journal(part.journal);
     part.campaign = read_stored_campaign(part.contents, part.journal);
     return part;
@@ -70,7 +71,8 @@ Parts::Parts(std::span<const fs::path> files, bool merged_before) : merged_befor
     check_campaigns();
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         notes_.add(parts_[k].contents.members);
-        for (std::size_t record = 0; record < parts_[k].contents.places.size(); ++record) places_.push_back({k, record});
+        for (std::size_t record = 0; record < parts_[k].contents.places.size(); ++record)
+            places_.push_back({k, record});
     }
     gather_blocks();
     apply_rule();
@@ -97,10 +99,11 @@ void Parts::check_campaigns() {
             largest_ = k;
             continue;
         }
-        throw InputError(fmt::format("{} belongs to a different campaign than {}: {}. Leave it out, or run that part "
-                                     "again with the configuration of the others.",
-                                     parts_[k].journal.string(), parts_[largest_].journal.string(),
-                                     fmt::join(differences(largest, parts_[k].campaign), "; ")));
+        throw InputError(
+            fmt::format("{} belongs to a different campaign than {}: {}. Leave it out, or run that part "
+                        "again with the configuration of the others.",
+                        parts_[k].journal.string(), parts_[largest_].journal.string(),
+                        fmt::join(differences(largest, parts_[k].campaign), "; ")));
     }
 }
 
@@ -201,9 +204,8 @@ std::vector<std::string> Parts::remarks() const {
             parts_[k].campaign.cases.size() == whole_campaign().cases.size())
             continue;
         if (k == 0 && merged_before_) continue;
-        sentences.push_back(fmt::format(
-            "{} was run for a smaller campaign: {}", parts_[k].file.string(),
-            fmt::join(differences(parts_[k].campaign, whole_campaign()), "; ")));
+        sentences.push_back(fmt::format("{} was run for a smaller campaign: {}", parts_[k].file.string(),
+                                        fmt::join(differences(parts_[k].campaign, whole_campaign()), "; ")));
     }
     add_twins(sentences);
     add_builds(sentences);
@@ -240,9 +242,9 @@ void Parts::add_twins(std::vector<std::string>& sentences) const {
     for (auto& [pair, found] : twins) {
         std::ranges::sort(found.members);
         std::ranges::sort(found.different);
-        const std::string told = fmt::format("{} of {} {} in {} too", counted(std::ssize(found.members), "member"),
-                                             parts_[pair.second].file.string(),
-                                             found.members.size() == 1 ? "is" : "are", parts_[pair.first].file.string());
+        const std::string told = fmt::format(
+            "{} of {} {} in {} too", counted(std::ssize(found.members), "member"), parts_[pair.second].file.string(),
+            found.members.size() == 1 ? "is" : "are", parts_[pair.first].file.string());
         sentences.push_back(
             found.different.empty()
                 ? fmt::format("{}, with the same results; they count once.", told)
@@ -265,9 +267,10 @@ void Parts::add_builds(std::vector<std::string>& sentences) const {
             const std::vector<std::string> changes =
                 changed_software(*first, session, "in " + of->file.string(), "in " + part.file.string());
             if (changes.empty()) continue;
-            sentences.push_back(fmt::format("{} was computed by another build, so single members may differ in the "
-                                            "last bits: {}.",
-                                            part.file.string(), fmt::join(changes, "; ")));
+            sentences.push_back(
+                fmt::format("{} was computed by another build, so single members may differ in the "
+                            "last bits: {}.",
+                            part.file.string(), fmt::join(changes, "; ")));
             break;
         }
     }
@@ -297,8 +300,8 @@ void Parts::add_unfinished(std::vector<std::string>& sentences) const {
         ++told;
         const Session& last = parts_[k].contents.sessions.back();
         const std::string state = is_at_work(parts_[k].journal) ? fmt::format("it runs on {}", last.host)
-                                  : !last.ended.empty()         ? fmt::format("it ended {} ({})", last.ended, last.outcome)
-                                                                : fmt::format("it was killed on {}", last.host);
+                                  : !last.ended.empty() ? fmt::format("it ended {} ({})", last.ended, last.outcome)
+                                                        : fmt::format("it was killed on {}", last.host);
         sentences.push_back(fmt::format("{}, part {} of {}, has {} of its {}: {}.", parts_[k].file.string(),
                                         place.number, place.of, found.done,
                                         counted(found.done + found.failed + found.missing, "member"), state));
@@ -341,7 +344,8 @@ std::string Parts::missing_members() const {
     }
     if (missing == 0) return {};
     std::vector<std::string> texts;
-    if (!whole.empty()) texts.push_back(fmt::format("all of {} {}", whole.size() == 1 ? "arrangement" : "arrangements", ranges(whole)));
+    if (!whole.empty())
+        texts.push_back(fmt::format("all of {} {}", whole.size() == 1 ? "arrangement" : "arrangements", ranges(whole)));
     for (std::size_t k = 0; k < cases; ++k)
         if (!single[k].empty())
             texts.push_back(fmt::format("of case {} {} {}", published_.cases[k].name,

@@ -27,11 +27,11 @@ struct JournalContents {
         std::uint64_t size = 0;
     };
 
-    std::uint64_t first_record = 0;  ///< offset in the file
-    std::string campaign_text;      ///< resolved configuration, TOML
-    MemberNotes members;            ///< in order of arrival; their records are left in the file
-    std::deque<Place> places;       ///< of these records
-    std::vector<Session> sessions;  ///< in order of time
+    std::uint64_t first_record = 0;             ///< offset in the file
+    std::string campaign_text;                  ///< resolved configuration, TOML
+    MemberNotes members;                        ///< in order of arrival; their records are left in the file
+    std::deque<Place> places;                   ///< of these records
+    std::vector<Session> sessions;              ///< in order of time
     std::vector<std::uint64_t> session_begins;  ///< offset in the file of each
     std::vector<CalibrationRecord> calibrations;
     AttemptBook attempts;

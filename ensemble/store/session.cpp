@@ -122,9 +122,8 @@ std::vector<std::string> changed_software(const Session& before, const Session& 
         const std::string then = version_of(before, name);
         const std::string here = version_of(now, name);
         if (then != here)
-            changes.push_back(
-                fmt::format("{}: {} {}, {} {}", name, then.empty() ? "none" : then, where_before,
-                            here.empty() ? "none" : here, where_now));
+            changes.push_back(fmt::format("{}: {} {}, {} {}", name, then.empty() ? "none" : then, where_before,
+                                          here.empty() ? "none" : here, where_now));
     }
     return changes;
 }

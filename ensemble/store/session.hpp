@@ -72,9 +72,9 @@ struct Session {
     int computed = 0;   ///< members done in it; counted by the journal
     int set_aside = 0;  ///< members set aside in it; counted by the journal
     std::vector<Software> software;
-    int part = 1;           ///< K of --part K/N
-    int parts = 1;          ///< N
-    double clock_ahead = 0; ///< s: the host's clock less that of the file system, to which it wrote; 0: they agree
+    int part = 1;            ///< K of --part K/N
+    int parts = 1;           ///< N
+    double clock_ahead = 0;  ///< s: the host's clock less that of the file system, to which it wrote; 0: they agree
     friend bool operator==(const Session&, const Session&) = default;
 };
 

@@ -71,7 +71,8 @@ void MemberNotes::add(const MemberRecord& record) {
 void MemberNotes::add(const MemberNotes& others) {
     std::vector<int> key_here(others.keys().size());
     for (const auto& [key, there] : others.keys())
-        key_here[static_cast<std::size_t>(there)] = keys_.try_emplace(key, static_cast<int>(keys_.size())).first->second;
+        key_here[static_cast<std::size_t>(there)] =
+            keys_.try_emplace(key, static_cast<int>(keys_.size())).first->second;
     for (MemberNote note : others.notes_) {
         note.key = key_here[static_cast<std::size_t>(note.key)];
         notes_.push_back(note);

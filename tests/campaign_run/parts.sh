@@ -11,6 +11,16 @@ expect 0 second "$FLOES" run campaign.toml -o second.h5 --part 2/3 "${SHORT[@]}"
 
 expect 1 two "$FLOES" merge first.h5 second.h5 -o two.h5
 said two "6 of 8 members done, 0 failed, 2 missing from all parts"
+said two "Of 3 parts there is no file of part 3."
+said two "2 members are missing: all of arrangement 2."
+expect 0 seen "$FLOES" status first.h5 second.h5
+said seen "6 of 8 members done, 0 failed, 2 to do"
+said seen "None of 2 parts runs"
+for verb in summarize report; do expect 0 "$verb" "$FLOES" $verb first.h5 second.h5; done
+said summarize "2 of 8 members have no result yet"
+expect 0 one_of_two "$FLOES" summarize two.h5 --format csv --parts members
+expect 0 of_parts "$FLOES" summarize first.h5 second.h5 --format csv --parts members
+cmp <(grep -v "^floes: " one_of_two.log) <(grep -v "^floes: " of_parts.log) || fail "parts have another summary than their merger"
 expect 0 completed "$FLOES" run campaign.toml -o two.h5 --resume "${SHORT[@]}"
 said completed "6 members reused, 2 to compute"
 same whole.h5 two.h5
@@ -32,8 +42,19 @@ expect 0 other_one "$FLOES" run campaign.toml --part 2/2 "${SHORT[@]}"
 expect 0 both "$FLOES" merge campaign.part1.h5 campaign.part2.h5 -o campaign.h5
 same whole.h5 campaign.h5
 
+# In steps, of parts that are not kept; and again, where nothing is new.
+expect 1 step "$FLOES" merge campaign.part1.h5 -o steps.h5
+rm campaign.part1.*
+expect 0 step "$FLOES" merge campaign.part2.h5 -o steps.h5
+same whole.h5 steps.h5
+size=$(stat -c %s steps.journal)
+expect 0 step "$FLOES" merge campaign.part2.h5 -o steps.h5
+[ "$size" = "$(stat -c %s steps.journal)" ] || fail "a merge added again what was there"
+expect 0 again "$FLOES" run campaign.toml -o again.h5 --part 2/3 "${SHORT[@]}"
+expect 1 twice "$FLOES" merge second.h5 again.h5 -o twice.h5
+said twice "2 members of again.h5 are in second.h5 too, with the same results; they count once."
+
 before=$(sha256sum three.h5 three.journal)
-expect 2 exists "$FLOES" merge first.h5 second.h5 -o three.h5
 expect 2 itself "$FLOES" merge first.h5 three.h5 -o three.h5 --overwrite
 said itself "into itself"
 expect 0 other "$FLOES" run campaign.toml -o other.h5 --part 4/4 "${SHORT[@]}" --set general.iterations=21

@@ -95,8 +95,9 @@ TEST_F(PartsOfACampaign, ThatGrewSinceTheyWereMergedAreTakenInFull) {
 
 TEST_F(PartsOfACampaign, ThatAreNotCompleteAreNamed) {
     const std::vector<fs::path> parts{killed(1, {0, 1, 2, 12, 13, 14}), killed(2, {3, 4, 15})};
-    EXPECT_THAT(remarks(parts), ElementsAre(file(2).string() + ", part 2 of 4, has 3 of its 6 members: it was killed on "
-                                                               "node0."));
+    EXPECT_THAT(remarks(parts),
+                ElementsAre(file(2).string() + ", part 2 of 4, has 3 of its 6 members: it was killed on "
+                                               "node0."));
     const CampaignStatus status = read_status(parts);
     ASSERT_TRUE(status.parts);
     EXPECT_EQ(status.parts->parts, 2);
@@ -145,22 +146,25 @@ TEST_F(PartsOfACampaign, OfAClockThatIsOffAreNamed) {
         Session session = synthetic::session();
         session.clock_ahead = ahead;
         const std::vector<fs::path> parts{killed(1, {0, 1, 2, 12, 13, 14}, session), late};
-        EXPECT_THAT(remarks(parts), ElementsAre(HasSubstr(
-                                        fmt::format("{} was run on a clock that is off: that of node0 was 60 min {} that "
-                                                    "of the file system",
-                                                    file(1).string(), ahead > 0 ? "ahead of" : "behind"))));
+        EXPECT_THAT(
+            remarks(parts),
+            ElementsAre(HasSubstr(fmt::format("{} was run on a clock that is off: that of node0 was 60 min {} that "
+                                              "of the file system",
+                                              file(1).string(), ahead > 0 ? "ahead of" : "behind"))));
     }
 }
 
 TEST_F(PartsOfACampaign, OfASmallerCampaignAreNamedAndOfAnotherRefused) {
     const std::vector<fs::path> grown{run(1), run(2, synthetic::campaign(4))};
     EXPECT_EQ(Parts(grown).campaign().arrangements, 8);
-    EXPECT_THAT(remarks(grown), Contains(HasSubstr("was run for a smaller campaign: campaign.arrangements: 4 there, 8")));
+    EXPECT_THAT(remarks(grown),
+                Contains(HasSubstr("was run for a smaller campaign: campaign.arrangements: 4 there, 8")));
     Campaign other = synthetic::campaign(8);
     other.seed = 8;
     const std::vector<fs::path> mixed{file(1), run(3, other)};
     EXPECT_THAT(refusal([&] { remarks(mixed); }), HasSubstr("belongs to a different campaign than"));
-    EXPECT_THAT(refusal([&] { merge_campaigns(mixed, folder_ / "a.h5", false); }), HasSubstr("campaign.seed: 7 there, 8"));
+    EXPECT_THAT(refusal([&] { merge_campaigns(mixed, folder_ / "a.h5", false); }),
+                HasSubstr("campaign.seed: 7 there, 8"));
 }
 
 TEST_F(PartsOfACampaign, AreNotMergedIntoAFileWithoutJournal) {
@@ -170,7 +174,8 @@ TEST_F(PartsOfACampaign, AreNotMergedIntoAFileWithoutJournal) {
     EXPECT_THAT(refusal([&] { merge_campaigns(parts, folder_ / "a.h5", false); }), HasSubstr("but not its journal"));
     merge_campaigns(parts, folder_ / "a.h5", true);
     fs::remove(journal_path(file(1)));
-    EXPECT_THAT(refusal([&] { merge_campaigns(parts, folder_ / "a.h5", false); }), HasSubstr("the two files stay together"));
+    EXPECT_THAT(refusal([&] { merge_campaigns(parts, folder_ / "a.h5", false); }),
+                HasSubstr("the two files stay together"));
 }
 
 /// As in precision_test: of all members of arrangements 0 to 26 it is known that they are enough.
@@ -202,8 +207,9 @@ TEST_F(PartsOfACampaign, EndWhenAllTogetherArePreciseEnough) {
     fake::Run third(file(3), campaign);
     third.part = {3, 4};
     EXPECT_EQ(third(fake::wait_for_stop, Existing::resume), 0) << third.said;
-    EXPECT_THAT(third.said, HasSubstr("precise enough: all parts together have the half-width 23.5 %, target 25 %, after "
-                                      "27 of at most 60 arrangements"));
+    EXPECT_THAT(third.said,
+                HasSubstr("precise enough: all parts together have the half-width 23.5 %, target 25 %, after "
+                          "27 of at most 60 arrangements"));
     const Parts merged = merge_campaigns(parts, folder_ / "a.h5", false);
     EXPECT_EQ(merged.missing_members(), "");
     fake::Run whole(folder_ / "whole.h5", campaign);

@@ -21,7 +21,7 @@ fi
 touch $FOLDER/held.\$part
 nice -n 19 $PROGRAM "\$@" &  # so that what watches it is not late
 child=\$!
-trap 'kill -USR1 \$child; kill -CONT \$child' USR1
+trap 'kill -USR1 \$child; kill -CONT \$child' USR1 TERM
 until [[ \$(stat -c %s $FOLDER/campaign.part\$part.journal 2> /dev/null || echo 0) -gt 12000 ]]; do sleep 0.02; done
 kill -STOP \$child
 touch $FOLDER/asleep.\$part
@@ -68,9 +68,9 @@ all_but_the_full_one_are_done() {
     "$PROGRAM" merge campaign.part*.h5 -o campaign.h5 > merge.log 2>&1 && fail "all members are there despite a full disk"
     said merge.log "Of 32 parts there is no file of part $FULL."
     said merge.log "missing: all of arrangement $((FULL - 1))."
-    said "campaign.part${HELD[0]}.log" "ended with 85"   # put back into the queue
-    said "campaign.part${HELD[1]}.log" "ended with 85"   # asked to stop
-    said "campaign.part${HELD[2]}.log" "ended with 137"  # killed
+    said "campaign.part${HELD[0]}.log" "1 of 2 members done and on the disk"  # put back into the queue
+    said "campaign.part${HELD[1]}.log" "ended with 85"                        # asked to stop
+    said "campaign.part${HELD[2]}.log" "ended with 137"                       # killed
     local part
     for part in "${HELD[@]}"; do said "campaign.part$part.log" "resumed: "; done
 }
