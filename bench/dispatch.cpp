@@ -1,6 +1,6 @@
-// floes_dispatch MEMBERS MILLISECONDS STEPS THREADS FOLDER: the real driver, with its journal in FOLDER, on members
-// that only sleep and give histories of so many steps. Alone or under mpirun. Every rank prints a line of JSON: where
-// its processor time went. The line of rank 0 has the times as well, beside those that the simulated run gives.
+// floes_dispatch MEMBERS MILLISECONDS STEPS THREADS WRITERS FOLDER: the real driver, with its journal in FOLDER, on
+// members that only sleep and give histories of so many steps. Alone or under mpirun. Every rank prints a line of JSON:
+// where its processor time went. The line of rank 0 has the times as well, beside those that the simulated run gives.
 
 #include <fmt/format.h>
 #include <time.h>
@@ -72,7 +72,8 @@ MemberFunction sleeper(std::chrono::duration<double> duration, std::size_t steps
 }
 
 /// What the simulated run gives for the same members, without the launch, which is over when the clock begins.
-Forecast forecast_of(const Campaign& campaign, double duration, double record_bytes, int cores, int ranks) {
+Forecast forecast_of(const Campaign& campaign, double duration, double record_bytes, int cores, int ranks,
+                     int writers) {
     PlannedMembers planned = expected_members(campaign);
     set_record_bytes(planned, record_bytes);  // noise packs worse than loads do
     for (SimulatedMember& member : planned.members) member.run_time = duration;
@@ -81,6 +82,7 @@ Forecast forecast_of(const Campaign& campaign, double duration, double record_by
     costs.start_up_per_rank = 0;
     Machine machine = machine_of(cores, ranks);
     machine.processors = static_cast<int>(std::thread::hardware_concurrency());
+    machine.writers = writers;
     return simulate(planned.members, machine, costs);
 }
 
@@ -102,15 +104,16 @@ nlohmann::ordered_json message_costs(Link& link) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    if (count != 6) {
-        fmt::print(stderr, "Usage: floes_dispatch MEMBERS MILLISECONDS STEPS THREADS FOLDER\n");
+    if (count != 7) {
+        fmt::print(stderr, "Usage: floes_dispatch MEMBERS MILLISECONDS STEPS THREADS WRITERS FOLDER\n");
         return 2;
     }
     const int members = std::atoi(arguments[1]);
     const double duration = 1e-3 * std::atof(arguments[2]);
     const int steps = std::atoi(arguments[3]);
     const int threads = std::atoi(arguments[4]);
-    const std::filesystem::path file = std::filesystem::path(arguments[5]) / "dispatch.h5";
+    const int writers = std::atoi(arguments[5]);
+    const std::filesystem::path file = std::filesystem::path(arguments[6]) / "dispatch.h5";
     const MemberFunction compute = sleeper(std::chrono::duration<double>(duration), static_cast<std::size_t>(steps));
 
     const std::unique_ptr<Link> link = open_link();
@@ -128,11 +131,15 @@ int main(int count, char** arguments) {
             std::ostringstream said;
             Progress progress(said, Progress::Style::plain);
             const auto begin = Clock::now();
-            const int done = run_campaign(campaign, {{file, Existing::replace}, threads, ""}, *link, compute, progress);
+            const RunOptions options{
+                .places = {file, Existing::replace}, .threads = threads, .writers = writers, .resume_command = ""};
+            const int done = run_campaign(campaign, options, *link, compute, progress);
             const double wall = since(begin);
             line["message_thread_processor_s"] = processor_time(CLOCK_THREAD_CPUTIME_ID) - thread_before;
 
+            const double before_reading = processor_time(CLOCK_THREAD_CPUTIME_ID);
             const JournalContents contents = read_journal(journal_path(file));
+            line["read_processor_s"] = processor_time(CLOCK_THREAD_CPUTIME_ID) - before_reading;
             const StoredMembers stored = stored_members(contents, journal_path(file));
             const auto publish_begin = Clock::now();
             const double before = processor_time(CLOCK_THREAD_CPUTIME_ID);
@@ -140,12 +147,21 @@ int main(int count, char** arguments) {
             line["publish_s"] = since(publish_begin);
             line["publish_processor_s"] = processor_time(CLOCK_THREAD_CPUTIME_ID) - before;
             int own = 0;
-            for (std::size_t k = 0; k < stored.notes().size(); ++k) own += stored.read(k).rank == 0 ? 1 : 0;
+            int in_parts = 0;
+            for (std::size_t k = 0; k < stored.notes().size(); ++k) {
+                own += stored.read(k).rank == 0 ? 1 : 0;
+                in_parts += contents.places[k].piece > 0 ? 1 : 0;
+            }
             const int cores = threads * link->size();
-            const double record_bytes = static_cast<double>(std::filesystem::file_size(journal_path(file))) / members;
-            const Forecast forecast = forecast_of(campaign, duration, record_bytes, cores, link->size());
+            double all_bytes = static_cast<double>(std::filesystem::file_size(journal_path(file)));
+            for (const int piece : pieces_of(journal_path(file)))
+                all_bytes += static_cast<double>(std::filesystem::file_size(piece_path(journal_path(file), piece)));
+            const double record_bytes = all_bytes / members;
+            const Forecast forecast = forecast_of(campaign, duration, record_bytes, cores, link->size(), writers);
             line["cores"] = cores;
             line["members"] = members;
+            line["writers"] = forecast.writers;
+            line["in_parts"] = in_parts;
             line["member_s"] = duration;
             line["own_members"] = own;
             line["record_bytes"] = record_bytes;

@@ -18,19 +18,21 @@ import time
 
 SMALL = 111  # steps: a record of 3 kB
 LARGE = 11502  # steps: a record of 276 kB, as of configs/table3.toml
-# ranks, members, milliseconds, steps
+# ranks, writers, members, milliseconds, steps
 SETTINGS = [
-    (1, 20000, 0, SMALL), (2, 20000, 0, SMALL), (8, 20000, 0, SMALL), (32, 20000, 0, SMALL),
-    (1, 2000, 1, SMALL), (2, 4000, 1, SMALL), (8, 10000, 1, SMALL), (32, 20000, 1, SMALL),
-    (1, 300, 10, SMALL), (2, 600, 10, SMALL), (8, 2400, 10, SMALL), (32, 9600, 10, SMALL),
-    (1, 30, 100, SMALL), (2, 60, 100, SMALL), (8, 240, 100, SMALL), (32, 960, 100, SMALL),
-    (1, 400, 0, LARGE), (2, 400, 0, LARGE), (8, 400, 100, LARGE),
+    (1, 1, 20000, 0, SMALL), (2, 1, 20000, 0, SMALL), (8, 1, 20000, 0, SMALL), (32, 1, 20000, 0, SMALL),
+    (1, 1, 2000, 1, SMALL), (2, 1, 4000, 1, SMALL), (8, 1, 10000, 1, SMALL), (32, 1, 20000, 1, SMALL),
+    (1, 1, 300, 10, SMALL), (2, 1, 600, 10, SMALL), (8, 1, 2400, 10, SMALL), (32, 1, 9600, 10, SMALL),
+    (1, 1, 30, 100, SMALL), (2, 1, 60, 100, SMALL), (8, 1, 240, 100, SMALL), (32, 1, 960, 100, SMALL),
+    (1, 1, 400, 0, LARGE), (2, 1, 400, 0, LARGE), (8, 1, 400, 100, LARGE),
+    (8, 8, 20000, 0, SMALL), (32, 4, 9600, 10, SMALL), (64, 4, 3840, 100, SMALL), (64, 16, 3840, 100, SMALL),
+    (64, 4, 1280, 300, LARGE),
 ]
 
 
 def run(program, setting, folder):
-    ranks, members, milliseconds, steps = setting
-    command = [program, str(members), str(milliseconds), str(steps), "1", folder]
+    ranks, writers, members, milliseconds, steps = setting
+    command = [program, str(members), str(milliseconds), str(steps), "1", str(writers), folder]
     if ranks > 1:
         command = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none", "-n", str(ranks)] + command
     begin = time.monotonic()
@@ -61,8 +63,9 @@ def sync_time(folder):
 
 def costs(results, sync):
     """Of DriverCosts, from the least of every time."""
-    def least(ranks, steps, value):
-        return min(value(one) for one in results if one["ranks"] == ranks and one["steps"] == steps and not one["member_s"])
+    def least(ranks, steps, value, writers=1):
+        return min(value(one) for one in results if one["ranks"] == ranks and one["steps"] == steps
+                   and one["writers"] == writers and not one["member_s"])
 
     def of_workers(ranks, steps, which):
         """For each member that they computed."""
@@ -73,17 +76,25 @@ def costs(results, sync):
         same = [other for other in results if (other["members"], other["steps"]) == (one["members"], one["steps"])]
         return min(other["publish_processor_s"] for other in same)
 
+    def reading(one):
+        """Of the pieces of the journal."""
+        return one["read_processor_s"] * one["in_parts"] / one["members"]
+
     def thread(one):
-        return one["message_thread_processor_s"] - publishing(one)
+        return one["message_thread_processor_s"] - publishing(one) - reading(one)
 
     large = next(one["record_bytes"] for one in results if one["steps"] == LARGE)
     own = least(1, SMALL, lambda one: thread(one) / one["members"])
     other = least(8, SMALL, lambda one: (thread(one) - own * one["own_members"]) / (one["members"] - one["own_members"]))
+    kept = least(8, SMALL, lambda one: (thread(one) - own * one["own_members"]) / one["in_parts"], writers=8)
+    read_small = least(1, SMALL, lambda one: one["read_processor_s"] / one["members"])
+    read_large = least(1, LARGE, lambda one: one["read_processor_s"] / one["members"])
     keep = (least(1, LARGE, lambda one: thread(one) / one["members"]) - own) / large
     receive = (least(2, LARGE, lambda one: (thread(one) - (own + keep * large) * one["own_members"])
                      / (one["members"] - one["own_members"])) - other) / large - keep
     small = next(one["record_bytes"] for one in results if one["steps"] == SMALL)
     publish_small = least(1, SMALL, lambda one: publishing(one) / one["members"])
+    read_byte = (read_large - read_small) / (large - small)
     publish_byte = least(1, LARGE, lambda one: publishing(one) / one["members"] - publish_small) / (large - small)
     report = of_workers(8, SMALL, "message_thread")
     report_large = of_workers(2, LARGE, "message_thread")
@@ -99,24 +110,25 @@ def costs(results, sync):
     return {
         "start_up": launch(1), "start_up_per_rank": (launch(32) - launch(2)) / 30,
         "send": message("send"), "assign": other / 4, "receive": message("receive"), "answer": other * 3 / 4,
-        "own_member": own,
+        "own_member": own, "kept": kept - other / 4,
         "receive_per_byte": max(receive, 0), "keep_per_byte": keep, "sync": sync, "publish_per_member": publish_small - small * publish_byte,
-        "publish_per_byte": publish_byte,
+        "publish_per_byte": publish_byte, "read_per_member": read_small - small * read_byte, "read_per_byte": read_byte,
         "member": member, "member_per_byte": (of_workers(2, LARGE, "crew") - member) / large,
         "report": report, "report_per_byte": max(report_large - report, 0) / large,
     }
 
 
 def table(results):
-    print("| ranks | member, ms | record, kB | members | real, s | plan, s | plan / real | real, members/s |")
-    print("|---|---|---|---|---|---|---|---|")
+    print("| ranks | writers | member, ms | record, kB | members | real, s | plan, s | plan / real | real, members/s |")
+    print("|---|---|---|---|---|---|---|---|---|")
     for setting in SETTINGS:
-        ranks, members, milliseconds, steps = setting
-        same = [one for one in results if (one["ranks"], one["members"], round(1e3 * one["member_s"]), one["steps"]) == setting]
+        ranks, writers, members, milliseconds, steps = setting
+        same = [one for one in results if (one["ranks"], one["writers"], one["members"], round(1e3 * one["member_s"]),
+                                           one["steps"]) == setting]
         real = min(one["wall_s"] for one in same)
         plan = same[0]["predicted_wall_s"]
         rate = max(one["members_per_s"] for one in same)
-        print(f"| {ranks} | {milliseconds} | {same[0]['record_bytes'] / 1e3:.0f} | {members} | {real:.2f} | {plan:.2f} "
+        print(f"| {ranks} | {writers} | {milliseconds} | {same[0]['record_bytes'] / 1e3:.0f} | {members} | {real:.2f} | {plan:.2f} "
               f"| {plan / real:.2f} | {rate:.0f} |")
 
 

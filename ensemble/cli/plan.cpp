@@ -63,10 +63,14 @@ std::string remark(const PlanHead& head, const PlanRow& row) {
     if (forecast.master_load > busy_master)
         return fmt::format("{}: the master is busy {:.0f} % of the time; more cores gain little.", cores,
                            100 * forecast.master_load);
-    const double after = forecast.wall_time - forecast.last_member;
-    if (after > 0.1 * forecast.wall_time)
-        return fmt::format("{}: start-up takes {} of the time, and writing the campaign file {}.", cores,
-                           duration_in_figures(forecast.start_up), duration_in_figures(after));
+    if (forecast.writer_load > busy_master)
+        return fmt::format("{}: ranks that keep results are busy {:.0f} % of the time; ask for more with --writers.",
+                           cores, 100 * forecast.writer_load);
+    if (forecast.wall_time - forecast.last_member > 0.1 * forecast.wall_time)
+        return fmt::format(
+            "{}: start-up takes {} of the time, and writing the campaign file {}; floes run --no-file "
+            "leaves that to one core.",
+            cores, duration_in_figures(forecast.start_up), duration_in_figures(forecast.file_time));
     if (forecast.efficiency < 0.9 && head.members < 3 * row.cores)
         return fmt::format("{}: too few members; cores are idle while the last ones run.", cores);
     return "";
@@ -112,6 +116,9 @@ Section plan_section(const PlanHead& head, std::span<const PlanRow> rows) {
                               {.key = "master_busy", .words = "master busy", .unit = "share", .digits = 2},
                               {"start_up_s"},
                               {"last_member_s"},
+                              {"file_s"},
+                              {"writers"},
+                              {"writer_busy"},
                               {"", "file"},
                               {"file_bytes"},
                               {"", "journal"},
@@ -122,8 +129,9 @@ Section plan_section(const PlanHead& head, std::span<const PlanRow> rows) {
         const Forecast& forecast = row.forecast;
         plans.add({row.cores, row.ranks, duration_in_figures(forecast.wall_time), forecast.wall_time, core_hours(row),
                    forecast.efficiency, forecast.master_load, forecast.start_up, forecast.last_member,
-                   size(forecast.file_bytes), std::round(forecast.file_bytes), size(forecast.journal_bytes),
-                   forecast.journal_bytes, size(row.master_memory), row.master_memory});
+                   forecast.file_time, forecast.writers, forecast.writer_load, size(forecast.file_bytes),
+                   std::round(forecast.file_bytes), size(forecast.journal_bytes), forecast.journal_bytes,
+                   size(row.master_memory), row.master_memory});
         if (const std::string told = remark(head, row); !told.empty()) section.notes.push_back(told);
     }
     section.results = {std::move(common), std::move(plans)};
@@ -140,6 +148,8 @@ struct PlanOptions {
     std::vector<int> ranks;
     std::string from;
     double record_bytes = 0;  // 0: the actual size
+    int writers = 0;
+    bool no_file = false;
     std::string format = "table";
     std::vector<std::string> overrides;
 };
@@ -156,7 +166,9 @@ std::vector<PlanRow> rows_of(const PlanOptions& options, const PlannedMembers& p
     tbb::parallel_for(std::size_t{0}, cores.size(), [&](std::size_t k) {
         int ranks = usual_ranks(cores[k]);
         if (!options.ranks.empty()) ranks = options.ranks[options.ranks.size() == 1 ? 0 : k];
-        rows[k] = plan_row(planned.members, cores[k], ranks, costs);
+        Machine machine = machine_of(cores[k], ranks);
+        machine.writers = options.writers;
+        rows[k] = plan_row(planned.members, machine, costs, !options.no_file);
     });
     return rows;
 }
@@ -186,6 +198,9 @@ void add_plan(CommandLine& line) {
                 "Number of ranks, one for all settings or one for each; default: one for every 64 cores")
         .comma_separated()
         .within(1, 1'000'000);
+    verb.option("--writers", options->writers, "Number of ranks that keep results; default: one for every 64 ranks")
+        .within(1, 1'000'000);
+    verb.flag("--no-file", options->no_file, "Of a run that leaves the campaign file to a later --resume");
     verb.option("--from", options->from, "Take run times from this campaign file (CAMPAIGN.h5), finished or running");
     verb.option("--record-bytes", options->record_bytes,
                 "Assumed size of a member's result; default: the size of its record")

@@ -27,6 +27,7 @@
 #include "run/signals.hpp"
 #include "run/worker.hpp"
 #include "store/file_calls.hpp"
+#include "store/journal.hpp"
 
 namespace floes {
 
@@ -40,6 +41,8 @@ struct RunVerb {
     bool retry_failed = false;
     int threads = 0;
     int ranks = 0;
+    int writers = 0;
+    bool no_file = false;
     std::string part;
     std::string isolation;
     double time_left = 0;
@@ -63,16 +66,21 @@ std::string start_of_ranks(const Link& link) {
     return on_a_node < link.size() ? command + fmt::format("--map-by ppr:{}:node ", on_a_node) : command;
 }
 
-std::string resume_command(const RunVerb& verb, const std::string& program, const Link& link) {
-    const int ranks = link.size();
+/// With the ranks of `link` as this run; without one on a single core, to write the file that --no-file left out.
+std::string resume_command(const RunVerb& verb, const std::string& program, const Link* link) {
+    const int ranks = link == nullptr ? 1 : link->size();
     const char* launcher = std::getenv("FLOES_LAUNCHER");  // the script that starts the ranks, if any
-    std::string command = ranks > 1 && launcher == nullptr ? start_of_ranks(link) : "";
+    std::string command = ranks > 1 && launcher == nullptr ? start_of_ranks(*link) : "";
     command += fmt::format("{} run ", typed_program(program));
     if (ranks > 1 && launcher != nullptr) command += fmt::format("--ranks {} ", ranks);
     command += fmt::format("{} -o {} --resume", shell_word(verb.config), shell_word(output_of(verb).string()));
-    if (verb.retry_failed) command += " --retry-failed";
     if (!verb.part.empty()) command += " --part " + verb.part;
-    if (verb.threads > 0) command += fmt::format(" --threads {}", verb.threads);
+    if (link != nullptr) {
+        if (verb.retry_failed) command += " --retry-failed";
+        if (verb.threads > 0) command += fmt::format(" --threads {}", verb.threads);
+        if (verb.writers > 0) command += fmt::format(" --writers {}", verb.writers);
+        if (verb.no_file) command += " --no-file";
+    }
     for (const std::string& setting : verb.overrides) command += " --set " + shell_word(setting);
     return command;
 }
@@ -104,9 +112,11 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
     RunOptions options{.places = {.campaign_file = output_of(verb),
                                   .existing = existing_of(verb),
                                   .part = part_of(verb, campaign),
+                                  .with_file = !verb.no_file,
                                   .retry_failed = verb.retry_failed},
                        .threads = verb.threads,
-                       .resume_command = resume_command(verb, program, link),
+                       .writers = verb.writers,
+                       .resume_command = resume_command(verb, program, &link),
                        .walltime = walltime};
     expect_no_other_file(options.places.campaign_file);
     int status = 0;
@@ -121,8 +131,12 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
             settle_moduli(campaign, threads_of(link, verb.threads), progress);
         }
         status = run_campaign(campaign, options, link, compute_member, progress, &helper);
+        if (verb.no_file && status != exit_stopped)
+            progress.say(fmt::format("the results are in {}; to write {}, one core is enough: {}",
+                                     journal_path(options.places.campaign_file).string(),
+                                     options.places.campaign_file.string(), resume_command(verb, program, nullptr)));
     }
-    if (status != exit_stopped && options.places.part.of == 1) {
+    if (status != exit_stopped && options.places.part.of == 1 && !verb.no_file) {
         Evidence evidence = read_evidence(options.places.campaign_file);
         std::fputs(written({overview_section(evidence, sensitivity_of(evidence)),
                             next_commands(evidence, typed_program(program))},
@@ -161,6 +175,12 @@ void add_run(CommandLine& line, std::span<char* const> command) {
                 "Start that many ranks on this machine with mpirun (FLOES_MPIRUN names another); on several nodes "
                 "call mpirun yourself")
         .within(1, 4096);
+    verb.option("--writers", options->writers,
+                "Number of ranks that keep results, each in a journal of its own; default: one for every 64 ranks")
+        .within(1, 4096);
+    verb.flag("--no-file", options->no_file,
+              "End with the results in the journal, while many cores wait for the campaign file; --resume on one core "
+              "writes it");
     verb.option("--part", options->part,
                 "K/N: run only part K of N of the arrangements, into a separate file; floes merge merges the parts");
     verb.option("--isolation", options->isolation,

@@ -26,18 +26,22 @@ void Tally::started(int number, int attempt, Time now) {
 }
 
 void Tally::kept(const MemberRecord& record) {
-    under_way_.erase(identity(record));
-    if (record.result.status == MemberStatus::done) {
+    kept(identity(record), record.result.status, &record);
+}
+
+void Tally::kept(const MemberIdentity& member, MemberStatus status, const MemberRecord* record) {
+    const auto& [case_key, arrangement] = member;
+    under_way_.erase(member);
+    if (status == MemberStatus::done) {
         ++computed_;
     } else {
-        set_aside_.push_back(record.arrangement);
+        set_aside_.push_back(arrangement);
     }
-    const auto known = std::ranges::find(case_keys_, record.case_key);
+    const auto known = std::ranges::find(case_keys_, case_key);
     finished_cost_ += expected_cost(campaign_, static_cast<int>(known - case_keys_.begin()));
-    for (std::size_t k = 0; k < case_keys_.size(); ++k) {
-        if (case_keys_[k] != record.case_key) continue;
-        tell(precision_, {static_cast<int>(k), record.arrangement}, record);
-    }
+    if (record == nullptr) return;
+    for (std::size_t k = 0; k < case_keys_.size(); ++k)
+        if (case_keys_[k] == case_key) tell(precision_, {static_cast<int>(k), arrangement}, *record);
 }
 
 int Tally::failed() const {

@@ -73,6 +73,8 @@ class Tally {
     void started(int number, int attempt, Time now);
     /// A member is done or set aside.
     void kept(const MemberRecord& record);
+    /// The same without its record, which only a stop rule needs.
+    void kept(const MemberIdentity& member, MemberStatus status, const MemberRecord* record);
 
     /// What existed when the session began.
     const Inventory& found() const { return found_; }

@@ -29,12 +29,16 @@ enum class Tag : int {
     dismiss = 3,   ///< abandon all members and say farewell
     leave = 4,     ///< the run is over; end with this exit status
     part = 5,      ///< ranks are lost: when told to leave, wait for no other rank; see Link::abandon()
+    post = 6,      ///< before the campaign, in runs with several writers: who keeps this rank's records
+    close = 7,     ///< to a writer: all members have come; sync and close your journal, and say so
     // worker -> master
     hello = 11,         ///< the campaign's fingerprint as read by the worker, and its cores
-    answer = 12,        ///< a finished member
-    farewell = 13,      ///< every answer of this worker has been sent
+    answer = 12,        ///< finished members, to the rank that keeps the records
+    farewell = 13,      ///< every answer of this worker has been sent; a writer passes it on with the worker's rank
     stop_request = 14,  ///< the worker received a signal to stop
     trouble = 15,       ///< the worker cannot continue; a sentence
+    kept = 16,          ///< a writer has members in its journal
+    closed = 17,        ///< a writer's journal is on the disk and closed
     // both directions
     alive = 21,  ///< a sign of life
 };

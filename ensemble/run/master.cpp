@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <span>
+#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,6 +35,7 @@ Master::Master(const Campaign& campaign, const MasterTools& tools, const CrewSet
                const MasterLimits& limits)
     : campaign_(campaign),
       link_(tools.link),
+      groups_(tools.groups),
       recorder_(tools.recorder),
       progress_(tools.progress),
       signals_(tools.signals),
@@ -44,6 +46,7 @@ Master::Master(const Campaign& campaign, const MasterTools& tools, const CrewSet
       pause_(pause_between_polls(link_.size())),
       ranks_(link_, mustered, limits.patience, begin_),
       pace_(recorder_.tally().found().pace) {
+    for (const int writer : groups_.writers()) open_pieces_.insert(writer);
     if (mustered.stop_requested) request_stop("another rank");
     tell_time_left();
     for (int rank = 0; rank < link_.size(); ++rank) {
@@ -57,6 +60,7 @@ void Master::run() {
         advance();
         crew_.wait(pause_.next());
     }
+    close_pieces();
     progress_.show_last(state());
 }
 
@@ -100,8 +104,14 @@ void Master::receive(const Message& message) {
                 finished(message.from, answer.number, std::move(answer.record));
             }
             return;
+        case Tag::kept:
+            for (const Kept& kept : decode_kept(message.bytes)) finished_in_piece(kept);
+            return;
         case Tag::farewell:
-            handle(WorkerLeft{message.from});
+            handle(WorkerLeft{message.bytes.empty() ? message.from : decode_status(message.bytes)});
+            return;
+        case Tag::closed:
+            open_pieces_.erase(message.from);
             return;
         case Tag::alive:
             return;
@@ -118,10 +128,21 @@ void Master::receive(const Message& message) {
 
 void Master::finished(int worker, int number, MemberRecord record) {
     const auto end = record.result.status == MemberStatus::done ? AttemptEnd::done : AttemptEnd::failed;
-    if (end == AttemptEnd::done) pace_ = std::max(pace_, record.result.wall_time / expected_cost(campaign_, number));
+    if (end == AttemptEnd::done) note_pace(number, record.result.wall_time);
     tell_time_left();
     handle(MemberFinished{worker, number, record.attempt, end, record.result.wall_time}, &record);
     end_when_precise();
+}
+
+void Master::finished_in_piece(const Kept& kept) {
+    note_pace(kept.number, kept.wall_time);
+    tell_time_left();
+    handle(MemberFinished{kept.worker, kept.number, kept.attempt, AttemptEnd::done, kept.wall_time}, nullptr, &kept);
+    end_when_precise();
+}
+
+void Master::note_pace(int number, double wall_time) {
+    pace_ = std::max(pace_, wall_time / expected_cost(campaign_, number));
 }
 
 void Master::tell_time_left() {
@@ -132,7 +153,35 @@ void Master::tell_time_left() {
 void Master::watch_ranks(std::chrono::steady_clock::time_point now) {
     for (const auto& [rank, silence] : ranks_.watch(now)) {
         progress_.say(fmt::format("rank {} has been silent for {:.0f} s: others compute its members", rank, silence));
-        handle(WorkerLost{rank});
+        lose(rank);
+    }
+}
+
+/// Without its writer a group can bring its members nowhere.
+void Master::lose(int rank) {
+    handle(WorkerLost{rank});
+    if (open_pieces_.erase(rank) == 0) return;
+    lost_a_writer_ = true;
+    const std::vector<int> group = groups_.group_of(rank);
+    if (group.size() > 1)
+        progress_.say(fmt::format("ranks {} to {} stop, since it kept their results", rank + 1, group.back()));
+    for (const int other : group) {
+        if (other == rank) continue;
+        handle(WorkerLost{other});
+        link_.send(other, Tag::dismiss, {});
+    }
+}
+
+/// Everybody has left: nothing more comes into the pieces.
+void Master::close_pieces() {
+    for (const int writer : open_pieces_) link_.send(writer, Tag::close, {});
+    while (!open_pieces_.empty()) {
+        while (const auto message = link_.poll()) {
+            ranks_.heard(message->from);
+            receive(*message);
+        }
+        watch_ranks(std::chrono::steady_clock::now());
+        if (!open_pieces_.empty()) std::this_thread::sleep_for(pause_.next());
     }
 }
 
@@ -167,14 +216,17 @@ void Master::end_when_precise() {
     if (recorder_.tally().precise() && !scheduler_.stopping()) handle(StopRequested{});
 }
 
-void Master::handle(const Event& event, MemberRecord* record) {
+void Master::handle(const Event& event, MemberRecord* record, const Kept* in_piece) {
     for (const Command& command : scheduler_.handle(event)) {
         if (const auto* assign = std::get_if<Assign>(&command)) {
             handed_out_[assign->worker].push_back({assign->number, assign->attempt, assign->apart});
         }
         if (const auto* dismiss = std::get_if<Dismiss>(&command)) obey(*dismiss);
         if (const auto* retry = std::get_if<Retry>(&command)) note_failure(*retry, *record);
-        if (const auto* kept = std::get_if<Keep>(&command)) keep(kept->number, *record);
+        if (const auto* kept = std::get_if<Keep>(&command)) {
+            if (in_piece == nullptr) keep(kept->number, *record);
+            if (in_piece != nullptr) keep(*in_piece);
+        }
     }
 }
 
@@ -225,6 +277,11 @@ void Master::keep(int number, MemberRecord& record) {
     }
     failures_.erase(number);
     recorder_.keep(record);
+}
+
+void Master::keep(const Kept& in_piece) {
+    failures_.erase(in_piece.number);
+    recorder_.kept_in_piece(in_piece.number, in_piece.record);
 }
 
 ProgressState Master::state() const {

@@ -3,6 +3,7 @@
 // progress. The cores of rank 0 compute like those of any other rank; this thread mostly sleeps.
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "run/recorder.hpp"
 #include "run/signals.hpp"
 #include "run/worker.hpp"
+#include "run/writer.hpp"
 #include "schedule/scheduler.hpp"
 
 namespace floes {
@@ -21,6 +23,7 @@ namespace floes {
 /// What the master uses besides its crew.
 struct MasterTools {
     Link& link;
+    const Groups& groups;
     Recorder& recorder;
     Progress& progress;
     const StopSignals& signals;
@@ -38,12 +41,16 @@ class Master {
     Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
            const MasterLimits& limits);
 
-    /// Returns when every member has an answer or the run was stopped, and every worker has said farewell. Stops when
-    /// no rank is left that computes. Throws RunError if a rank reports trouble or the journal cannot be written.
+    /// Returns when every member has an answer or the run was stopped, every worker has said farewell, and every writer
+    /// has closed its journal. Stops when no rank is left that computes. Throws RunError if a rank reports trouble or
+    /// the journal cannot be written.
     void run();
 
     /// RankWatch::part(), to be called when everything is on the disk.
     void part() { ranks_.part(); }
+
+    /// A writer was lost, and perhaps its last second with it.
+    bool lost_a_writer() const { return lost_a_writer_; }
 
     /// What stopped the run, e.g. "SIGTERM"; empty if nothing did, or if all members were done nevertheless.
     std::string stopped_by() const;
@@ -52,14 +59,19 @@ class Master {
     void advance();
     void receive(const Message& message);
     void finished(int worker, int number, MemberRecord record);
+    void finished_in_piece(const Kept& kept);
+    void note_pace(int number, double wall_time);
     void give_up(const CrewTrouble& trouble);
     void tell_time_left();
     void watch_ranks(std::chrono::steady_clock::time_point now);
     void watch_time(std::chrono::steady_clock::time_point now);
     void request_stop(const std::string& reason);
     void end_when_precise();
-    void handle(const Event& event, MemberRecord* record = nullptr);
+    void lose(int rank);
+    void close_pieces();
+    void handle(const Event& event, MemberRecord* record = nullptr, const Kept* in_piece = nullptr);
     void keep(int number, MemberRecord& record);
+    void keep(const Kept& in_piece);
     void note_failure(const Retry& retry, const MemberRecord& record);
     void obey(const Dismiss& command);
     void hand_out();
@@ -68,6 +80,7 @@ class Master {
 
     const Campaign& campaign_;
     Link& link_;
+    const Groups& groups_;
     Recorder& recorder_;
     Progress& progress_;
     const StopSignals& signals_;
@@ -80,7 +93,9 @@ class Master {
     std::map<int, std::vector<Assignment>> handed_out_;  // by worker, since the last hand_out()
     std::map<int, std::vector<std::string>> failures_;   // by member, the reasons of failed attempts that are retried
     RankWatch ranks_;
-    double pace_;  // s per unit of cost, of the slowest member so far; 0: unknown
+    double pace_;                // s per unit of cost, of the slowest member so far; 0: unknown
+    std::set<int> open_pieces_;  // writers that have not closed theirs
+    bool lost_a_writer_ = false;
     std::string stop_reason_;
     bool dismissed_ = false;  // the crew of this rank
     bool left_ = false;

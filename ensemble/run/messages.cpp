@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t assignment_bytes = 4 + 4 + 1;
 constexpr std::size_t least_answer_bytes = 4 + 8;
+constexpr std::size_t least_kept_bytes = 3 * 4 + 8 + 8;
 
 /// What `read` takes of a whole message.
 template <class Read>
@@ -26,6 +27,26 @@ Bytes encode(const Hello& hello) {
     writer.text(hello.host);
     writer.text(hello.fingerprint);
     writer.i32(hello.pid);
+    return writer.take();
+}
+
+Bytes encode(const Post& post) {
+    ByteWriter writer;
+    writer.i32(post.writer);
+    writer.text(post.journal);
+    return writer.take();
+}
+
+Bytes encode(const std::vector<Kept>& kept) {
+    ByteWriter writer;
+    writer.u64(kept.size());
+    for (const Kept& one : kept) {
+        writer.i32(one.worker);
+        writer.i32(one.number);
+        writer.i32(one.attempt);
+        writer.f64(one.wall_time);
+        writer.blob(one.record ? encode(*one.record) : Bytes{});
+    }
     return writer.take();
 }
 
@@ -70,6 +91,31 @@ Hello decode_hello(const Bytes& bytes) {
         hello.fingerprint = reader.text();
         hello.pid = reader.i32();
         return hello;
+    });
+}
+
+Post decode_post(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        Post post;
+        post.writer = reader.i32();
+        post.journal = reader.text();
+        return post;
+    });
+}
+
+std::vector<Kept> decode_kept(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        const std::size_t count = reader.count(least_kept_bytes);
+        std::vector<Kept> kept;  // grows with what is there, as the answers
+        while (kept.size() < count) {
+            Kept& one = kept.emplace_back();
+            one.worker = reader.i32();
+            one.number = reader.i32();
+            one.attempt = reader.i32();
+            one.wall_time = reader.f64();
+            if (const Bytes record = reader.blob(); !record.empty()) one.record = decode_member_record(record);
+        }
+        return kept;
     });
 }
 

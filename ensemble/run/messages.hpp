@@ -1,7 +1,8 @@
 #pragma once
-// Contents of the messages between master and workers. Tags without a function here carry nothing (dismiss, farewell,
-// stop_request) or plain text (campaign, trouble).
+// Contents of the messages between master and workers. Tags without a function here carry nothing (dismiss,
+// stop_request, close, closed), plain text (campaign, trouble) or a number (leave, a farewell that is passed on).
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,24 @@ struct Answer {
     MemberRecord record;
 };
 
+/// Who keeps the records of a rank.
+struct Post {
+    int writer = 0;       ///< rank
+    std::string journal;  ///< that this rank opens; empty unless it is the writer
+};
+
+/// A member whose record is in a writer's journal.
+struct Kept {
+    int worker = 0;  ///< rank that computed it
+    int number = 0;
+    int attempt = 1;
+    double wall_time = 0;                ///< s
+    std::optional<MemberRecord> record;  ///< for the stop rule, where there is one: without histories
+};
+
 Bytes encode(const Hello& hello);
+Bytes encode(const Post& post);
+Bytes encode(const std::vector<Kept>& kept);
 Bytes encode(const std::vector<Assignment>& assignments);
 Bytes encode(const std::vector<Answer>& answers);
 Bytes encode_status(int exit_status);
@@ -34,6 +52,8 @@ Bytes encode_text(std::string_view text);
 
 // Each throws RunError if the bytes are malformed.
 Hello decode_hello(const Bytes& bytes);
+Post decode_post(const Bytes& bytes);
+std::vector<Kept> decode_kept(const Bytes& bytes);
 std::vector<Assignment> decode_assignments(const Bytes& bytes);
 std::vector<Answer> decode_answers(const Bytes& bytes);
 int decode_status(const Bytes& bytes);

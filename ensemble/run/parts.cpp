@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,9 +25,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double told_clock = 60;         // s
-constexpr std::size_t most_told = 20;     // ranges or sentences of a kind
-constexpr std::uint64_t piece = 1 << 20;  // bytes read at a time
+constexpr double told_clock = 60;           // s
+constexpr std::size_t most_told = 20;       // ranges or sentences of a kind
+constexpr std::uint64_t stretch = 1 << 20;  // bytes read at a time
 
 /// "2, 5-9, 12"
 std::string ranges(const std::vector<int>& sorted) {
@@ -64,6 +65,36 @@ Parts::Part read_part(const fs::path& file) {
     return part;
 }
 
+/// Where the first session begins.
+std::uint64_t end_of_loose(const JournalContents& contents) {
+    return contents.session_begins.empty() ? contents.good_bytes : contents.session_begins.front();
+}
+
+/// Records before the first session that are no members: calibrations.
+std::vector<JournalContents::Place> loose_others(const Parts::Part& part) {
+    std::vector<JournalContents::Place> others;
+    const Descriptor file = open_file(part.journal, O_RDONLY);
+    const auto add = [&](std::uint64_t from, std::uint64_t to) {
+        for (const auto& place : journal_format::records_between(file, part.journal, from, to)) others.push_back(place);
+    };
+    const std::uint64_t end = end_of_loose(part.contents);
+    std::uint64_t at = part.contents.first_record;
+    for (const auto& [offset, size, piece] : part.contents.places) {
+        if (piece > 0 || offset >= end) break;
+        add(at, offset);
+        at = offset + size;
+    }
+    add(at, end);
+    return others;
+}
+
+Bytes bytes_at(const fs::path& journal, const JournalContents::Place& place) {
+    Bytes bytes(place.size);
+    if (!read_at(open_file(journal, O_RDONLY), journal, place.offset, bytes))
+        throw RunError(fmt::format("{} became shorter while it was read", journal.string()));
+    return bytes;
+}
+
 }  // namespace
 
 Parts::Parts(std::span<const fs::path> files, bool merged_before) : merged_before_(merged_before) {
@@ -74,7 +105,8 @@ Parts::Parts(std::span<const fs::path> files, bool merged_before) : merged_befor
         for (std::size_t record = 0; record < parts_[k].contents.places.size(); ++record)
             places_.push_back({k, record});
     }
-    gather_blocks();
+    gather_loose();
+    gather_sessions();
     apply_rule();
 }
 
@@ -110,8 +142,8 @@ void Parts::check_campaigns() {
 bool Parts::begins_with(const Block& longer, const Block& shorter) const {
     const Descriptor one = open_file(parts_[longer.part].journal, O_RDONLY);
     const Descriptor other = open_file(parts_[shorter.part].journal, O_RDONLY);
-    for (std::uint64_t at = 0; at < shorter.to - shorter.from; at += piece) {
-        const std::uint64_t size = std::min(piece, shorter.to - shorter.from - at);
+    for (std::uint64_t at = 0; at < shorter.to - shorter.from; at += stretch) {
+        const std::uint64_t size = std::min(stretch, shorter.to - shorter.from - at);
         Bytes here(size);
         Bytes there(size);
         if (!read_at(one, parts_[longer.part].journal, longer.from + at, here) ||
@@ -121,17 +153,49 @@ bool Parts::begins_with(const Block& longer, const Block& shorter) const {
     return true;
 }
 
-void Parts::gather_blocks() {
+bool Parts::is_loose(const Place& place) const {
+    const JournalContents& contents = parts_[place.part].contents;
+    const JournalContents::Place& at = contents.places[place.record];
+    return at.piece > 0 || at.offset < end_of_loose(contents);
+}
+
+// A merged journal has these once, whatever was merged into it before: members by their number, since a session's notes
+// of them do not say which record they mean, and all else by its bytes.
+void Parts::gather_loose() {
+    std::vector<Block> loose;
+    std::set<std::tuple<int, int, int>> known;  // case, arrangement, and the attempt that failed
+    for (std::size_t k = 0; k < places_.size(); ++k) {
+        const MemberNote& note = notes_[k];
+        const bool is_new = known.emplace(note.key, note.arrangement, note.done() ? 0 : note.attempt).second;
+        if (!is_new || !is_loose(places_[k])) continue;
+        const auto [offset, size, piece] = parts_[places_[k].part].contents.places[places_[k].record];
+        loose.push_back({places_[k].part, piece, offset, offset + size});
+    }
+    std::set<Bytes> others;
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+        for (const JournalContents::Place& place : loose_others(parts_[k]))
+            if (others.insert(bytes_at(parts_[k].journal, place)).second)
+                loose.push_back({k, 0, place.offset, place.offset + place.size});
+    std::ranges::sort(loose, {}, [](const Block& one) { return std::tuple(one.part, one.piece, one.from); });
+    for (const Block& block : loose) {
+        const bool follows = !blocks_.empty() && blocks_.back().part == block.part &&
+                             blocks_.back().piece == block.piece && blocks_.back().to == block.from;
+        if (follows) {
+            blocks_.back().to = block.to;
+        } else {
+            blocks_.push_back(block);
+        }
+    }
+}
+
+void Parts::gather_sessions() {
     std::multimap<std::string, std::size_t> alike;  // blocks by the beginning of their session
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const JournalContents& contents = parts_[k].contents;
-        std::vector<std::uint64_t> begins{contents.first_record};
-        begins.insert(begins.end(), contents.session_begins.begin(), contents.session_begins.end());
+        const std::vector<std::uint64_t>& begins = contents.session_begins;
         for (std::size_t i = 0; i < begins.size(); ++i) {
-            const Block block{k, begins[i], i + 1 < begins.size() ? begins[i + 1] : contents.good_bytes};
-            if (block.from == block.to) continue;
-            const std::string begin =
-                i == 0 ? "" : contents.sessions[i - 1].started + " " + contents.sessions[i - 1].host;
+            const Block block{k, 0, begins[i], i + 1 < begins.size() ? begins[i + 1] : contents.good_bytes};
+            const std::string begin = contents.sessions[i].started + " " + contents.sessions[i].host;
             const auto [first, last] = alike.equal_range(begin);
             const auto known = std::find_if(first, last, [&](const auto& entry) {
                 Block& there = blocks_[entry.second];
@@ -150,8 +214,9 @@ void Parts::gather_blocks() {
 MemberRecord Parts::read(std::size_t record) const {
     const Place& place = places_[record];
     const Part& part = parts_[place.part];
-    return journal_format::read_member(open_file(part.journal, O_RDONLY), part.journal,
-                                       part.contents.places[place.record]);
+    const JournalContents::Place& at = part.contents.places[place.record];
+    const fs::path path = piece_path(part.journal, at.piece);
+    return journal_format::read_member(open_file(path, O_RDONLY), path, at);
 }
 
 StoredMembers Parts::members() const {
@@ -161,6 +226,7 @@ StoredMembers Parts::members() const {
 std::vector<Session> Parts::sessions() const {
     std::vector<Session> sessions;
     for (const Block& block : blocks_) {
+        if (block.piece > 0) continue;
         const JournalContents& contents = parts_[block.part].contents;
         const auto begin = std::ranges::find(contents.session_begins, block.from);
         if (begin != contents.session_begins.end())

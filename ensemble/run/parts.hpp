@@ -34,9 +34,10 @@ class Parts {
         Campaign campaign;
     };
 
-    /// Records that follow each other in a journal, of one session or from before the first.
+    /// Records that follow each other in a journal or a piece of it, of one session or of none.
     struct Block {
         std::size_t part = 0;
+        int piece = 0;  ///< as in JournalContents::Place
         std::uint64_t from = 0;
         std::uint64_t to = 0;
     };
@@ -58,7 +59,9 @@ class Parts {
     const MemberNotes& notes() const { return notes_; }
     /// By member of campaign(), as match_records() gives them.
     const std::vector<std::optional<std::size_t>>& matched() const { return matched_; }
-    /// Each block once: a copy, or the beginning of a longer one, is left out.
+    /// Each block once, first those of no session: the members in pieces, which a session counts by its notes, and what
+    /// is before the first session. A member that came before, and a session that is a copy or the beginning of a
+    /// longer one, are left out.
     const std::vector<Block>& blocks() const { return blocks_; }
     /// Those of the blocks, in the order of the parts.
     std::vector<Session> sessions() const;
@@ -84,7 +87,9 @@ class Parts {
 
     void check_campaigns();
     void apply_rule();
-    void gather_blocks();
+    void gather_loose();
+    void gather_sessions();
+    bool is_loose(const Place& place) const;
     bool begins_with(const Block& longer, const Block& shorter) const;
     void add_twins(std::vector<std::string>& sentences) const;
     void add_builds(std::vector<std::string>& sentences) const;

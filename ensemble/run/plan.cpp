@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -242,8 +243,11 @@ int usual_ranks(int cores) {
     return (cores + cores_of_a_node - 1) / cores_of_a_node;
 }
 
-PlanRow plan_row(std::span<const SimulatedMember> members, int cores, int ranks, const DriverCosts& costs) {
-    return {cores, ranks, simulate(members, machine_of(cores, ranks), costs),
+PlanRow plan_row(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs,
+                 bool with_file) {
+    const auto& cores = machine.cores_of_rank;
+    return {std::accumulate(cores.begin(), cores.end(), 0), static_cast<int>(cores.size()),
+            simulate(members, machine, costs, with_file),
             costs.memory_per_member * static_cast<double>(members.size())};
 }
 

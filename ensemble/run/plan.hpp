@@ -54,6 +54,7 @@ struct PlanRow {
 /// Default number of ranks for this number of cores: one for each node of up to 64.
 int usual_ranks(int cores);
 
-PlanRow plan_row(std::span<const SimulatedMember> members, int cores, int ranks, const DriverCosts& costs);
+PlanRow plan_row(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs,
+                 bool with_file = true);
 
 }  // namespace floes

@@ -28,6 +28,12 @@ void kill_process(const Descriptor& process) {
     ::syscall(SYS_pidfd_send_signal, process.get(), SIGKILL, nullptr, 0);
 }
 
+Post post_of(int rank, const Groups& groups, const std::filesystem::path& journal) {
+    const int writer = groups.writer_of(rank);
+    if (writer != rank) return {writer, ""};
+    return {writer, std::filesystem::absolute(piece_path(journal, groups.piece_of(rank))).string()};
+}
+
 void check_hello(int from, const Hello& hello, const std::string& fingerprint) {
     if (hello.fingerprint != fingerprint) {
         throw RunError(
@@ -45,11 +51,16 @@ int Muster::cores() const {
     return sum;
 }
 
-Muster muster(Link& link, const Campaign& campaign, const Hello& own, const SilenceLimits& patience) {
+Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const std::filesystem::path& journal,
+              const Hello& own, const SilenceLimits& patience) {
     Muster result{std::vector<Hello>(static_cast<std::size_t>(link.size())), false};
     result.hellos[0] = own;
     const Bytes text = link.size() > 1 ? encode_text(write_campaign(campaign)) : Bytes{};
-    for (int rank = 1; rank < link.size(); ++rank) link.send(rank, Tag::campaign, text);
+    const bool has_writers = !groups.writers().empty();
+    for (int rank = 1; rank < link.size(); ++rank) {
+        if (has_writers) link.send(rank, Tag::post, encode(post_of(rank, groups, journal)));
+        link.send(rank, Tag::campaign, text);
+    }
     Pause pause = pause_between_polls(link.size());
     // Ranks begin at different speeds, so they have twice the time that is allowed to them later.
     const std::chrono::duration<double> longest_silence{2 * patience.with_a_worker};

@@ -3,6 +3,7 @@
 // at the end.
 
 #include <chrono>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "run/link.hpp"
 #include "run/messages.hpp"
 #include "run/worker.hpp"
+#include "run/writer.hpp"
 
 namespace floes {
 
@@ -21,10 +23,12 @@ struct Muster {
     int cores() const;  ///< of all ranks
 };
 
-/// Sends the campaign to every other rank and waits until each has said hello. `own`: the master's own hello. Throws
+/// Sends the campaign to every other rank, in a run with several writers with its post, and waits until each has said
+/// hello. `journal`: whose pieces the writers open. `own`: the master's own hello. Throws
 /// RunError if a rank read a different campaign, reports trouble, or if those that have not answered are silent for
 /// twice the patience with a worker.
-Muster muster(Link& link, const Campaign& campaign, const Hello& own, const SilenceLimits& patience);
+Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const std::filesystem::path& journal,
+              const Hello& own, const SilenceLimits& patience);
 
 class RankWatch {
   public:

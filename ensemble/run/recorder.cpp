@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -18,7 +19,6 @@ namespace floes {
 
 namespace {
 
-constexpr std::chrono::milliseconds sync_interval{900};
 constexpr std::chrono::seconds heartbeat_interval{5};
 constexpr int least_work_per_publishing = 20;
 constexpr std::chrono::seconds look_interval{20};
@@ -26,24 +26,7 @@ constexpr std::chrono::seconds look_interval{20};
 }  // namespace
 
 UpkeepTimer::UpkeepTimer(Time begin, std::chrono::seconds publish_every)
-    : publish_every_(publish_every),
-      last_sync_(begin),
-      next_heartbeat_(begin),
-      next_publishing_(begin + publish_every) {}
-
-void UpkeepTimer::kept() {
-    unsynced_ = true;
-    unpublished_ = true;
-}
-
-bool UpkeepTimer::sync_is_due(Time now) const {
-    return now - last_sync_ >= sync_interval;
-}
-
-void UpkeepTimer::synced(Time now) {
-    unsynced_ = false;
-    last_sync_ = now;
-}
+    : publish_every_(publish_every), next_heartbeat_(begin), next_publishing_(begin + publish_every) {}
 
 void UpkeepTimer::heartbeat_written(Time now) {
     next_heartbeat_ = now + heartbeat_interval;
@@ -79,7 +62,7 @@ void Recorder::check(const Places& places) {
     const fs::path journal = journal_path(places.campaign_file);
     const std::string file = places.campaign_file.string();
     const bool has_file = fs::exists(places.campaign_file);
-    const bool has_journal = fs::exists(journal);
+    const bool has_journal = fs::exists(journal) || !pieces_of(journal).empty();
     if (places.existing == Existing::refuse && (has_file || has_journal)) {
         throw InputError(
             fmt::format("{} exists already: --resume continues it, --overwrite starts afresh and replaces it, "
@@ -101,48 +84,56 @@ void Recorder::check(const Places& places) {
 Recorder::Recorder(const Campaign& campaign, Places places)
     : campaign_(campaign),
       places_(std::move(places)),
-      journal_(open(campaign, places_)),
+      keeper_(open(campaign, places_)),
       tally_(campaign,
-             take_inventory(campaign, journal_.members(), journal_.attempts(), places_.part, places_.retry_failed),
+             take_inventory(campaign, journal().members(), journal().attempts(), places_.part, places_.retry_failed),
              Clock::now()),
       timer_(Clock::now(), places_.publish_every) {}
 
 std::vector<std::string> Recorder::begin(Session session) {
     const Inventory& found = tally_.found();
     std::vector<std::string> changes;
-    if (found.reused() > 0 && !journal_.sessions().empty())
-        changes = changed_software(journal_.sessions().back(), session);
-    for (const CalibrationRecord& calibration : places_.calibrations) journal_.append(calibration);
+    Journal& journal = keeper_.journal();
+    if (found.reused() > 0 && !journal.sessions().empty())
+        changes = changed_software(journal.sessions().back(), session);
+    for (const CalibrationRecord& calibration : places_.calibrations) journal.append(calibration);
     session.reused = found.reused();
     session.retried = found.retried;
     session.part = places_.part.number;
     session.parts = places_.part.of;
-    journal_.begin_session(session);
+    journal.begin_session(session);
     // So that NAME.part*.h5 names every part that has begun.
     if (places_.part.of > 1 && !fs::exists(places_.campaign_file)) timer_.publish_first(Clock::now());
     return changes;
 }
 
 void Recorder::started(int number, int attempt) {
-    journal_.started(tally_.identity_of(number), attempt);
+    keeper_.journal().started(tally_.identity_of(number), attempt);
     tally_.started(number, attempt, Clock::now());
 }
 
 void Recorder::keep(const MemberRecord& record) {
-    journal_.append(record);
+    keeper_.keep(record);
     tally_.kept(record);
     timer_.kept();
 }
 
+void Recorder::kept_in_piece(int number, const std::optional<MemberRecord>& record) {
+    const MemberIdentity member = tally_.identity_of(number);
+    keeper_.journal().done_in_piece(member);
+    tally_.kept(member, MemberStatus::done, record ? &*record : nullptr);
+    has_pieces_ = true;
+}
+
 std::string Recorder::tend(Time now) {
-    journal_.hand_over();
-    if (timer_.sync_is_due(now)) sync();
+    keeper_.tend(now);
     if (timer_.heartbeat_is_due(now)) {
         write_heartbeat(heartbeat_path(places_.campaign_file), tally_.heartbeat(now));
         timer_.heartbeat_written(now);
     }
     std::string trouble;
-    if (timer_.publishing_is_due(now)) {
+    // Many writers fill more than one process can publish meanwhile.
+    if (places_.with_file && !has_pieces_ && timer_.publishing_is_due(now)) {
         try {
             publish_now();
         } catch (const RunError& error) {
@@ -169,16 +160,24 @@ void Recorder::look_at_other_parts() {
     if (parts.rule() && parts.rule()->met()) together_ = parts.rule();
 }
 
-void Recorder::sync() {
-    if (timer_.is_unsynced()) journal_.sync();
-    timer_.synced(Clock::now());
+int Recorder::take_in_pieces() {
+    if (!has_pieces_) return 0;
+    keeper_.journal().take_in_pieces();
+    const StoredMembers members = journal().members();
+    const auto kept = match_records(campaign_, members.notes());
+    const auto is_there = [&](const MemberTask& task) {
+        const std::optional<std::size_t>& record = kept[static_cast<std::size_t>(task.number)];
+        return record && members.notes()[*record].done();
+    };
+    const auto there = static_cast<int>(std::ranges::count_if(tally_.found().tasks, is_there));
+    return std::max(0, tally_.computed() - there);
 }
 
 void Recorder::give_up() noexcept {
     try {
         std::error_code ignored;
         fs::remove(heartbeat_path(places_.campaign_file), ignored);
-        journal_.end_session("failed");
+        keeper_.journal().end_session("failed");
     } catch (const std::exception&) {
         // The original error is the one to report.
     }
@@ -186,15 +185,15 @@ void Recorder::give_up() noexcept {
 
 void Recorder::finish(const std::string& outcome) {
     sync();
-    journal_.end_session(outcome);
-    publish_now();
+    keeper_.journal().end_session(outcome);
+    if (places_.with_file) publish_now();
     std::error_code ignored;
     fs::remove(heartbeat_path(places_.campaign_file), ignored);
 }
 
 void Recorder::publish_now() {
-    publish(places_.campaign_file, tally_.published(), journal_.members(), journal_.sessions(),
-            journal_.calibrations());
+    publish(places_.campaign_file, tally_.published(), journal().members(), journal().sessions(),
+            journal().calibrations());
 }
 
 }  // namespace floes

@@ -1,6 +1,5 @@
 #pragma once
-// When to sync the journal, write the heartbeat and publish the campaign file: a state machine that is given the time
-// and reads no clock.
+// When to write the heartbeat and publish the campaign file: a state machine that is given the time and reads no clock.
 
 #include <chrono>
 #include <filesystem>
@@ -9,7 +8,7 @@
 #include <vector>
 
 #include "run/inventory.hpp"
-#include "store/journal.hpp"
+#include "run/keeper.hpp"
 
 namespace floes {
 
@@ -20,14 +19,8 @@ class UpkeepTimer {
     /// `publish_every`: minimum time between two publications.
     UpkeepTimer(Time begin, std::chrono::seconds publish_every);
 
-    /// Notes that the journal has a new result, not yet on the disk or in the campaign file.
-    void kept();
-
-    /// True every 0.9 s: "within a second", with a margin for the disk.
-    bool sync_is_due(Time now) const;
-    /// The journal has something that is not on the disk yet.
-    bool is_unsynced() const { return unsynced_; }
-    void synced(Time now);
+    /// Notes that the journal has a new result, not yet in the campaign file.
+    void kept() { unpublished_ = true; }
 
     /// True at the beginning, then every 5 s.
     bool heartbeat_is_due(Time now) const { return now >= next_heartbeat_; }
@@ -43,10 +36,8 @@ class UpkeepTimer {
 
   private:
     std::chrono::seconds publish_every_;
-    Time last_sync_;
     Time next_heartbeat_;
     Time next_publishing_;
-    bool unsynced_ = false;
     bool unpublished_ = false;
 };
 
@@ -63,6 +54,7 @@ class Recorder {
         std::chrono::seconds publish_every{300};
         std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, stored with the members
         CampaignPart part = {};                            ///< what to compute; default: the whole campaign
+        bool with_file = true;                             ///< publish; otherwise there are journals only
         bool retry_failed = false;  ///< give members set aside before the full number of attempts again
     };
 
@@ -74,7 +66,7 @@ class Recorder {
     Recorder(const Campaign& campaign, Places places);
 
     const Tally& tally() const { return tally_; }
-    const Journal& journal() const { return journal_; }
+    const Journal& journal() const { return keeper_.journal(); }
 
     /// Notes that a session begins now. Returns what has changed since the previous session, see changed_software();
     /// empty if there are no earlier members.
@@ -86,25 +78,32 @@ class Recorder {
     /// Keeps a result. It reaches the disk within a second.
     void keep(const MemberRecord& record);
 
-    /// On return, everything noted and kept so far survives the end of this process, whatever its cause.
-    void hand_over() { journal_.hand_over(); }
+    /// Notes a result that another writer keeps. `record`: for the stop rule, if there is one.
+    void kept_in_piece(int number, const std::optional<MemberRecord>& record);
 
-    /// To be called often: syncs the journal to the disk and publishes when due; of a part under a stop rule it looks
-    /// whether all parts meet it together. Returns a sentence if publishing or looking failed; nothing is lost then,
-    /// because the journal has all results.
+    /// On return, everything noted and kept so far survives the end of this process, whatever its cause.
+    void hand_over() { keeper_.hand_over(); }
+
+    /// To be called often: syncs the journal to the disk and publishes when due, with other writers not before the end;
+    /// of a part under a stop rule it looks whether all parts meet it together. Returns a sentence if publishing or
+    /// looking failed; nothing is lost then, because the journal has all results.
     std::string tend(Time now);
 
     /// Of a part: the stop rule with the members of all parts that lie beside it, once it is met.
     const std::optional<PrecisionStop>& together() const { return together_; }
 
     /// Syncs the journal to the disk now.
-    void sync();
+    void sync() { keeper_.sync(); }
+
+    /// To be called when the other writers have closed their journals: takes in what they kept. Returns the number of
+    /// members of this session that are in no journal, since a writer was lost with its machine.
+    int take_in_pieces();
 
     /// Ends the session as far as possible after an error. Otherwise the running members would count as lost with their
     /// process.
     void give_up() noexcept;
 
-    /// Ends the session and publishes. Throws RunError if that fails.
+    /// Ends the session and publishes, if there is to be a file. Throws RunError if that fails.
     void finish(const std::string& outcome);
 
   private:
@@ -113,11 +112,12 @@ class Recorder {
 
     const Campaign& campaign_;
     Places places_;
-    Journal journal_;
+    Keeper keeper_;
     Tally tally_;
     UpkeepTimer timer_;
     std::optional<PrecisionStop> together_;
-    Time next_look_{};  ///< at other parts
+    Time next_look_{};         ///< at other parts
+    bool has_pieces_ = false;  ///< that this session appends to
 };
 
 }  // namespace floes

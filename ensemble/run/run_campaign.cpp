@@ -65,11 +65,20 @@ std::string imprecise_sentence(const Campaign& campaign, PrecisionStop precision
 
 /// Prints the final messages and returns the exit status.
 int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
-             const std::string& stopped_by) {
+             const Master& master) {
+    const std::string stopped_by = master.stopped_by();
     const Tally& tally = recorder.tally();
+    const int lost = options.places.with_file || master.lost_a_writer() ? recorder.take_in_pieces() : 0;
     const bool resumed = recorder.journal().sessions().size() > 1;
     const std::string file = options.places.campaign_file.string();
     const int total = tally.precise() ? member_count(tally.published()) : tally.found().total;
+    if (lost > 0 && stopped_by.empty()) {
+        progress.say(
+            fmt::format("{} of this run {} in no journal, since a rank that kept results was lost; to resume: {}",
+                        counted(lost, "member"), lost == 1 ? "is" : "are", options.resume_command));
+        recorder.finish("members were lost");
+        return exit_stopped;
+    }
     if (tally.precise()) {
         const PrecisionStop& precision = *tally.precision();
         progress.say(fmt::format(
@@ -108,7 +117,9 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     const StopSignals signals;
     Recorder recorder(campaign, options.places);
     const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign), ::getpid()};
-    const Muster mustered = muster(link, campaign, own, options.patience);
+    const Groups groups(link.size(), options.writers);
+    const Muster mustered =
+        muster(link, campaign, groups, journal_path(options.places.campaign_file), own, options.patience);
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder.tally().found()));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
@@ -126,7 +137,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
             fmt::format("the earlier members may differ in the last bits from results of this program; {}", change));
     }
     if (const std::string text = stock(recorder.tally().found()); !text.empty()) progress.say(text);
-    Master master(campaign, {link, recorder, progress, signals}, {compute, own.cores, helper}, mustered,
+    Master master(campaign, {link, groups, recorder, progress, signals}, {compute, own.cores, helper}, mustered,
                   {options.walltime, options.patience});
     try {
         master.run();
@@ -134,7 +145,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         recorder.give_up();
         throw;
     }
-    const int status = conclude(campaign, options, recorder, progress, master.stopped_by());
+    const int status = conclude(campaign, options, recorder, progress, master);
     master.part();
     return status;
 }

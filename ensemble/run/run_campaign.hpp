@@ -18,6 +18,7 @@ namespace floes {
 struct RunOptions {
     Recorder::Places places;
     int threads = 0;             ///< members at a time on this rank; 0: its cores
+    int writers = 0;             ///< ranks that keep records, see Groups
     std::string resume_command;  ///< command with which the user resumes after a stop
     Walltime walltime = Walltime();
     SilenceLimits patience = {};

@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "run/link.hpp"
+#include "run/writer.hpp"
 #include "schedule/scheduler.hpp"
 
 // Measured by
@@ -39,6 +40,7 @@ DriverCosts measured_costs() {
         .receive = 1.5e-6,
         .answer = 6.2e-6,
         .own_member = 17e-6,
+        .kept = 4e-6,
         .receive_per_byte = 0.24e-9,
         .keep_per_byte = 1.3e-9,
         .sync = 0.6e-3,
@@ -48,6 +50,8 @@ DriverCosts measured_costs() {
         .publish_per_byte = 0.54e-9,
         .publish_interval = 300,
         .publish_share = 1.0 / 20,
+        .read_per_member = 8e-6,
+        .read_per_byte = 0.5e-9,
         .memory_per_member = 290,
         .member = 24e-6,
         .member_per_byte = 21e-9,
@@ -119,10 +123,15 @@ void MasterClock::keep(double bytes) {
     published_ = false;
 }
 
+void MasterClock::keep_in_part(double bytes) {
+    ++members_in_parts_;
+    bytes_in_parts_ += bytes;
+    synced_ = false;  // a note of it
+}
+
 void MasterClock::finish() {
     tend(now_);
     work(2 * costs_.sync);  // the last records and the end of the session
-    publish();
 }
 
 void MasterClock::tend(double until) {
@@ -133,7 +142,7 @@ void MasterClock::tend(double until) {
         last_sync_ = now_;
         synced_ = true;
     }
-    if (!published_ && next_publish_ <= std::max(until, now_)) {
+    if (!published_ && members_in_parts_ == 0 && next_publish_ <= std::max(until, now_)) {
         now_ = std::max(now_, next_publish_);
         const double begin = now_;
         publish();
@@ -144,7 +153,9 @@ void MasterClock::tend(double until) {
 }
 
 void MasterClock::publish() {
-    work(costs_.publish + costs_.publish_per_member * members_ + costs_.publish_per_byte * bytes_);
+    work(costs_.read_per_member * members_in_parts_ + costs_.read_per_byte * bytes_in_parts_);
+    work(costs_.publish + costs_.publish_per_member * (members_ + members_in_parts_) +
+         costs_.publish_per_byte * (bytes_ + bytes_in_parts_));
     published_ = true;
 }
 
@@ -154,7 +165,8 @@ enum class Kind : std::uint8_t {
     assigned,  // a member has reached a rank
     computed,  // a core has finished a member
     held,      // a rank has held back its answers for the longest time
-    answered,  // the answers have reached the master
+    answered,  // the answers have reached the rank that keeps them
+    kept,      // the master has heard of them from another writer
 };
 
 struct Happening {
@@ -162,7 +174,7 @@ struct Happening {
     std::uint64_t order = 0;  // at equal times, the event scheduled first comes first
     Kind kind = Kind::assigned;
     int rank = 0;
-    int number = 0;  // of the member; of the message for `answered`
+    int number = 0;  // of the member; of the message for `answered` and `kept`
     int attempt = 0;
 };
 
@@ -179,6 +191,7 @@ struct Rank {
     std::vector<Assign> answers;  // not sent yet
     double first_answer = 0;
     double free_at = 0;  // of its message thread
+    double busy = 0;     // of it, with records
 };
 
 std::vector<MemberTask> tasks_of(std::span<const SimulatedMember> members) {
@@ -194,10 +207,11 @@ class Play {
         : members_(members),
           costs_(costs),
           processors_(machine.processors),
+          groups_(static_cast<int>(machine.cores_of_rank.size()), machine.writers),
           scheduler_(tasks_of(members)),
           start_up_(costs.start_up + costs.start_up_per_rank * static_cast<double>(machine.cores_of_rank.size() - 1)),
           clock_(costs_, processors_, start_up_) {
-        for (const int cores : machine.cores_of_rank) ranks_.push_back({cores, cores, {}, {}, 0, start_up_});
+        for (const int cores : machine.cores_of_rank) ranks_.push_back({cores, cores, {}, {}, 0, start_up_, 0});
         for (std::size_t rank = 0; rank < ranks_.size(); ++rank) {
             const int cores = machine.cores_of_rank[rank];
             handle(WorkerJoined{static_cast<int>(rank), cores, cores});
@@ -205,7 +219,7 @@ class Play {
         hand_out();
     }
 
-    Forecast run() {
+    Forecast run(bool with_file) {
         while (!happenings_.empty()) {
             const Happening next = happenings_.top();
             happenings_.pop();
@@ -222,6 +236,9 @@ class Play {
                 case Kind::answered:
                     answered(next);
                     break;
+                case Kind::kept:
+                    kept(next);
+                    break;
             }
         }
         Forecast forecast;
@@ -229,8 +246,15 @@ class Play {
         forecast.last_member = clock_.now();
         const double span = clock_.now() - start_up_;
         forecast.master_load = span > 0 ? clock_.busy() / span : 0.0;
-        if (ranks_.size() > 1) clock_.notice(clock_.now() + farewell(), false);
+        forecast.writers = 1 + static_cast<int>(groups_.writers().size());
+        for (const int writer : groups_.writers())
+            forecast.writer_load = std::max(forecast.writer_load, span > 0 ? rank(writer).busy / span : 0.0);
+        // With other writers they pass farewells on, and close their journals.
+        if (ranks_.size() > 1) clock_.notice(clock_.now() + (forecast.writers > 1 ? 2 : 1) * farewell(), false);
         clock_.finish();
+        const double end = clock_.now();
+        if (with_file) clock_.publish();
+        forecast.file_time = clock_.now() - end;
         forecast.wall_time = clock_.now();
         return forecast;
     }
@@ -304,21 +328,46 @@ class Play {
                            static_cast<double>(here.answers.size()) < costs_.most_held_back &&
                            time - here.first_answer < costs_.longest_held_back;
         if (waits) return;
+        const int message = next_message_++;
+        const auto [sent, is_new] = messages_.emplace(message, std::exchange(here.answers, {}));
+        const double bytes = bytes_of(sent->second);
+        const auto count = static_cast<double>(sent->second.size());
         double arrival = time;
+        if (groups_.writer_of(from) == from && from != master_rank) {
+            keep(here, time, message, costs_.own_member / 2 * count + costs_.keep_per_byte * bytes);
+            return;
+        }
         if (from != master_rank) {
-            double bytes = 0;
-            for (const Assign& one : here.answers) bytes += member(one.number).record_bytes;
-            const double work =
-                costs_.report * static_cast<double>(here.answers.size()) + costs_.report_per_byte * bytes;
-            here.free_at = processors_.run(std::max(time, here.free_at), work);
+            here.free_at =
+                processors_.run(std::max(time, here.free_at), costs_.report * count + costs_.report_per_byte * bytes);
             arrival = here.free_at + costs_.latency + costs_.transfer_per_byte * bytes;
         }
-        const int message = next_message_++;
-        messages_.emplace(message, std::exchange(here.answers, {}));
         foresee(arrival, Kind::answered, from, {from, message, 0});
     }
 
+    double bytes_of(std::span<const Assign> answers) const {
+        double bytes = 0;
+        for (const Assign& one : answers) bytes += member(one.number).record_bytes;
+        return bytes;
+    }
+
+    /// A writer other than the master takes a message, and tells the master of it.
+    void keep(Rank& writer, double time, int message, double work) {
+        writer.free_at = processors_.run(std::max(time, writer.free_at), work + costs_.send);
+        writer.busy += work + costs_.send;
+        foresee(writer.free_at + costs_.latency, Kind::kept, master_rank, {master_rank, message, 0});
+    }
+
     void answered(const Happening& at) {
+        if (const int writer = groups_.writer_of(at.rank); writer != master_rank) {
+            const std::vector<Assign>& answers = messages_.at(at.number);
+            Rank& here = rank(writer);
+            const double noticed = at.time + notice_delay(costs_, at.time - here.free_at);
+            keep(here, noticed, at.number,
+                 costs_.receive + costs_.answer * static_cast<double>(answers.size()) +
+                     (costs_.receive_per_byte + costs_.keep_per_byte) * bytes_of(answers));
+            return;
+        }
         const auto message = messages_.extract(at.number);
         const bool own = at.rank == master_rank;
         clock_.notice(at.time, !own);
@@ -334,9 +383,23 @@ class Play {
         hand_out();
     }
 
+    void kept(const Happening& at) {
+        const auto message = messages_.extract(at.number);
+        clock_.notice(at.time, true);
+        clock_.work(costs_.receive);
+        for (const Assign& one : message.mapped()) {
+            const SimulatedMember& what = member(one.number);
+            clock_.work(costs_.kept);
+            clock_.keep_in_part(what.record_bytes);
+            handle(MemberFinished{one.worker, one.number, one.attempt, AttemptEnd::done, what.run_time});
+        }
+        hand_out();
+    }
+
     std::span<const SimulatedMember> members_;
     const DriverCosts& costs_;
     Processors processors_;
+    Groups groups_;
     Scheduler scheduler_;
     double start_up_;
     MasterClock clock_;
@@ -362,8 +425,9 @@ Machine machine_of(int cores, int ranks) {
     return machine;
 }
 
-Forecast simulate(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs) {
-    Forecast forecast = Play(members, machine, costs).run();
+Forecast simulate(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs,
+                  bool with_file) {
+    Forecast forecast = Play(members, machine, costs).run(with_file);
     double cores = 0;
     for (const int of_rank : machine.cores_of_rank) cores += of_rank;
     for (const SimulatedMember& one : members) {

@@ -21,6 +21,7 @@ struct DriverCosts {
     double receive = 0;           ///< a message of another rank
     double answer = 0;            ///< each answer in it: take it, keep it in the journal
     double own_member = 0;        ///< hand out and keep a member of the master's own cores
+    double kept = 0;              ///< each member that another writer has kept
     double receive_per_byte = 0;  ///< for each byte of an answer of another rank
     double keep_per_byte = 0;     ///< for each byte of the record
     double sync = 0;              ///< fdatasync of the journal
@@ -30,6 +31,8 @@ struct DriverCosts {
     double publish_per_byte = 0;  ///< for each byte of its records
     double publish_interval = 0;  ///< minimum time between two publications
     double publish_share = 0;     ///< largest share of the time during the run
+    double read_per_member = 0;   ///< read the journals of other writers before that
+    double read_per_byte = 0;
 
     double memory_per_member = 0;  ///< bytes: the plan of what is to do, the notes of what is done, publishing
 
@@ -64,8 +67,8 @@ struct MemberCosts {
 
 MemberCosts measured_member_costs();
 
-// Simulated time of the master's single thread, which works sequentially, syncs the journal when due, and publishes.
-// Times in s from the start of the run.
+// Simulated time of the master's single thread, which works sequentially, syncs the journal when due, and publishes,
+// with other writers only at the end. Times in s from the start of the run.
 
 /// The processors shared by all threads, first come, first served.
 class Processors {
@@ -91,15 +94,18 @@ class MasterClock {
     void work(double seconds);
     /// Appends a record of this size to the journal.
     void keep(double bytes);
-    /// Syncs everything to the disk and publishes.
+    /// Notes a record of this size that another writer has kept.
+    void keep_in_part(double bytes);
+    /// Syncs everything to the disk.
     void finish();
+    /// Writes the campaign file.
+    void publish();
 
     double now() const { return now_; }    ///< when the master is free
     double busy() const { return busy_; }  ///< time spent working, s
 
   private:
     void tend(double until);
-    void publish();
 
     const DriverCosts& costs_;
     Processors& processors_;
@@ -111,6 +117,8 @@ class MasterClock {
     bool published_ = true;
     double members_ = 0;
     double bytes_ = 0;
+    double members_in_parts_ = 0;
+    double bytes_in_parts_ = 0;
 };
 
 /// Delay until an arrived message is noticed by a rank that has received nothing for `silence` seconds. Such a rank
@@ -137,6 +145,7 @@ struct Machine {
     /// Processors shared by all ranks if there are too few for all; members then sleep instead of computing. 0: every
     /// thread has its own processor.
     int processors = 0;
+    int writers = 0;  ///< as Groups has it
 };
 
 /// `cores` spread evenly over `ranks`. Throws InputError unless 1 <= ranks <= cores.
@@ -144,15 +153,20 @@ Machine machine_of(int cores, int ranks);
 
 struct Forecast {
     double wall_time = 0;      ///< s, from the start of the program to its end
+    int writers = 1;           ///< ranks that keep records
     double start_up = 0;       ///< s of it before the first member
     double last_member = 0;    ///< s from the start until the last answer is in the journal
     double run_time = 0;       ///< s, of all members together
     double efficiency = 0;     ///< run_time / (cores x wall_time)
     double master_load = 0;    ///< fraction of the time from start-up to the last answer in which the master works
+    double writer_load = 0;    ///< the same of the busiest other writer
+    double file_time = 0;      ///< s in which the master writes the campaign file at the end; none if it is left out
     double journal_bytes = 0;  ///< of all records
     double file_bytes = 0;
 };
 
-Forecast simulate(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs);
+/// `with_file`: whether the run ends with the campaign file, or with its journals.
+Forecast simulate(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs,
+                  bool with_file = true);
 
 }  // namespace floes

@@ -20,6 +20,7 @@
 #include "run/messages.hpp"
 #include "run/signals.hpp"
 #include "run/worker.hpp"
+#include "run/writer.hpp"
 #include "store/session.hpp"
 
 namespace floes {
@@ -44,9 +45,15 @@ Message wait_for_message(Link& link) {
 /// A worker between hello and leave.
 class Worker {
   public:
-    Worker(Link& link, const Campaign& campaign, const CrewSetup& setup, const SilenceLimits& patience,
-           const StopSignals& signals)
-        : link_(link), patience_(patience), signals_(signals), scribe_(campaign, link.rank()), crew_(campaign, setup) {
+    Worker(Link& link, const Campaign& campaign, const Post& post, const CrewSetup& setup,
+           const SilenceLimits& patience, const StopSignals& signals)
+        : link_(link),
+          keeper_of_records_(post.writer),
+          patience_(patience),
+          signals_(signals),
+          scribe_(campaign, link.rank()),
+          crew_(campaign, setup) {
+        if (!post.journal.empty()) writer_.emplace(link, campaign, post.journal);
         link_.send(master_rank, Tag::hello,
                    encode(Hello{setup.threads, host_name(), fingerprint(campaign), ::getpid()}));
     }
@@ -64,7 +71,7 @@ class Worker {
     bool advance() {
         bool something = link_.moving();
         while (const auto message = link_.poll()) {
-            silence_.heard(master_rank);
+            if (message->from == master_rank) silence_.heard(master_rank);
             obey(*message);
             something = true;
         }
@@ -73,9 +80,11 @@ class Worker {
             something = true;
         }
         send_answers();
+        if (writer_) writer_->tend();
         if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
         if (dismissed_ && !said_farewell_ && crew_.held() == 0) {
-            link_.send(master_rank, Tag::farewell, {});
+            // Behind its answers. A writer sent what it has to the master.
+            link_.send(writer_ ? master_rank : keeper_of_records_, Tag::farewell, {});
             said_farewell_ = true;
         }
         if (signals_.received() != 0 && !passed_signal_) {
@@ -113,19 +122,52 @@ class Worker {
             case Tag::part:
                 ranks_are_missing_ = true;
                 return;
+            case Tag::answer:
+                expect_writer(message).keep(message.from, decode_answers(message.bytes));
+                return;
+            case Tag::farewell:
+                expect_writer(message).farewell(message.from);
+                return;
+            case Tag::close:
+                expect_writer(message).sync();
+                writer_.reset();
+                link_.send(master_rank, Tag::closed, {});
+                return;
             case Tag::leave:
-                if (ranks_are_missing_) link_.abandon(master_rank);
+                if (ranks_are_missing_) {
+                    link_.abandon(master_rank);
+                    if (keeper_of_records_ != master_rank) link_.abandon(keeper_of_records_);
+                }
                 exit_status_ = decode_status(message.bytes);
                 return;
             default:
-                throw RunError(fmt::format("A worker cannot interpret message {}.", static_cast<int>(message.tag)));
+                refuse(message);
         }
     }
 
+    [[noreturn]] static void refuse(const Message& message) {
+        throw RunError(fmt::format("A worker cannot interpret message {}.", static_cast<int>(message.tag)));
+    }
+
+    Writer& expect_writer(const Message& message) {
+        if (!writer_) refuse(message);
+        return *writer_;
+    }
+
+    /// What failed is for the master, who may want it computed again.
     void note_answer(Outcome outcome) {
-        if (answers_.empty()) first_answer_ = std::chrono::steady_clock::now();
         const int number = outcome.assignment.number;
-        answers_.push_back({number, scribe_.record(std::move(outcome))});
+        std::vector<Answer> answer;
+        answer.push_back({number, scribe_.record(std::move(outcome))});
+        const bool failed = answer[0].record.result.status != MemberStatus::done;
+        if (failed && keeper_of_records_ != master_rank) {
+            link_.send(master_rank, Tag::answer, encode(answer));
+        } else if (writer_) {
+            writer_->keep(link_.rank(), std::move(answer));
+        } else {
+            if (answers_.empty()) first_answer_ = std::chrono::steady_clock::now();
+            answers_.push_back(std::move(answer[0]));
+        }
     }
 
     /// Sends at once if a core would run out of work; otherwise several answers share a message.
@@ -135,19 +177,24 @@ class Worker {
         const bool waits = crew_.waiting() >= crew_.threads() && answers_.size() < most_held_back &&
                            held_back.count() < patience_.with_answers;
         if (waits) return;
-        link_.send(master_rank, Tag::answer, encode(answers_));
+        link_.send(keeper_of_records_, Tag::answer, encode(answers_));
         answers_.clear();
     }
 
     /// This rank can no longer compute: it leaves its members to the others.
     void give_up(const CrewTrouble& trouble) {
         fmt::print(stderr, "floes: rank {} leaves. {}\n", link_.rank(), trouble.sentence);
-        if (trouble.stuck) std::_Exit(exit_stopped);
+        if (trouble.stuck) {
+            if (writer_) writer_->sync();
+            std::_Exit(exit_stopped);
+        }
         crew_.abandon();
         dismissed_ = true;
     }
 
     Link& link_;
+    int keeper_of_records_;         // rank
+    std::optional<Writer> writer_;  // if it is this one, and not the master
     const SilenceLimits& patience_;
     const StopSignals& signals_;
     Silence silence_{1, std::chrono::steady_clock::now()};  // of the master
@@ -165,11 +212,16 @@ class Worker {
 };
 
 int serve(Link& link, const CrewSetup& setup, const SilenceLimits& patience, const StopSignals& signals) {
-    const Message first = wait_for_message(link);
+    Message first = wait_for_message(link);
+    Post post;
+    if (first.tag == Tag::post) {
+        post = decode_post(first.bytes);
+        first = wait_for_message(link);
+    }
     if (first.tag == Tag::leave) return decode_status(first.bytes);  // the run ended before it began
     if (first.tag != Tag::campaign) throw RunError("A worker must receive the campaign before anything else.");
     const Campaign campaign = read_campaign({decode_text(first.bytes), "campaign of the master", {}}, no_file);
-    return Worker(link, campaign, setup, patience, signals).run();
+    return Worker(link, campaign, post, setup, patience, signals).run();
 }
 
 }  // namespace

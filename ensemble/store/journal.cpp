@@ -3,12 +3,18 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -164,7 +170,95 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
         case RecordType::session_surroundings:
             if (!contents.sessions.empty()) decode_surroundings(payload, contents.sessions.back());
             break;
+        case RecordType::done_in_piece: {
+            ByteReader in(payload);
+            const std::string case_key = in.text();
+            contents.add_done({case_key, in.i32()});
+            break;
+        }
     }
+}
+
+/// A piece that is there, but whose writer was stopped inside the header, is as good as none.
+constexpr std::uint64_t not_begun = 0;
+
+/// Where whole records end and what between them is damaged.
+struct Walked {
+    std::uint64_t good_bytes = 0;
+    std::uint64_t damaged_bytes = 0;
+};
+
+/// Calls `use` with the bytes and the offset of each whole record between `at` and `size`.
+template <class Use>
+Walked walk(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
+            const Use& use) {
+    Walked walked{at, 0};
+    std::uint64_t effort = std::max(4 * size, least_effort);
+    for (Bytes bytes; true;) {
+        if (!read_record(file, path, at, size, bytes)) {
+            const std::uint64_t next = next_record(file, path, at + 1, size, effort);
+            if (next == size) return walked;
+            walked.damaged_bytes += next - at;
+            at = next;
+            continue;
+        }
+        use(std::span<const std::byte>(bytes), at);
+        at += bytes.size();
+        walked.good_bytes = at;
+    }
+}
+
+std::span<const std::byte> payload_of(std::span<const std::byte> record) {
+    return record.subspan(record_head_bytes).first(record.size() - record_head_bytes - crc_bytes);
+}
+
+/// The text of the header of a file of that size, and where its records begin; empty if the file ends before they do.
+struct Header {
+    std::string text;
+    std::uint64_t end = 0;
+};
+std::optional<Header> read_header(const Descriptor& file, const std::filesystem::path& path, std::uint64_t size) {
+    Bytes fixed(std::min(size, fixed_header_bytes));
+    read_at(file, path, 0, fixed);
+    if (!magic_fits(fixed)) refuse(path, "is not a journal of floes");
+    if (fixed.size() < fixed_header_bytes) return {};
+    const std::uint64_t length = check_fixed_header(fixed, path);
+    const std::uint64_t room = size - fixed_header_bytes;
+    if (room < crc_bytes || length > room - crc_bytes) return {};
+    Bytes text(length + crc_bytes);
+    read_at(file, path, fixed_header_bytes, text);
+    if (!crc_is_right(text)) refuse(path, "is a journal whose configuration is damaged");
+    return Header{std::string(reinterpret_cast<const char*>(text.data()), length),
+                  fixed_header_bytes + length + crc_bytes};
+}
+
+/// Whether so many bytes at the end of a file may be the begin of a record, and no damaged one.
+bool is_begin_of_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at,
+                        std::uint64_t size) {
+    if (size < record_head_bytes + crc_bytes) return true;
+    Bytes head(record_head_bytes);
+    if (!read_at(file, path, at, head)) return true;
+    return ByteReader(head).u64() > size - record_head_bytes - crc_bytes;
+}
+
+/// Adds the members that the piece has beyond what was read of it.
+void read_piece(const std::filesystem::path& journal, JournalContents& contents, JournalContents::Piece& piece) {
+    const std::filesystem::path path = piece_path(journal, piece.number);
+    const Descriptor file = open_file(path, O_RDONLY);
+    const std::uint64_t size = file_size(file, path);
+    if (piece.good_bytes == not_begun) {
+        const std::optional<Header> header = read_header(file, path, size);
+        if (!header) return;
+        piece.good_bytes = header->end;
+    }
+    const Walked walked = walk(file, path, piece.good_bytes, size, [&](auto record, std::uint64_t at) {
+        if (static_cast<RecordType>(type_of(record)) != RecordType::member) return;
+        contents.add(decode_member_record(payload_of(record)), {at, record.size(), piece.number});
+    });
+    contents.damaged_bytes += walked.damaged_bytes;
+    piece.good_bytes = walked.good_bytes;
+    const std::uint64_t tail = size - walked.good_bytes;
+    if (!is_begin_of_record(file, path, walked.good_bytes, tail)) contents.damaged_bytes += tail;
 }
 
 }  // namespace
@@ -217,48 +311,39 @@ Reading read(const Descriptor& file, const std::filesystem::path& path) {
     Reading reading;
     // The size is read once: data that a live writer adds meanwhile is left to the next reader.
     const std::uint64_t size = file_size(file, path);
-    Bytes fixed(std::min(size, fixed_header_bytes));
-    read_at(file, path, 0, fixed);
-    if (!magic_fits(fixed)) refuse(path, "is not a journal of floes");
-    if (fixed.size() < fixed_header_bytes) return reading;
-
-    const std::uint64_t length = check_fixed_header(fixed, path);
-    const std::uint64_t room = size - fixed_header_bytes;
-    if (room < crc_bytes || length > room - crc_bytes) return reading;
-    Bytes text(length + crc_bytes);
-    read_at(file, path, fixed_header_bytes, text);
-    if (!crc_is_right(text)) refuse(path, "is a journal whose configuration is damaged");
+    std::optional<Header> header = read_header(file, path, size);
+    if (!header) return reading;
     reading.begun = true;
     JournalContents& contents = reading.contents;
-    contents.campaign_text.assign(reinterpret_cast<const char*>(text.data()), length);
-    contents.good_bytes = fixed_header_bytes + length + crc_bytes;
-    contents.first_record = contents.good_bytes;
-
-    std::uint64_t at = contents.good_bytes;
-    std::uint64_t effort = std::max(4 * size, least_effort);
-    for (Bytes bytes; true;) {
-        if (!read_record(file, path, at, size, bytes)) {
-            const std::uint64_t next = next_record(file, path, at + 1, size, effort);
-            if (next == size) break;
-            contents.damaged_bytes += next - at;
-            at = next;
-            continue;
-        }
-        const std::uint64_t payload = bytes.size() - record_head_bytes - crc_bytes;
-        const std::uint32_t type = type_of(bytes);
-        take_record(contents, type, std::span(bytes).subspan(record_head_bytes, payload), {at, bytes.size()});
-        at += bytes.size();
-        contents.good_bytes = at;
-    }
-    contents.torn_bytes = size - contents.good_bytes;
+    contents.first_record = header->end;
+    contents.campaign_text = std::move(header->text);
+    const Walked walked = walk(file, path, header->end, size, [&](auto record, std::uint64_t at) {
+        take_record(contents, type_of(record), payload_of(record), {at, record.size()});
+    });
+    contents.damaged_bytes = walked.damaged_bytes;
+    contents.good_bytes = walked.good_bytes;
+    contents.torn_bytes = size - walked.good_bytes;
     return reading;
 }
 
+void read_pieces(const std::filesystem::path& path, JournalContents& contents) {
+    for (const int number : pieces_of(path)) {
+        if (std::ranges::find(contents.pieces, number, &JournalContents::Piece::number) == contents.pieces.end())
+            contents.pieces.push_back({number, not_begun});
+    }
+    std::ranges::sort(contents.pieces, {}, &JournalContents::Piece::number);
+    for (JournalContents::Piece& piece : contents.pieces) read_piece(path, contents, piece);
+}
+
+std::vector<JournalContents::Place> records_between(const Descriptor& file, const std::filesystem::path& path,
+                                                    std::uint64_t from, std::uint64_t to) {
+    std::vector<JournalContents::Place> places;
+    walk(file, path, from, to, [&](auto record, std::uint64_t at) { places.push_back({at, record.size()}); });
+    return places;
+}
+
 bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents) {
-    if (contents.torn_bytes < record_head_bytes + crc_bytes) return true;
-    Bytes head(record_head_bytes);
-    if (!read_at(open_file(path, O_RDONLY), path, contents.good_bytes, head)) return true;
-    return ByteReader(head).u64() > contents.torn_bytes - record_head_bytes - crc_bytes;
+    return is_begin_of_record(open_file(path, O_RDONLY), path, contents.good_bytes, contents.torn_bytes);
 }
 
 }  // namespace floes::journal_format
@@ -267,12 +352,17 @@ namespace floes {
 
 void JournalContents::add(const MemberRecord& record, Place place) {
     attempts.finished(identity(record));
-    if (!sessions.empty()) {
+    if (!sessions.empty() && place.piece == 0) {
         Session& session = sessions.back();
         ++(record.result.status == MemberStatus::done ? session.computed : session.set_aside);
     }
     members.add(record);
     places.push_back(place);
+}
+
+void JournalContents::add_done(const MemberIdentity& member) {
+    attempts.finished(member);
+    if (!sessions.empty()) ++sessions.back().computed;
 }
 
 void JournalContents::begin(const Session& session, std::uint64_t at) {
@@ -306,15 +396,28 @@ struct flock whole_file(short type) {
     return lock;
 }
 
+[[noreturn]] void refuse_second_writer(const std::filesystem::path& path) {
+    throw InputError(
+        fmt::format("{} is being written by another run. Wait for it, stop it, or choose another output "
+                    "file with -o.",
+                    path.string()));
+}
+
+/// Refuses if one of them has a writer still, whose master was lost; removes them where the journal is replaced.
+void settle_pieces(const std::filesystem::path& journal, Existing existing) {
+    const std::vector<int> numbers = pieces_of(journal);
+    for (const int number : numbers)
+        if (is_being_written(piece_path(journal, number))) refuse_second_writer(piece_path(journal, number));
+    if (existing != Existing::replace) return;
+    for (const int number : numbers) std::filesystem::remove(piece_path(journal, number));
+}
+
 // Locks of the open file, not of the process, so that they also work between two journals of one process. A file system
 // without locks lets both in (docs/campaign_file.md).
 void lock_for_writing(const Descriptor& file, const std::filesystem::path& path) {
     auto lock = whole_file(F_WRLCK);
     if (::fcntl(file.get(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
-    throw InputError(
-        fmt::format("{} is being written by another run. Wait for it, stop it, or choose another output "
-                    "file with -o.",
-                    path.string()));
+    refuse_second_writer(path);
 }
 
 std::string load_nothing(const std::string& path) {
@@ -326,10 +429,47 @@ Campaign read_text(const std::string& campaign_text, const std::filesystem::path
     return read_campaign({campaign_text, path.string(), {}}, load_nothing);
 }
 
+/// Reads records of pieces, whose files it opens now.
+std::function<MemberRecord(JournalContents::Place)> reader_of_pieces(const JournalContents& contents,
+                                                                     const std::filesystem::path& journal) {
+    auto files = std::make_shared<std::map<int, std::pair<std::filesystem::path, Descriptor>>>();
+    for (const JournalContents::Piece& piece : contents.pieces) {
+        const std::filesystem::path path = piece_path(journal, piece.number);
+        files->emplace(piece.number, std::pair(path, open_file(path, O_RDONLY)));
+    }
+    return [files](JournalContents::Place place) {
+        const auto& [path, file] = files->at(place.piece);
+        return journal_format::read_member(file, path, place);
+    };
+}
+
 }  // namespace
 
 std::filesystem::path journal_path(const std::filesystem::path& campaign_file) {
     return std::filesystem::path(campaign_file).replace_extension(".journal");
+}
+
+std::filesystem::path piece_path(const std::filesystem::path& journal, int number) {
+    return number == 0 ? journal : std::filesystem::path(fmt::format("{}.{}", journal.string(), number));
+}
+
+std::vector<int> pieces_of(const std::filesystem::path& journal) {
+    namespace fs = std::filesystem;
+    const std::string begin = journal.filename().string() + ".";
+    std::vector<int> numbers;
+    std::error_code none;  // a folder that is not there has no pieces
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(journal.has_parent_path() ? journal.parent_path() : fs::path("."), none)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(begin)) continue;
+        int number = 0;
+        const char* const end = name.data() + name.size();
+        const auto read = std::from_chars(name.data() + begin.size(), end, number);
+        if (read.ec == std::errc() && read.ptr == end && number > 0 && name == begin + std::to_string(number))
+            numbers.push_back(number);
+    }
+    std::ranges::sort(numbers);
+    return numbers;
 }
 
 Journal::Journal(std::filesystem::path path, Descriptor file, JournalContents contents)
@@ -346,6 +486,7 @@ Journal::~Journal() {
 Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing) {
     Descriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
     lock_for_writing(file, path);
+    settle_pieces(path, existing);
     if (existing != Existing::replace) {
         journal_format::Reading reading = journal_format::read(file, path);
         if (reading.begun) {
@@ -355,6 +496,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
                                 "--overwrite, or choose another output file with -o.",
                                 path.string()));
             truncate_file(file, path, reading.contents.good_bytes);
+            journal_format::read_pieces(path, reading.contents);
             reading.contents.attempts.close_session();  // no other run is active, because we hold the lock
             return {path, std::move(file), std::move(reading.contents)};
         }
@@ -368,6 +510,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     contents.campaign_text = campaign_text;
     contents.good_bytes = header.size();
     contents.first_record = contents.good_bytes;
+    journal_format::read_pieces(path, contents);  // of a journal that was lost
     return {path, std::move(file), std::move(contents)};
 }
 
@@ -429,14 +572,28 @@ void Journal::append(const MemberRecord& record) {
 }
 
 StoredMembers Journal::members() const {
-    return {contents_.members,
-            [this](std::size_t k) { return journal_format::read_member(file_, path_, contents_.places.at(k)); }};
+    return {contents_.members, [this, of_piece = reader_of_pieces(contents_, path_)](std::size_t k) {
+                const JournalContents::Place place = contents_.places.at(k);
+                return place.piece == 0 ? journal_format::read_member(file_, path_, place) : of_piece(place);
+            }};
 }
 
 void Journal::append(const CalibrationRecord& record) {
     if (find_calibration(contents_.calibrations, record.key) != nullptr) return;
     write_record(static_cast<std::uint32_t>(RecordType::calibration), encode(record));
     contents_.calibrations.push_back(record);
+}
+
+void Journal::done_in_piece(const MemberIdentity& member) {
+    ByteWriter payload;
+    payload.text(member.first);
+    payload.i32(member.second);
+    write_record(static_cast<std::uint32_t>(RecordType::done_in_piece), payload.bytes());
+    contents_.add_done(member);
+}
+
+void Journal::take_in_pieces() {
+    journal_format::read_pieces(path_, contents_);
 }
 
 void Journal::started(const MemberIdentity& member, int attempt) {
@@ -484,13 +641,15 @@ JournalContents read_journal(const std::filesystem::path& path) {
     const Descriptor file = open_file(path, O_RDONLY);
     journal_format::Reading reading = journal_format::read(file, path);
     if (!reading.begun) throw InputError(fmt::format("{} is still empty.", path.string()));
+    journal_format::read_pieces(path, reading.contents);
     return std::move(reading.contents);
 }
 
 StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path) {
     const auto file = std::make_shared<const Descriptor>(open_file(path, O_RDONLY));
-    return {contents.members, [&contents, path, file](std::size_t k) {
-                return journal_format::read_member(*file, path, contents.places.at(k));
+    return {contents.members, [&contents, path, file, of_piece = reader_of_pieces(contents, path)](std::size_t k) {
+                const JournalContents::Place place = contents.places.at(k);
+                return place.piece == 0 ? journal_format::read_member(*file, path, place) : of_piece(place);
             }};
 }
 

@@ -21,26 +21,35 @@
 namespace floes {
 
 struct JournalContents {
-    /// Position of a member's record in the file.
+    /// Position of a member's record.
     struct Place {
         std::uint64_t offset = 0;
         std::uint64_t size = 0;
+        int piece = 0;  ///< of the journal, in which the record is; 0: in the journal itself
+    };
+    /// What a writer other than the master appends to: see piece_path().
+    struct Piece {
+        int number = 1;
+        std::uint64_t good_bytes = 0;  ///< up to the end of the last whole record
     };
 
     std::uint64_t first_record = 0;             ///< offset in the file
     std::string campaign_text;                  ///< resolved configuration, TOML
-    MemberNotes members;                        ///< in order of arrival; their records are left in the file
+    MemberNotes members;                        ///< in order of arrival, piece by piece; their records stay in files
     std::deque<Place> places;                   ///< of these records
     std::vector<Session> sessions;              ///< in order of time
     std::vector<std::uint64_t> session_begins;  ///< offset in the file of each
     std::vector<CalibrationRecord> calibrations;
     AttemptBook attempts;
+    std::vector<Piece> pieces;        ///< in order of their numbers
     std::uint64_t good_bytes = 0;     ///< up to the end of the last whole record
-    std::uint64_t damaged_bytes = 0;  ///< bytes among these that belong to no whole record and were skipped
+    std::uint64_t damaged_bytes = 0;  ///< bytes among these, of pieces too, that belong to no whole record
     std::uint64_t torn_bytes = 0;     ///< after these: a torn or damaged tail, or a record being written
 
-    /// Adds a member whose record is at `place`, and counts it in the current session.
+    /// Adds a member whose record is at `place`, and counts it in the current session unless it is in a piece.
     void add(const MemberRecord& record, Place place);
+    /// Counts a member whose record is in a piece.
+    void add_done(const MemberIdentity& member);
     /// A session begins; attempts left open by the previous one are lost.
     void begin(const Session& session, std::uint64_t at);
     /// The latest session has ended properly.
@@ -71,7 +80,8 @@ enum class RecordType : std::uint32_t {
     attempt_started = 5,
     campaign = 6,
     member = 8,  ///< 7 was that of floes 1.0
-    session_surroundings = 9
+    session_surroundings = 9,
+    done_in_piece = 10
 };
 
 /// A whole journal, of a schema that only a newer floes reads.
@@ -87,17 +97,24 @@ Bytes record(RecordType type, std::span<const std::byte> payload);
 /// The member whose record is at `place`. Throws RunError if it is damaged.
 MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place);
 
-/// The contents of a file open for reading. `begun` is false if the file ends inside the header: its writer was stopped
-/// before it kept anything. Throws InputError if the file is not a readable journal.
+/// The contents of a file open for reading, without its pieces. `begun` is false if the file ends inside the header:
+/// its writer was stopped before it kept anything. Throws InputError if the file is not a readable journal.
 struct Reading {
     bool begun = false;
     JournalContents contents;
 };
 Reading read(const Descriptor& file, const std::filesystem::path& path);
 
+/// Adds the members of the pieces beyond what was read of them. Throws as read() does.
+void read_pieces(const std::filesystem::path& path, JournalContents& contents);
+
 /// Whether what follows the last whole record, read of the file at `path`, is the begin of a record only. A whole one
 /// that is damaged is not.
 bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents);
+
+/// Where the whole records between two offsets of the file are.
+std::vector<JournalContents::Place> records_between(const Descriptor& file, const std::filesystem::path& path,
+                                                    std::uint64_t from, std::uint64_t to);
 
 }  // namespace floes::journal_format
 
@@ -106,7 +123,8 @@ namespace floes {
 // The authoritative record of a campaign: an append-only file beside the campaign file, with a header (magic, schema
 // version, resolved configuration) and records {length, type, payload, CRC32C}. Once sync() has returned, the records
 // survive kill -9 of the program and loss of the machine. A torn tail is recognised and cut. docs/campaign_file.md has
-// the layout.
+// the layout. In a large run other ranks than the master's append members to pieces, journals of their own beside it;
+// who reads a journal reads its pieces.
 //
 //     Journal journal = open_journal(journal_path("a.h5"), campaign, Existing::resume);
 //     journal.begin_session(describe_session(ranks, threads, {}));
@@ -127,6 +145,10 @@ class Journal {
     void append(const MemberRecord& record);
     /// The same for a calibration; one that exists already is not added again.
     void append(const CalibrationRecord& record);
+    /// Notes that the member's record is in a piece. Needs no sync(), because the piece is what is believed.
+    void done_in_piece(const MemberIdentity& member);
+    /// Takes in what was appended to pieces since the journal was opened or this was called.
+    void take_in_pieces();
     /// Notes that an attempt at the member begins. Needs no sync(): a lost note only costs one more attempt.
     void started(const MemberIdentity& member, int attempt);
     /// Passes everything appended so far to the operating system by one write(), so that it survives the end of this
@@ -171,10 +193,16 @@ class Journal {
 /// `a.h5` -> `a.journal`, in the same folder.
 std::filesystem::path journal_path(const std::filesystem::path& campaign_file);
 
+/// `a.journal` -> `a.journal.2`: the piece of that number, from 1; of 0 the journal itself.
+std::filesystem::path piece_path(const std::filesystem::path& journal, int number);
+
+/// The numbers of the pieces that are there, in order.
+std::vector<int> pieces_of(const std::filesystem::path& journal);
+
 /// Opens for writing. refuse: throws InputError if the journal exists; replace: starts afresh; resume: keeps every
 /// whole record, cuts a torn tail, and starts afresh if there is no journal. Throws InputError if another process is
-/// writing this journal, if it has a newer schema, a damaged header or is not a journal; RunError if the file system
-/// refuses.
+/// writing this journal or a piece of it, if it has a newer schema, a damaged header or is not a journal; RunError if
+/// the file system refuses.
 Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing);
 
 /// As above for a campaign. A campaign that has all members of the journal's campaign and more extends it. Resuming

@@ -25,7 +25,8 @@ expect 0 completed "$FLOES" run campaign.toml -o two.h5 --resume "${SHORT[@]}"
 said completed "6 members reused, 2 to compute"
 same whole.h5 two.h5
 
-expect 0 third "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml -o third.h5 --part 3/3 "${SHORT[@]}"
+expect 0 third "${MPIRUN[@]}" -n 2 "$FLOES" run campaign.toml -o third.h5 --part 3/3 --writers 2 --threads 1 "${SHORT[@]}"
+[ -e third.journal.1 ] || fail "not two writers"
 expect 0 three "$FLOES" merge third.h5 second.h5 first.h5 first.h5 -o three.h5
 same whole.h5 three.h5
 [ ! -e three.journal.tmp ] || fail "merging left a file behind"
@@ -38,7 +39,8 @@ said damaged "1 missing from all parts"
 
 # Parts without -o do not get into each other's way.
 expect 0 one "$FLOES" run campaign.toml --part 1/2 "${SHORT[@]}"
-expect 0 other_one "$FLOES" run campaign.toml --part 2/2 "${SHORT[@]}"
+expect 0 other_one "$FLOES" run campaign.toml --part 2/2 --no-file "${SHORT[@]}"
+said other_one "to write campaign.part2.h5, one core is enough: $FLOES run campaign.toml -o campaign.part2.h5 --resume --part 2/2 --set"
 expect 0 both "$FLOES" merge campaign.part1.h5 campaign.part2.h5 -o campaign.h5
 same whole.h5 campaign.h5
 

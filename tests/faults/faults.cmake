@@ -1,6 +1,6 @@
 # Which process breaks, when and how: tests/faults/matrix.py.
 floes_test_program(faulty WITH all_tests SOURCES faults/main.cpp LIBRARIES floes_run)
-foreach(what members processes)
+foreach(what members processes writers)
   add_test(NAME faults.${what} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                        ${MPIEXEC_EXECUTABLE} ${what})
   set_tests_properties(faults.${what} PROPERTIES LABELS "all;mpi" TIMEOUT 300 COST 90)  # mostly waiting

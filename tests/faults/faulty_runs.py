@@ -11,9 +11,9 @@ ENV = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIR
 PATIENCE = 100  # s; a run takes one, and one whose rank is stopped at its very end a minute
 
 
-def command(folder, isolation="none", ranks=1, recovery=False, fault=(), program=None):
+def command(folder, isolation="none", ranks=1, recovery=False, fault=(), program=None, writers=0):
     launcher = MPIRUN + (["--enable-recovery"] if recovery else []) + ["-n", str(ranks)] if ranks > 1 else []
-    return [*launcher, *(program or [FAULTY, folder, "a.h5", isolation, "2", *fault])]
+    return [*launcher, *(program or [FAULTY, folder, "a.h5", isolation, f"2/{writers}", *fault])]
 
 
 def begin(folder, output="log", popen=None, **how):
@@ -98,8 +98,8 @@ def same(folder, whole):
     assert result.returncode == 0, "the file differs: " + result.stdout
 
 
-def complete(folder, whole, isolation="none", fault=()):
-    status = run_to_end(folder, isolation=isolation, fault=fault)
+def complete(folder, whole, **how):
+    status = run_to_end(folder, **how)
     assert status == 0, f"the resumed run ended with {status}"
     same(folder, whole)
 

@@ -1,7 +1,7 @@
 // A floes run with fake members that break in a chosen way, for the scripts beside it.
 //
-//     faulty FOLDER NAME.h5 ISOLATION THREADS [WAY MEMBER]
-//     faulty FOLDER NAME.h5 ISOLATION THREADS members COUNT
+//     faulty FOLDER NAME.h5 ISOLATION THREADS[/WRITERS] [WAY MEMBER]
+//     faulty FOLDER NAME.h5 ISOLATION THREADS[/WRITERS] members COUNT
 //
 // FOLDER gets the process numbers of every rank and its helper. With a WAY, the MEMBER breaks in this way on its first
 // attempt, with the prefix "always_" on every attempt. "members": COUNT members, a multiple of three, that take no time
@@ -73,6 +73,8 @@ int main(int argc, char** argv) {
     const std::vector<std::string> words(argv + 1, argv + argc);
     const std::filesystem::path folder = words.at(0);
     const int threads = std::stoi(words.at(3));
+    const std::size_t slash = words[3].find('/');
+    const int writers = slash == std::string::npos ? 0 : std::stoi(words[3].substr(slash + 1));
     Fault fault{folder / "broke", "", -1};
     const bool many = words.size() > 5 && words[4] == "members";
     const int count = many ? std::stoi(words[5]) : 30;
@@ -92,6 +94,7 @@ int main(int argc, char** argv) {
         if (many) campaign.run.attempts = 100;
         const RunOptions options{.places = {.campaign_file = folder / words.at(1), .existing = Existing::resume},
                                  .threads = threads,
+                                 .writers = writers,
                                  .resume_command = "the same",
                                  .patience = patience};
         Progress progress(std::cerr, Progress::Style::plain);

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Which process breaks, when, and how: every ending is the file of an undisturbed run.
 
-    matrix.py FAULTY MPIEXEC members|processes|kills [COUNT [SEED]]
+    matrix.py FAULTY MPIEXEC members|processes|writers|kills [COUNT [SEED]]
 
 members    one member breaks in every way, in its rank's process and in its own
 processes  a rank, a helper, a member's process, mpirun are killed or stopped in the middle
+writers    likewise, where two ranks keep the results
 kills      COUNT kills at random moments of random processes, resumed each time
 """
 import os
@@ -43,11 +44,18 @@ def member_always_breaks(folder, whole, way, isolation):
     said(folder, "30 members reused, 0 to compute")
 
 
-def process_breaks(folder, whole, victim, how, isolation, ranks, recovery):
-    run = begin(folder, isolation=isolation, ranks=ranks, recovery=recovery)
+def process_breaks(folder, whole, victim, how, isolation, ranks, recovery, writers=1, resumed_with=None):
+    """With two writers the second half of the ranks has the first of them as its writer."""
+    run = begin(folder, isolation=isolation, ranks=ranks, recovery=recovery, writers=writers)
     rank = 1 if victim.startswith("worker") else 0
+    if victim.startswith("writer"):
+        rank = ranks // 2
+    if victim.startswith("writer's worker"):
+        rank = ranks - 1
     process, helper = pids(folder, rank)
-    time.sleep(random.uniform(0.05, 0.3))
+    if writers > 1:
+        wait_for_a_member(os.path.join(folder, "a.journal.1"))
+    time.sleep(random.uniform(0, 0.05) if writers > 1 else random.uniform(0.05, 0.3))
     target = run.pid if victim == "mpirun" else process
     if victim.endswith("helper"):
         target = helper
@@ -58,16 +66,28 @@ def process_breaks(folder, whole, victim, how, isolation, ranks, recovery):
         time.sleep(1)  # nobody is left to notice it: somebody kills it
         strike(target, signal.SIGKILL)
     status = end(run, folder)
-    if victim == "worker" and recovery:
+    if victim in ("worker", "writer", "writer's worker") and recovery:
         assert status == 0, f"the others did not go on: {status}"
         same(folder, whole)
-    complete(folder, whole, isolation=isolation)
+    if victim == "writer" and recovery and ranks > 2:
+        said(folder, "since it kept their results")
+    complete(folder, whole, isolation=isolation, **(resumed_with or {}))
+
+
+def wait_for_a_member(journal):
+    """Until a writer has told of one."""
+    for _ in range(2000):
+        if os.path.exists(journal) and os.path.getsize(journal) > 30000:
+            return
+        time.sleep(0.005)
+    raise AssertionError(f"no member in {journal}")
 
 
 def random_kill(folder, whole, number):
     isolation = random.choice(["none", "process"])
     ranks = random.choice([1, 1, 2])
-    run = begin(folder, isolation=isolation, ranks=ranks, recovery=ranks > 1 and random.random() < 0.5)
+    writers = random.randint(1, ranks)
+    run = begin(folder, isolation=isolation, ranks=ranks, recovery=ranks > 1 and random.random() < 0.5, writers=writers)
     process, helper = pids(folder, random.randrange(ranks))
     time.sleep(random.uniform(0, 0.5))
     target = random.choice([process, process, helper, *children(helper), run.pid])
@@ -105,6 +125,17 @@ def cases():
             yield process_breaks, ("master's member", how, "process", 1, False)
         yield process_breaks, ("master's helper", kill, "process", 1, False)
         yield process_breaks, ("worker's helper", kill, "process", 2, False)
+    if WHAT == "writers":
+        for victim in ("master", "writer", "writer's worker", "mpirun"):
+            yield process_breaks, (victim, kill, "none", 4, False, 2)
+        for victim in ("writer", "writer's worker"):
+            yield process_breaks, (victim, kill, "none", 4, True, 2)
+        yield process_breaks, ("master", kill, "none", 4, True, 2)
+        yield process_breaks, ("writer", kill, "process", 2, True, 2)
+        yield process_breaks, ("writer", stop, "none", 4, True, 2)
+        yield process_breaks, ("writer's helper", kill, "process", 2, False, 2)
+        for others in ({"ranks": 2}, {"ranks": 3, "writers": 3}, {"ranks": 4, "writers": 2}):
+            yield process_breaks, ("writer", kill, "none", 4, False, 2, others)
     if WHAT == "kills":
         for number in range(int(sys.argv[4])):
             yield random_kill, (number,)

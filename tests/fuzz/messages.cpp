@@ -14,11 +14,12 @@ void require_same_bytes(const Bytes& bytes, const Decode& decode, const Encode& 
 }
 
 /// Their records may lack what came later, so the first bytes can be others.
-void require_one_writing(const Bytes& bytes) {
-    const auto answers = floes::fuzz::taken([&] { return floes::decode_answers(bytes); });
-    if (!answers) return;
-    const Bytes written = floes::encode(*answers);
-    floes::fuzz::require(floes::encode(floes::decode_answers(written)) == written, "an answer is not what was sent");
+template <class Decode>
+void require_one_writing(const Bytes& bytes, const Decode& decode) {
+    const auto records = floes::fuzz::taken([&] { return decode(bytes); });
+    if (!records) return;
+    const Bytes written = floes::encode(*records);
+    floes::fuzz::require(floes::encode(decode(written)) == written, "a record is not what was sent");
 }
 
 }  // namespace
@@ -28,9 +29,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto rest = floes::fuzz::as_bytes(data, size).subspan(1);
     const Bytes bytes(rest.begin(), rest.end());
     const auto encode = [](const auto& message) { return floes::encode(message); };
-    switch (data[0] % 5) {
+    switch (data[0] % 7) {
         case 0:
-            require_one_writing(bytes);
+            require_one_writing(bytes, floes::decode_answers);
             break;
         case 1:
             require_same_bytes(bytes, floes::decode_hello, encode);
@@ -40,6 +41,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             break;
         case 3:
             require_same_bytes(bytes, floes::decode_status, floes::encode_status);
+            break;
+        case 4:
+            require_one_writing(bytes, floes::decode_kept);
+            break;
+        case 5:
+            require_same_bytes(bytes, floes::decode_post, encode);
             break;
         default:
             require_same_bytes(bytes, floes::decode_text, floes::encode_text);

@@ -176,6 +176,160 @@ TEST(WorkerConversation, PassesASignalOn) {
     link.finish();
 }
 
+TEST(WorkerConversation, BringsItsAnswersToItsWriterAndFailuresToTheMaster) {
+    const Campaign campaign = two_members();
+    FakeLink link(3, 4);
+    link.deliver(0, Tag::post, encode(Post{2, ""}));
+    link.deliver(0, Tag::campaign, text_of(campaign));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::assign, encode(Assignments{{0, 1}}));
+    link.expect(2, Tag::answer, [](const Bytes& bytes) { EXPECT_EQ(decode_answers(bytes).at(0).number, 0); });
+    link.deliver(0, Tag::assign, encode(Assignments{{1, 1}}));
+    link.expect(0, Tag::answer, [](const Bytes& bytes) {
+        const Answer answer = decode_answers(bytes).at(0);
+        EXPECT_EQ(answer.number, 1);
+        EXPECT_EQ(answer.record.result.status, MemberStatus::failed);
+    });
+    link.deliver(0, Tag::dismiss);
+    link.expect(2, Tag::farewell);
+    link.deliver(0, Tag::part);
+    link.deliver(0, Tag::leave, encode_status(0));
+    const MemberFunction compute = [](const Campaign& of, int number, std::stop_token stop) {
+        if (number == 1) throw std::runtime_error("the ice melted");
+        return fake::compute(of, number, std::move(stop));
+    };
+    EXPECT_EQ(serve_campaign(link, 1, compute), 0);
+    EXPECT_EQ(link.abandoned, (std::vector<int>{0, 2}));
+    link.finish();
+}
+
+TEST(WriterConversation, TellsTheMasterOfWhatIsInItsJournal) {
+    const TemporaryFolder folder;
+    const auto piece = folder / "a.journal.1";
+    const Campaign campaign = synthetic::campaign(2);
+    const auto kept_so_far = [&] { return read_journal(piece).members.size(); };
+    FakeLink link(2, 4);
+    link.deliver(0, Tag::post, encode(Post{2, piece.string()}));
+    link.deliver(0, Tag::campaign, text_of(campaign));
+    link.expect(0, Tag::hello);
+    link.deliver(3, Tag::answer, encode(Answers{{4, record_of(campaign, 4)}, {5, record_of(campaign, 5)}}));
+    link.expect(0, Tag::kept, [&](const Bytes& bytes) {
+        const auto kept = decode_kept(bytes);
+        ASSERT_EQ(kept.size(), 2u);
+        EXPECT_EQ(kept[1].worker, 3);
+        EXPECT_EQ(kept[1].number, 5);
+        EXPECT_EQ(kept[1].attempt, 1);
+        EXPECT_FALSE(kept[1].record);
+        EXPECT_EQ(kept_so_far(), 2u);
+    });
+    link.deliver(0, Tag::assign, encode(Assignments{{1, 1}}));
+    link.expect(0, Tag::kept, [&](const Bytes& bytes) {
+        EXPECT_EQ(decode_kept(bytes).at(0).worker, 2);
+        EXPECT_EQ(kept_so_far(), 3u);
+    });
+    link.deliver(0, Tag::dismiss);
+    link.expect(0, Tag::farewell, [](const Bytes& bytes) { EXPECT_TRUE(bytes.empty()); });
+    link.deliver(3, Tag::answer, encode(Answers{{0, record_of(campaign, 0)}}));
+    link.deliver(3, Tag::farewell);
+    link.expect(0, Tag::kept);
+    link.expect(0, Tag::farewell, [](const Bytes& bytes) { EXPECT_EQ(decode_status(bytes), 3); });
+    link.deliver(0, Tag::close);
+    link.expect(0, Tag::closed, [&](const Bytes&) { EXPECT_FALSE(is_being_written(piece)); });
+    link.deliver(0, Tag::leave, encode_status(0));
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute), 0);
+    link.finish();
+    EXPECT_EQ(kept_so_far(), 4u);
+}
+
+TEST(WriterConversation, TellsTheStopRuleAllButTheHistories) {
+    const TemporaryFolder folder;
+    Campaign campaign = synthetic::campaign(30);
+    campaign.stop.half_width = 0.25;
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::post, encode(Post{1, (folder / "a.journal.1").string()}));
+    link.deliver(0, Tag::campaign, text_of(campaign));
+    link.expect(0, Tag::hello);
+    link.deliver(0, Tag::assign, encode(Assignments{{4, 1}}));
+    link.expect(0, Tag::kept, [&](const Bytes& bytes) {
+        const Kept kept = decode_kept(bytes).at(0);
+        ASSERT_TRUE(kept.record);
+        const MemberResult result = kept.record->whole();
+        const MemberResult computed = synthetic::record(campaign, 4).result;
+        EXPECT_EQ(result.load.mean, computed.load.mean);
+        ASSERT_FALSE(computed.averaged.empty());
+        EXPECT_EQ(result.averaged[0].peaks, computed.averaged[0].peaks);
+        EXPECT_FALSE(computed.history.surge.empty());
+        EXPECT_TRUE(result.history.surge.empty());
+    });
+    link.deliver(0, Tag::leave, encode_status(0));
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute), 0);
+    link.finish();
+}
+
+TEST(WriterConversation, ComplainsWhenItsJournalCannotBeOpened) {
+    FakeLink link(1, 2);
+    link.deliver(0, Tag::post, encode(Post{1, "no/such/a.journal.1"}));
+    link.deliver(0, Tag::campaign, text_of(two_members()));
+    link.expect(0, Tag::trouble, [](const Bytes& bytes) { EXPECT_THAT(decode_text(bytes), HasSubstr("no/such")); });
+    link.deliver(0, Tag::leave, encode_status(1));
+    EXPECT_EQ(serve_campaign(link, 1, fake::compute), 1);
+    link.finish();
+}
+
+/// What a writer does with a record, without its rank.
+void keep_in_piece(const std::filesystem::path& campaign_file, const MemberRecord& record) {
+    Journal piece = open_journal(piece_path(journal_path(campaign_file), 1), "", Existing::resume);
+    piece.append(record);
+    piece.sync();
+}
+
+TEST(MasterConversation, BelievesAWriterAndPublishesWhatItKept) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    run.writers = 2;
+    FakeLink link(0, 2);
+    link.expect(1, Tag::post, [&](const Bytes& bytes) {
+        EXPECT_EQ(decode_post(bytes).writer, 1);
+        EXPECT_EQ(decode_post(bytes).journal, (folder / "a.journal.1").string());
+    });
+    link.expect(1, Tag::campaign);
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign, [&](const Bytes&) { keep_in_piece(run.file, record_of(run.campaign, 1)); });
+    link.deliver(1, Tag::kept, encode(std::vector<Kept>{{1, 1, 7, 0.5, {}}}));  // of another attempt
+    link.deliver(1, Tag::kept, encode(std::vector<Kept>{{1, 1, 1, 0.5, {}}}));
+    link.expect(1, Tag::dismiss);
+    link.deliver(1, Tag::farewell);
+    link.expect(1, Tag::close);
+    link.deliver(1, Tag::closed);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
+    link.finish();
+    EXPECT_EQ(read_journal(journal_path(run.file)).sessions.at(0).computed, 2);
+    fake::Run alone(folder / "alone.h5", two_members());
+    ASSERT_EQ(alone(fake::compute), 0);
+    EXPECT_EQ(run.results(), alone.results());
+}
+
+TEST(MasterConversation, DoesNotCallCompleteWhatIsInNoJournal) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    run.writers = 2;
+    FakeLink link(0, 2);
+    link.expect(1, Tag::post);
+    link.expect(1, Tag::campaign);
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign);
+    link.deliver(1, Tag::kept, encode(std::vector<Kept>{{1, 1, 1, 0.5, {}}}));  // and then lost it
+    link.expect(1, Tag::dismiss);
+    link.deliver(1, Tag::farewell);
+    link.expect(1, Tag::close);
+    link.deliver(1, Tag::closed);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 85);
+    link.finish();
+    EXPECT_THAT(run.said, HasSubstr("1 member of this run is in no journal"));
+    EXPECT_EQ(run(fake::compute, Existing::resume), 0);
+    EXPECT_FALSE(run.results()[1].empty());
+}
+
 TEST(MasterConversation, SharesTheMembersAndKeepsTheAnswers) {
     const TemporaryFolder folder;
     fake::Run run(folder / "a.h5", two_members());

@@ -56,8 +56,12 @@ class Run {
     int on(Link& link, const MemberFunction& compute, Existing existing = Existing::refuse, int threads = 2,
            Helper* helper = nullptr) {
         std::ostringstream out;
-        RunOptions options{{file, existing}, threads, "RESUME COMMAND", walltime, patience};
-        options.places.part = part;
+        const RunOptions options{.places = {.campaign_file = file, .existing = existing, .part = part},
+                                 .threads = threads,
+                                 .writers = writers,
+                                 .resume_command = "RESUME COMMAND",
+                                 .walltime = walltime,
+                                 .patience = patience};
         try {
             Progress progress(out, Progress::Style::plain);
             const int status = run_campaign(campaign, options, link, compute, progress, helper);
@@ -92,6 +96,7 @@ class Run {
     std::filesystem::path file;
     std::string said;
     CampaignPart part;
+    int writers = 0;
     Walltime walltime;
     SilenceLimits patience;
 };

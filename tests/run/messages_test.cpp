@@ -27,6 +27,17 @@ TEST(Messages, ComeBackAsTheyWere) {
     EXPECT_EQ(answers[0].number, 6);
     EXPECT_EQ(answers[1].number, 7);
     EXPECT_EQ(encode(answers[1].record), encode(record));
+    const Post post = decode_post(encode(Post{64, "/a/b.journal.1"}));
+    EXPECT_EQ(post.writer, 64);
+    EXPECT_EQ(post.journal, "/a/b.journal.1");
+    const auto kept = decode_kept(encode(std::vector<Kept>{{3, 6, 2, 0.5, {}}, {4, 7, 1, 0.25, record}}));
+    ASSERT_EQ(kept.size(), 2u);
+    EXPECT_EQ(kept[0].worker, 3);
+    EXPECT_EQ(kept[0].number, 6);
+    EXPECT_EQ(kept[0].attempt, 2);
+    EXPECT_EQ(kept[0].wall_time, 0.5);
+    EXPECT_FALSE(kept[0].record);
+    EXPECT_EQ(encode(*kept[1].record), encode(record));
 }
 
 TEST(Messages, AreRefusedWhenCutShort) {
@@ -44,6 +55,8 @@ TEST(Messages, AreRefusedWhenTheyAreMoreThanTheySay) {
     EXPECT_THROW(decode_hello(longer(encode(Hello{}))), RunError);
     EXPECT_THROW(decode_assignments(longer(encode(std::vector<Assignment>{{1, 1}}))), RunError);
     EXPECT_THROW(decode_answers(longer(encode(std::vector<Answer>{}))), RunError);
+    EXPECT_THROW(decode_post(longer(encode(Post{}))), RunError);
+    EXPECT_THROW(decode_kept(longer(encode(std::vector<Kept>{}))), RunError);
     EXPECT_THROW(decode_status(longer(encode_status(0))), RunError);
     EXPECT_THROW(decode_text(longer(encode_text("a"))), RunError);
     Bytes neither = encode(std::vector<Assignment>{{1, 1}});

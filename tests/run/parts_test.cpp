@@ -93,6 +93,64 @@ TEST_F(PartsOfACampaign, ThatGrewSinceTheyWereMergedAreTakenInFull) {
     EXPECT_EQ(read_status(output).cases[2].done, 1);
 }
 
+TEST_F(PartsOfACampaign, WithMembersInPiecesOfTheirJournalsAreMergedToo) {
+    const Campaign campaign = synthetic::campaign(8);
+    fake::Run whole(folder_ / "whole.h5", campaign);
+    EXPECT_EQ(whole(fake::compute_by_identity), 0);
+    const std::vector<fs::path> parts{run(1), killed(2, {3, 4}, describe_session(1, 4, {})), run(3), run(4)};
+    {
+        const fs::path path = journal_path(file(2));
+        Journal journal = open_journal(path, campaign, Existing::resume);
+        Journal first = open_journal(piece_path(path, 1), campaign, Existing::resume);
+        for (const int number : {4, 5, 15}) first.append(synthetic::record(campaign, number));
+        Journal second = open_journal(piece_path(path, 2), campaign, Existing::resume);
+        for (const int number : {16, 17}) second.append(synthetic::record(campaign, number));
+        for (const int number : {5, 15, 16}) journal.done_in_piece(identity(synthetic::record(campaign, number)));
+        journal.end_session("complete");  // without a note of the last member
+    }
+    EXPECT_EQ(total_of(read_status(file(2))).done, 6);
+    EXPECT_EQ(total_of(read_status(parts)).missing, 0);
+    EXPECT_THAT(remarks(parts), IsEmpty());
+
+    const fs::path output = folder_ / "a.h5";
+    const std::vector<fs::path> first_two{file(1), file(2)};
+    const std::vector<fs::path> last_three{file(2), file(3), file(4)};
+    merge_campaigns(first_two, output, false);
+    const Parts read = merge_campaigns(last_three, output, false);
+    EXPECT_EQ(read.missing_parts() + read.missing_members(), "");
+    EXPECT_EQ(told(output), told(whole.file));
+    const JournalContents merged = read_journal(journal_path(output));
+    EXPECT_EQ(merged.members.size(), 24u) << "member 4 is there twice in part 2, and once here";
+    ASSERT_EQ(merged.sessions.size(), 4u);
+    for (const Session& session : merged.sessions) EXPECT_EQ(session.computed, session.part == 2 ? 5 : 6);
+    const auto size = fs::file_size(journal_path(output));
+    merge_campaigns(parts, output, false);
+    EXPECT_EQ(fs::file_size(journal_path(output)), size) << "what is there already is not added again";
+
+    // Also when what was merged was resumed with several writers, and when nothing of what was there is kept.
+    open_journal(piece_path(journal_path(output), 1), campaign, Existing::resume)
+        .append(synthetic::record(campaign, 0));
+    merge_campaigns(parts, output, false);
+    EXPECT_THAT(pieces_of(journal_path(output)), IsEmpty());
+    EXPECT_EQ(fs::file_size(journal_path(output)), size);
+    open_journal(piece_path(journal_path(output), 1), campaign, Existing::resume)
+        .append(synthetic::record(campaign, 6));
+    merge_campaigns(first_two, output, true);
+    EXPECT_EQ(total_of(read_status(output)).missing, 12);
+}
+
+TEST_F(PartsOfACampaign, AreNotMergedIntoOneThatAWriterStillWrites) {
+    const std::vector<fs::path> parts{run(1)};
+    const fs::path piece = piece_path(folder_ / "a.journal", 1);
+    {
+        const Journal orphan = open_journal(piece, synthetic::campaign(8), Existing::resume);
+        EXPECT_THAT(refusal([&] { merge_campaigns(parts, folder_ / "a.h5", true); }),
+                    HasSubstr("a.journal.1 is being written by a run"));
+    }
+    EXPECT_THAT(refusal([&] { merge_campaigns(parts, folder_ / "a.h5", false); }),
+                HasSubstr("a.journal.1 exists already but not its journal"));
+}
+
 TEST_F(PartsOfACampaign, ThatAreNotCompleteAreNamed) {
     const std::vector<fs::path> parts{killed(1, {0, 1, 2, 12, 13, 14}), killed(2, {3, 4, 15})};
     EXPECT_THAT(remarks(parts),

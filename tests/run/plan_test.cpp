@@ -104,7 +104,7 @@ TEST(PlanRow, FollowsTheMembers) {
     EXPECT_EQ(usual_ranks(64), 1);
     EXPECT_EQ(usual_ranks(65), 2);
     const std::vector<SimulatedMember> members(10, {1.0, 1.0, 1000, 500});
-    const PlanRow row = plan_row(members, 5, 1, {.memory_per_member = 300});
+    const PlanRow row = plan_row(members, machine_of(5, 1), {.memory_per_member = 300});
     EXPECT_DOUBLE_EQ(row.forecast.wall_time, 2.0);
     EXPECT_DOUBLE_EQ(row.forecast.journal_bytes, 10'000);
     EXPECT_DOUBLE_EQ(row.master_memory, 3'000);

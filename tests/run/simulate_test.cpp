@@ -61,7 +61,9 @@ TEST(Simulate, AMasterThatIsTheLimitSetsTheTime) {
     costs.answer = 4e-3;
     costs.own_member = 5e-3;
     for (const int ranks : {1, 10, 1000}) {
-        const auto forecast = simulate(equal_members(20'000, 1e-6), machine_of(1000, ranks), costs);
+        Machine machine = machine_of(1000, ranks);
+        machine.writers = 1;
+        const auto forecast = simulate(equal_members(20'000, 1e-6), machine, costs);
         EXPECT_NEAR(forecast.wall_time, 20'000 * 5e-3, 0.01) << ranks;
         EXPECT_NEAR(forecast.master_load, 1.0, 1e-3) << ranks;
     }
@@ -91,6 +93,52 @@ TEST(Simulate, BytesCostTheMasterTime) {
     EXPECT_NEAR(forecast.wall_time, 100 * 1e-3, 1e-4);
     EXPECT_DOUBLE_EQ(forecast.journal_bytes, 1e8);
     EXPECT_DOUBLE_EQ(forecast.file_bytes, 5e7);
+}
+
+TEST(Simulate, WritersShareWhatBytesCost) {
+    DriverCosts costs;
+    costs.keep_per_byte = 1e-9;
+    costs.receive_per_byte = 1e-9;
+    const std::vector<SimulatedMember> members(4000, {1e-6, 1, 1e6, 0});
+    const auto run_with = [&](int writers) {
+        Machine machine = machine_of(8, 8);
+        machine.writers = writers;
+        return simulate(members, machine, costs);
+    };
+    // The master moves all, its own members without a message; then half; then every rank only its own.
+    EXPECT_NEAR(run_with(1).last_member, 4000 * (7.0 / 8 * 2e-3 + 1.0 / 8 * 1e-3), 0.6);
+    const Forecast two = run_with(2);
+    EXPECT_EQ(two.writers, 2);
+    EXPECT_NEAR(two.last_member, run_with(1).last_member / 2, 0.6);
+    EXPECT_GT(two.writer_load, 0.8);
+    EXPECT_NEAR(run_with(8).last_member, 4000.0 / 8 * 1e-3, 0.1);
+}
+
+TEST(Simulate, TheMasterTakesANoteOfWhatOthersKeep) {
+    DriverCosts costs;
+    costs.kept = 1e-3;
+    Machine machine = machine_of(4, 4);
+    machine.writers = 2;
+    const auto forecast = simulate(equal_members(400, 1.0), machine, costs);
+    EXPECT_NEAR(forecast.master_load * forecast.last_member, 200 * 1e-3, 0.005);
+}
+
+TEST(Simulate, TheFileOfManyWritersIsWrittenAtTheEndOrNotAtAll) {
+    DriverCosts costs;
+    costs.publish = 1.0;
+    costs.publish_per_member = 1e-3;
+    costs.publish_interval = 10.0;
+    costs.publish_share = 0.5;
+    costs.read_per_member = 1e-2;
+    Machine machine = machine_of(4, 4);
+    machine.writers = 4;
+    const auto members = equal_members(400, 1.0);
+    const auto with = simulate(members, machine, costs);
+    EXPECT_NEAR(with.last_member, 100.0, 1e-9) << "it publishes in between";
+    EXPECT_NEAR(with.file_time, 1.0 + 400 * 1e-3 + 300 * 1e-2, 1e-9);
+    const auto without = simulate(members, machine, costs, false);
+    EXPECT_EQ(without.file_time, 0.0);
+    EXPECT_NEAR(with.wall_time - without.wall_time, with.file_time, 1e-9);
 }
 
 TEST(Simulate, BytesCostTheCoresTime) {

@@ -10,17 +10,17 @@ using std::chrono::seconds;
 
 const UpkeepTimer::Time begin{seconds(1000)};
 
-TEST(UpkeepTimer, SyncsWithinASecond) {
-    UpkeepTimer timer(begin, seconds(300));
+TEST(SyncTimer, SyncsWithinASecond) {
+    SyncTimer timer(begin);
     EXPECT_FALSE(timer.is_unsynced());
     timer.kept();
     EXPECT_TRUE(timer.is_unsynced());
-    EXPECT_FALSE(timer.sync_is_due(begin + milliseconds(899)));
-    EXPECT_TRUE(timer.sync_is_due(begin + milliseconds(900)));
+    EXPECT_FALSE(timer.is_due(begin + milliseconds(899)));
+    EXPECT_TRUE(timer.is_due(begin + milliseconds(900)));
     timer.synced(begin + milliseconds(950));
     EXPECT_FALSE(timer.is_unsynced());
-    EXPECT_FALSE(timer.sync_is_due(begin + milliseconds(1849)));
-    EXPECT_TRUE(timer.sync_is_due(begin + milliseconds(1850)));
+    EXPECT_FALSE(timer.is_due(begin + milliseconds(1849)));
+    EXPECT_TRUE(timer.is_due(begin + milliseconds(1850)));
 }
 
 TEST(UpkeepTimer, WritesAHeartbeatAtOnceAndThenEveryFiveSeconds) {

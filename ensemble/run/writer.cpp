@@ -1,0 +1,71 @@
+#include "run/writer.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "campaign/write.hpp"
+#include "core/contract.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr int usual_ranks_of_each = 64;
+
+int ceiling(int number, int divisor) {
+    return (number + divisor - 1) / divisor;
+}
+
+/// What a stop rule needs of a record.
+MemberRecord without_histories(MemberRecord record) {
+    for (std::size_t k = 0; k < array_outputs.size(); ++k)
+        if (array_outputs[k].in_file() && !array_outputs[k].in_table) record.arrays[k] = {};
+    return record;
+}
+
+}  // namespace
+
+Groups::Groups(int ranks, int writers)
+    : ranks_(ranks),
+      ranks_of_each_(ceiling(ranks, writers > 0 ? std::min(writers, ranks) : ceiling(ranks, usual_ranks_of_each))) {
+    FLOES_EXPECTS(ranks >= 1 && writers >= 0);
+}
+
+std::vector<int> Groups::writers() const {
+    std::vector<int> all;
+    for (int rank = ranks_of_each_; rank < ranks_; rank += ranks_of_each_) all.push_back(rank);
+    return all;
+}
+
+std::vector<int> Groups::group_of(int writer) const {
+    std::vector<int> group;
+    for (int rank = writer; rank < ranks_ && writer_of(rank) == writer; ++rank) group.push_back(rank);
+    return group;
+}
+
+Writer::Writer(Link& link, const Campaign& campaign, const std::filesystem::path& piece)
+    : link_(link),
+      has_stop_rule_(campaign.stop.active()),
+      keeper_(open_journal(piece, write_campaign(campaign), Existing::resume)) {}
+
+void Writer::keep(int worker, std::vector<Answer> answers) {
+    for (Answer& answer : answers) {
+        keeper_.keep(answer.record);
+        Kept& kept = kept_.emplace_back();
+        kept.worker = worker;
+        kept.number = answer.number;
+        kept.attempt = answer.record.attempt;
+        kept.wall_time = answer.record.result.wall_time;
+        if (has_stop_rule_) kept.record = without_histories(std::move(answer.record));
+    }
+}
+
+void Writer::tend() {
+    keeper_.tend(std::chrono::steady_clock::now());
+    if (!kept_.empty()) link_.send(master_rank, Tag::kept, encode(std::exchange(kept_, {})));
+    for (const int worker : std::exchange(farewells_, {}))
+        link_.send(master_rank, Tag::farewell, encode_status(worker));
+}
+
+}  // namespace floes

@@ -1,0 +1,56 @@
+#pragma once
+// Which ranks keep records. In a large run one rank cannot move the bytes of all: groups of neighbouring ranks have a
+// writer each, which appends the members of its group to a piece of the journal and tells the master of them. The
+// master is the writer of its own group.
+
+#include <filesystem>
+#include <vector>
+
+#include "run/keeper.hpp"
+#include "run/link.hpp"
+#include "run/messages.hpp"
+
+namespace floes {
+
+class Groups {
+  public:
+    /// `writers`: at most so many; 0: one for every 64 ranks, which keeps each below a tenth of its time.
+    explicit Groups(int ranks, int writers = 0);
+
+    int writer_of(int rank) const { return rank - rank % ranks_of_each_; }
+    /// The number of the journal's piece that a writer appends to; 0: the journal itself.
+    int piece_of(int writer) const { return writer / ranks_of_each_; }
+    /// All but the master.
+    std::vector<int> writers() const;
+    /// The ranks whose records the rank keeps; none if it is no writer.
+    std::vector<int> group_of(int writer) const;
+
+  private:
+    int ranks_;
+    int ranks_of_each_;
+};
+
+/// What a writer other than the master does with the members of its group.
+class Writer {
+  public:
+    /// Opens the piece of the journal. Throws as open_journal() does. `campaign` and `link` must outlive the writer.
+    Writer(Link& link, const Campaign& campaign, const std::filesystem::path& piece);
+
+    /// Keeps members that were computed by that rank.
+    void keep(int worker, std::vector<Answer> answers);
+    /// Notes the farewell of a rank.
+    void farewell(int worker) { farewells_.push_back(worker); }
+    /// To be called often: hands over to the system what is new, and then tells the master.
+    void tend();
+    /// Brings everything to the disk.
+    void sync() { keeper_.sync(); }
+
+  private:
+    Link& link_;
+    bool has_stop_rule_;
+    Keeper keeper_;
+    std::vector<Kept> kept_;      // the master has not been told yet
+    std::vector<int> farewells_;  // after these
+};
+
+}  // namespace floes
