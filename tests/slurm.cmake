@@ -5,7 +5,7 @@ if(TARGET floes)
     string(REPLACE / . name ${script})
     add_test(NAME ${name}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/${script}.sh $<TARGET_FILE:floes> ${PROJECT_SOURCE_DIR})
-    set_tests_properties(${name} PROPERTIES LABELS "all;slurm" TIMEOUT 400 COST 100)
+    set_tests_properties(${name} PROPERTIES LABELS "all;slurm" TIMEOUT 900 COST 100)
   endforeach()
   add_test(NAME slurm.array_scripts
            COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/slurm/array_scripts.sh $<TARGET_FILE:floes>)

@@ -1,6 +1,6 @@
 # floes array under Grid Engine: 32 parts on two slots, some of them rescheduled, asked to stop and killed, one on a full
 # disk. What is merged meanwhile and at the end is the file of one undisturbed run.
-export ARRANGEMENTS=32 WINDOW=22.0  # members of some tenths of a second, so that a part falls asleep before its last one
+export ARRANGEMENTS=32 WINDOW=21.0  # members of some tenths of a second, so that a part falls asleep before its last one
 source "$(dirname "$0")/cell.sh"
 source "$(dirname "$0")/../slurm/disturbed_array.sh"
 
@@ -23,7 +23,7 @@ ask_to_stop() {
 "$PROGRAM" array campaign.toml --for gridengine --parts 32 --cores 1 2> array.log
 job=$(submit campaign.gridengine.sh)
 disturb_parts
-ends "$job" 200
+ends "$job" 300
 all_but_the_full_one_are_done
 job=$(submit -t $FULL campaign.gridengine.sh)
 ends "$job" 60

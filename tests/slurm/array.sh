@@ -1,7 +1,7 @@
 # floes array under Slurm: 32 parts on two nodes, of which one comes late and goes again; some parts are put back into the
 # queue, asked to stop and killed, one finds a full disk. What is merged meanwhile and at the end is the file of one
 # undisturbed run.
-export ARRANGEMENTS=32 WINDOW=22.0  # members of some tenths of a second, so that a part falls asleep before its last one
+export ARRANGEMENTS=32 WINDOW=21.0  # members of some tenths of a second, so that a part falls asleep before its last one
 source "$(dirname "$0")/cluster.sh"
 source "$(dirname "$0")/disturbed_array.sh"
 
@@ -27,7 +27,7 @@ disturb_parts
 scontrol update nodename=n2 state=down reason=gone  # Slurm puts what runs there back into the queue
 sleep 2
 scontrol update nodename=n2 state=resume
-until_true 150 is_over "$job" || fail "job $job has not ended"
+until_true 300 is_over "$job" || fail "job $job has not ended"
 all_but_the_full_one_are_done
 job=$(submit --array=$FULL campaign.slurm.sh)
 until_true 60 is_over "$job" || fail "job $job has not ended"

@@ -22,7 +22,8 @@ touch $FOLDER/held.\$part
 nice -n 19 $PROGRAM "\$@" &  # so that what watches it is not late
 child=\$!
 trap 'kill -USR1 \$child; kill -CONT \$child' USR1 TERM
-until [[ \$(stat -c %s $FOLDER/campaign.part\$part.journal 2> /dev/null || echo 0) -gt 12000 ]]; do sleep 0.02; done
+# A journal with a member: 2.6 kB of header, 1.4 kB of session at most, 4.3 kB of a member at least.
+until [[ \$(stat -c %s $FOLDER/campaign.part\$part.journal 2> /dev/null || echo 0) -gt 6000 ]]; do sleep 0.02; done
 kill -STOP \$child
 touch $FOLDER/asleep.\$part
 while kill -0 \$child 2> /dev/null; do wait \$child; done
@@ -46,7 +47,7 @@ kill_part() {
 disturb_parts() {
     local part ways=(requeue ask_to_stop kill_part) k=0
     for part in "${HELD[@]}"; do
-        until_true 90 test -e "asleep.$part" || fail "part $part has no member after 90 s"
+        until_true 240 test -e "asleep.$part" || fail "part $part has no member after four minutes"
         [ $k != 2 ] || while_it_runs
         "${ways[k++ % 3]}" "$part"
     done

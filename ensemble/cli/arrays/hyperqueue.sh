@@ -2,7 +2,7 @@
 #HQ --name=@NAME@
 #HQ --array=1-@PARTS@
 #HQ --cpus=@CORES@
-#HQ --stdout=@LOG@.part%{TASK_ID}.log
+#HQ --stdout=none
 #HQ --stderr=@LOG@.part%{TASK_ID}.log
 #HQ --crash-limit=100
 #
