@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
+#include "keys/decimal_comma.hpp"
 
 namespace floes {
 
@@ -52,11 +53,7 @@ std::string take_cell(std::string_view& line, const std::string& where, char com
 
 /// 0,5 becomes 0.5; what is no such number stays.
 void take_decimal_comma(std::string& cell) {
-    const std::size_t at = cell.find(',');
-    if (at == std::string::npos) return;
-    std::string with_point = cell;
-    with_point[at] = '.';
-    if (number_in(with_point)) cell = std::move(with_point);
+    if (std::string pointed = with_decimal_point(cell); !pointed.empty()) cell = std::move(pointed);
 }
 
 /// One of the two would be read and the other lost.

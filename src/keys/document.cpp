@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "keys/decimal_comma.hpp"
 #include "keys/key.hpp"
 
 // toml++ as headers, not as a library, because some of its macros are replaced: what it assumes never to happen must do
@@ -148,6 +149,26 @@ std::string table_above(std::string_view text, toml::source_index line) {
     return name;
 }
 
+std::string trimmed(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return "";
+    return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+/// "thickness_m = 0,033: write 0.033, with a point", if a line (counted from 1) has such a number; otherwise empty.
+std::string decimal_comma(std::string_view text, toml::source_index line) {
+    for (toml::source_index number = 1; number < line; ++number)
+        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    text = text.substr(0, text.find('\n'));
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos) return {};
+    const std::string key = trimmed(text.substr(0, equals));
+    std::string value = trimmed(text.substr(equals + 1));
+    value.resize(std::min(value.find_first_of(" \t\r#"), value.size()));
+    const std::string pointed = with_decimal_point(value);
+    return pointed.empty() ? "" : fmt::format("{} = {}: write {}, with a point", key, value, pointed);
+}
+
 /// toml++ says "…: cannot redefine existing integer 'thickness_m'"; the rest of its messages say what it expected.
 InputError syntax_error(const toml::parse_error& error, std::string_view text, const std::string& file) {
     const toml::source_position at = error.source().begin;
@@ -162,15 +183,11 @@ InputError syntax_error(const toml::parse_error& error, std::string_view text, c
         return InputError(
             fmt::format("{}:{}: {}{} is given twice; keep one", file, at.line, table_above(text, at.line), name));
     }
+    if (const std::string comma = decimal_comma(text, at.line); !comma.empty())
+        return InputError(fmt::format("{}:{}: {}", file, at.line, comma));
     constexpr std::string_view prefix = "Error while ";
     if (description.starts_with(prefix)) description.erase(0, prefix.size());
     return InputError(fmt::format("{}:{}:{}: this is not TOML ({})", file, at.line, at.column, description));
-}
-
-std::string trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return "";
-    return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
 }
 
 }  // namespace

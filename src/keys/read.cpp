@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/error.hpp"
+#include "keys/decimal_comma.hpp"
 #include "keys/edit_distance.hpp"
 #include "keys/key.hpp"
 
@@ -20,6 +21,13 @@ std::optional<double> as_number(const Value& value) {
     return std::nullopt;
 }
 
+/// ", write 0.033, with a point" of the text "0,033", which --set takes as a text; otherwise empty.
+std::string with_a_point(const Value& value) {
+    const auto* text = std::get_if<std::string>(&value.data);
+    const std::string pointed = text == nullptr ? "" : with_decimal_point(*text);
+    return pointed.empty() ? "" : fmt::format(", write {}, with a point", pointed);
+}
+
 struct Assigner {
     const Key& key;
     const Entry& entry;
@@ -31,7 +39,7 @@ struct Assigner {
 
     void operator()(const NumberField& field) const {
         const std::optional<double> number = as_number(entry.value);
-        if (!number) throw wrong("is not a number", field.range.reason);
+        if (!number) throw wrong("is not a number" + with_a_point(entry.value), field.range.reason);
         const double in_si = *number * field.unit;
         // The range applies to the number as written; the product may still underflow to a forbidden 0, or overflow.
         const bool lost = (in_si == 0 && *number != 0) || std::isinf(in_si) != std::isinf(*number);

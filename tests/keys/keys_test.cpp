@@ -156,6 +156,7 @@ TEST(Keys, EveryMessageIsOneSentence) {
          "a.toml:4: ice.thickness_m is given twice; keep one"},
         {"ice.thickness_m = 1.0\nice.thickness_m = 3.0\n", "a.toml:2: ice.thickness_m is given twice; keep one"},
         {"[ice]\nthickness_m = 1.0\n[ice]\n", "a.toml:3: [ice] is given twice; keep one"},
+        {"[ice]\nthickness_m = 0,033  # thin\n", "a.toml:2: thickness_m = 0,033: write 0.033, with a point"},
         {"[ice]\nthickness_m = \n",
          "a.toml:2:15: this is not TOML (parsing key-value pair: expected value, saw '\\n')"},
     };
