@@ -5,10 +5,16 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <optional>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
+#include "cli/files.hpp"
+#include "core/error.hpp"
+#include "keys/decimal_comma.hpp"
 #include "keys/edit_distance.hpp"
 
 namespace floes {
@@ -39,6 +45,143 @@ void refuse_unknown_options(const CLI::App& app, const std::vector<std::string>&
     }
 }
 
+/// "Take run times" -> "take run times"; "TOML file" stays.
+std::string in_sentence(std::string text) {
+    const bool word = text.size() > 1 && std::isupper(static_cast<unsigned char>(text[1])) == 0;
+    if (word) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+std::vector<std::string> names_of(const std::vector<const CLI::Option*>& options) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : options) names.push_back(option->get_name());
+    return names;
+}
+
+/// The options of `app` that were given.
+std::vector<const CLI::Option*> given_of(const CLI::App& app) {
+    std::vector<const CLI::Option*> given;
+    for (const CLI::Option* option : app.get_options())
+        if (option->count() > 0) given.push_back(option);
+    return given;
+}
+
+/// What a command line lacks that has all options right; empty where it lacks nothing.
+std::string what_is_missing(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        if (!option->get_required() || option->count() > 0) continue;
+        const std::string what = in_sentence(option->get_description());
+        return option->get_positional() ? " needs " + what : fmt::format(" needs {}: {}", option->get_name(), what);
+    }
+    std::vector<std::string> verbs;
+    for (const CLI::App* inner : app.get_subcommands({})) {
+        if (!inner->get_name().empty()) verbs.push_back(inner->get_name());
+        if (!inner->get_name().empty() || inner->get_require_option_min() == 0) continue;
+        std::vector<const CLI::Option*> all;
+        for (const CLI::Option* option : inner->get_options())
+            if (option != inner->get_help_ptr()) all.push_back(option);
+        const auto given = given_of(*inner);
+        if (given.size() == 1) continue;
+        return fmt::format(
+            " takes exactly one of {}; {}", fmt::join(names_of(all), ", "),
+            given.empty() ? "none was given" : fmt::format("{} were given", fmt::join(names_of(given), " and ")));
+    }
+    if (app.get_require_subcommand_min() == 0 || !app.get_subcommands().empty()) return {};
+    if (const std::vector<std::string> words = app.remaining(); !words.empty())
+        return fmt::format(" has no {}; {}", words.front(), hint(words.front(), verbs, "it has"));
+    return fmt::format(" needs one of {} behind it", fmt::join(verbs, ", "));
+}
+
+/// Which options cannot stand as they do; empty where they can.
+std::string what_does_not_fit(const CLI::App& app) {
+    for (const CLI::Option* option : given_of(app)) {
+        for (const CLI::Option* other : option->get_needs())
+            if (other->count() == 0) return fmt::format(": {} needs {}", option->get_name(), other->get_name());
+        for (const CLI::Option* other : option->get_excludes())
+            if (other->count() > 0)
+                return fmt::format(": {} and {} cannot be given together", option->get_name(), other->get_name());
+    }
+    return {};
+}
+
+/// The option that the parser's message begins with, as "--size: …"; nullptr if it begins with none.
+const CLI::Option* option_of(const CLI::App& app, const std::string& message) {
+    const CLI::Option* option = app.get_option_no_throw(message.substr(0, message.find(':')));
+    for (const CLI::App* inner : app.get_subcommands({}))
+        if (option == nullptr && inner->get_name().empty()) option = option_of(*inner, message);
+    return option;
+}
+
+/// The parser's error in our words, without the end of the sentence.
+std::string in_our_words(const CLI::App& app, const CLI::ParseError& error) {
+    const std::string message = error.what();
+    const CLI::Option* option = option_of(app, message);
+    const auto kind = static_cast<CLI::ExitCodes>(error.get_exit_code());
+    if (kind == CLI::ExitCodes::ArgumentMismatch && option != nullptr) {
+        const int wanted = option->get_items_expected_min();
+        return wanted > 1
+                   ? fmt::format(": {} takes {} values", option->get_name(), wanted)
+                   : fmt::format(": {} needs a value: {}", option->get_name(), in_sentence(option->get_description()));
+    }
+    std::string sentence;
+    if (kind == CLI::ExitCodes::RequiredError) sentence = what_is_missing(app);
+    if (kind == CLI::ExitCodes::RequiresError || kind == CLI::ExitCodes::ExcludesError)
+        sentence = what_does_not_fit(app);
+    if (kind == CLI::ExitCodes::ExtrasError)
+        sentence = fmt::format(" has no use for {}", fmt::join(app.remaining(), " "));
+    return sentence.empty() ? ": " + message : sentence;
+}
+
+/// "floes laboratory plate".
+std::string full_name(const CLI::App& app) {
+    return app.get_parent() == nullptr ? "floes" : full_name(*app.get_parent()) + " " + app.get_name();
+}
+
+/// Numbers as people write them, without zeros behind.
+std::string number_text(double value) {
+    return fmt::format("{:.15g}", value);
+}
+
+/// The fault of a word that should be a number; empty if it is one.
+template <class Number>
+std::string number_fault(const std::string& word) {
+    Number value{};
+    if (CLI::detail::lexical_cast(word, value) && std::isfinite(static_cast<double>(value))) return {};
+    if (const std::string pointed = with_decimal_point(word); !pointed.empty())
+        return fmt::format("{} is no number; write {}, with a point", word, pointed);
+    return fmt::format("{} is no {}number", word, std::is_integral_v<Number> ? "whole " : "");
+}
+
+/// Checks the words of an option that is read into a `Value`; --help shows nothing of it.
+template <class Value>
+void expect_numbers(CLI::Option& option) {
+    if constexpr (std::is_arithmetic_v<Value>)
+        option.check(CLI::Validator([](const std::string& word) { return number_fault<Value>(word); }, "", ""));
+}
+
+/// Numbers for which `allowed` is true; `words` are what is allowed, and `help` the same in --help.
+template <class Number, class Allowed>
+void allow(CLI::Option& option, const Allowed& allowed, const std::string& words, const std::string& help) {
+    const auto fault = [&option, allowed, words](const std::string& word) -> std::string {
+        Number value{};
+        if (!CLI::detail::lexical_cast(word, value)) return number_fault<Number>(word);
+        if (allowed(value)) return {};
+        const bool many = option.get_delimiter() == ',';
+        return fmt::format("{} is not {}{}", word, words,
+                           many ? " (a comma begins the next value; decimals have a point)" : "");
+    };
+    option.check(CLI::Validator(fault, help, ""));
+}
+
+template <class Number>
+void allow_range(CLI::Option& option, Number low, Number high) {
+    const std::string ends[]{number_text(low), number_text(high)};
+    allow<Number>(
+        option, [=](Number value) { return value >= low && value <= high; },
+        fmt::format("from {} to {}", ends[0], ends[1]),
+        fmt::format("{} in [{} - {}]", std::is_integral_v<Number> ? "INT" : "FLOAT", ends[0], ends[1]));
+}
+
 /// The verb below `app`; nullptr if there is none.
 CLI::App* inner_of(CLI::App& app, const std::string& verb) {
     const auto named = app.get_subcommands([&](const CLI::App* one) { return one->get_name() == verb; });
@@ -53,27 +196,34 @@ Option& Option::required() {
 }
 
 Option& Option::one_of(const std::vector<std::string>& words) {
-    option_->check(CLI::IsMember(words));
+    const auto fault = [words](const std::string& word) {
+        return std::ranges::find(words, word) != words.end()
+                   ? std::string()
+                   : fmt::format("there is no {}; {}", word, hint(word, words, "allowed are"));
+    };
+    option_->check(CLI::Validator(fault, fmt::format("{{{}}}", fmt::join(words, ",")), ""));
     return *this;
 }
 
 Option& Option::within(int low, int high) {
-    option_->check(CLI::Range(low, high));
+    allow_range(*option_, low, high);
     return *this;
 }
 
 Option& Option::within(double low, double high) {
-    option_->check(CLI::Range(low, high));
+    allow_range(*option_, low, high);
     return *this;
 }
 
 Option& Option::positive() {
-    option_->check(CLI::PositiveNumber);
+    allow<double>(
+        *option_, [](double value) { return value > 0; }, "above 0", "POSITIVE");
     return *this;
 }
 
 Option& Option::not_negative() {
-    option_->check(CLI::NonNegativeNumber);
+    allow<double>(
+        *option_, [](double value) { return value >= 0; }, "0 or more", "NONNEGATIVE");
     return *this;
 }
 
@@ -110,6 +260,19 @@ Option& Option::file_ending(const std::vector<std::string>& endings) {
                                    fmt::join(endings, " or "));
     };
     option_->check(CLI::Validator(check, "", ""));
+    return writes_file();
+}
+
+Option& Option::writes_file() {
+    const auto fault = [](const std::string& name) -> std::string {
+        try {
+            expect_place(name);
+        } catch (const InputError& refused) {
+            return refused.what();
+        }
+        return {};
+    };
+    option_->check(CLI::Validator(fault, "", ""));
     return *this;
 }
 
@@ -132,9 +295,31 @@ bool Option::given() const {
     return option_->count() > 0;
 }
 
+namespace {
+
+template <class Value>
+struct Element {
+    using Type = Value;
+};
+template <class Value>
+struct Element<std::vector<Value>> {
+    using Type = Value;
+};
+template <class Value>
+struct Element<std::optional<Value>> {
+    using Type = Value;
+};
+/// Of what an option has one or several.
+template <class Value>
+using ValueOf = typename Element<Value>::Type;
+
+}  // namespace
+
 template <class Value>
 Option OptionList::option(const std::string& names, Value& value, const std::string& help) {
-    return Option(app_->add_option(names, value, help));
+    CLI::Option* option = app_->add_option(names, value, help);
+    expect_numbers<ValueOf<Value>>(*option);
+    return Option(option);
 }
 
 template Option OptionList::option(const std::string&, std::string&, const std::string&);
@@ -246,10 +431,15 @@ int CommandLine::run_parsed(const Parse& parse) {
         const CLI::App* asked = app_.get();
         while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().front();
         refuse_unknown_options(*asked, asked->remaining());
+        if (error.get_exit_code() != 0) {
+            const std::string verb = full_name(*asked);
+            const std::string said = in_our_words(*asked, error);
+            throw CommandLineEnd(
+                2, {}, fmt::format("{}{}{} {} --help says more\n", verb, said, said.ends_with('?') ? "" : ";", verb));
+        }
         std::ostringstream output;
-        std::ostringstream errors;
-        const int status = app_->exit(error, output, errors) == 0 ? 0 : 2;
-        throw CommandLineEnd(status, output.str(), errors.str());
+        app_->exit(error, output, output);
+        throw CommandLineEnd(0, output.str(), {});
     }
     return *exit_status_;
 }

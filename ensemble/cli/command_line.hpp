@@ -53,7 +53,8 @@ class Option {
     Option& one_each();  ///< one value each time it is given; the next word is an argument of the verb
     Option& last_wins();
     Option& shows_default();
-    Option& file_ending(const std::vector<std::string>& endings);  ///< of the file that it names, as ".html"
+    Option& writes_file();  ///< names a file that is written; refused where its folder does not permit that
+    Option& file_ending(const std::vector<std::string>& endings);  ///< of the file that it writes, as ".html"
     Option& value_name(const std::string& name);
     Option& needs(const Option& other);
     Option& excludes(const Option& other);

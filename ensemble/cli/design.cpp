@@ -256,7 +256,8 @@ void add_contour(CommandLine& line) {
     verb.option("--case", options->case_name, "The case of it, if there are several").needs(config);
     add_overrides(verb, options->overrides).needs(config);
     verb.option("-o,--output", options->output,
-                "Write cases to run (.toml, with --config), the picture (.svg) or a page (.html)");
+                "Write cases to run (.toml, with --config), the picture (.svg) or a page (.html)")
+        .writes_file();
     add_format(verb, options->format);
     verb.footer(
         "The first input has a distribution, the second one that depends on it; a scatter diagram has them fitted.\n"
@@ -414,7 +415,8 @@ void add_design(CommandLine& line) {
     add_year(verb, options->year, exposure, quantile, mooring, of);
     add_window(verb, options->window);
     verb.option("-o,--output", options->output,
-                "Write a page (.html, .pdf) or a workbook (.xlsx) too; of a year also the exceedance curve (.svg)");
+                "Write a page (.html, .pdf) or a workbook (.xlsx) too; of a year also the exceedance curve (.svg)")
+        .writes_file();
     add_format(verb, options->format);
     verb.footer(
         "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"

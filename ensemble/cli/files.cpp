@@ -146,6 +146,23 @@ void expect_no_other_file(const fs::path& path) {
                                  other.string()));
 }
 
+void expect_place(const fs::path& path) {
+    const fs::path target = target_of(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const auto refuse = [&](const std::string& why) {
+        return InputError(
+            fmt::format("{} cannot be written: {}; make the folder, or name another", path.string(), why));
+    };
+    std::error_code unknown;
+    if (!fs::exists(folder, unknown)) throw refuse(fmt::format("there is no folder {}", folder.string()));
+    if (!fs::is_directory(folder, unknown)) throw refuse(fmt::format("{} is no folder", folder.string()));
+    if (fs::is_directory(target, unknown))
+        throw InputError(fmt::format("{} is a folder; name a file in it", path.string()));
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw InputError(fmt::format("{} cannot be written: the folder {} does not permit it ({}); name another folder",
+                                     path.string(), folder.string(), std::strerror(errno)));
+}
+
 namespace {
 
 /// Takes the file away that it names, unless it was renamed.

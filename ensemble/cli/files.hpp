@@ -52,6 +52,10 @@ std::optional<std::string_view> starter(std::string_view name);
 /// Makes a file of that text; one that exists is never touched. Throws InputError.
 void write_new(const std::filesystem::path& path, const std::string& text);
 
+/// Throws InputError, with what to do, unless a file can be written at `path`: its folder is there and permits it. For
+/// verbs that work for long before they write.
+void expect_place(const std::filesystem::path& path);
+
 // Writes a page that a browser may be reading at the same time.
 
 /// Writes a temporary file and renames it, so that a reader finds either the old page or the new one. A path that ends

@@ -175,7 +175,8 @@ void add_match(CommandLine& line) {
     verb.option("--samples", options->samples, "Points of the inputs' ranges to look at")
         .within(64, 1 << 20)
         .shows_default();
-    verb.option("--next", options->next, "Write the next wave, a campaign inside what is left, to this TOML file");
+    verb.option("--next", options->next, "Write the next wave, a campaign inside what is left, to this TOML file")
+        .writes_file();
     verb.option("--points", options->points, "Points of the next wave").within(1, 10000).shows_default();
     verb.option("--at", options->at, "KEY=VALUE of each axis: what is predicted at this point, and what rules it out")
         .one_each();

@@ -299,6 +299,7 @@ void add_looks(Verb& verb, ReplayOptions& options) {
                 ".mp4, .webm, .webp, .gif or .apng a film, .pvd a series for ParaView, .h5 "
                 "the recording")
         .one_each()
+        .writes_file()
         .required();
     verb.option("--at", options.look.at,
                 "Time of pictures, and at which pages open, s; default: the largest load among the frames");

@@ -103,6 +103,7 @@ void report(const ReportOptions& options) {
     const GivenCampaign given(options.files);
     const std::filesystem::path& file = given.path();
     const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
+    expect_place(output);  // before a member is computed again for its pictures
     ReportData data{read_evidence(file), {}, ""};
     if (options.asks_design) {
         data.evidence.design_request = options.design;

@@ -163,7 +163,8 @@ void add_run(CommandLine& line, std::span<char* const> command) {
     verb.option("config", options->config, "The configuration (CONFIG.toml), or the name of an installed one, as smoke")
         .required();
     verb.option("-o,--output", options->output,
-                "The campaign file; default: CONFIG.h5 in this folder, of a part CONFIG.partK.h5");
+                "The campaign file; default: CONFIG.h5 in this folder, of a part CONFIG.partK.h5")
+        .file_ending({".h5", ".hdf5", ".nc"});
     Option resume = verb.flag("--resume", options->resume, "Resume an existing campaign, or start if there is none");
     verb.flag("--retry-failed", options->retry_failed, "With --resume: retry members that were set aside as failed")
         .needs(resume);

@@ -63,6 +63,64 @@ TEST(OutputFiles, AreWhatTheirNamesSay) {
     }
 }
 
+TEST(OutputFiles, HaveAFolderBeforeAnythingIsComputed) {
+    for (const auto& words : {std::vector<std::string>{"report", "a.h5", "-o", "no/such/a.html"},
+                              std::vector<std::string>{"run", "a.toml", "-o", "no/such/a.h5"},
+                              std::vector<std::string>{"design", "a.h5", "-o", "no/such/a.html"},
+                              std::vector<std::string>{"replay", "a.h5", "-o", "a.html", "-o", "no/such/a.png"}})
+        EXPECT_THAT(end_of(words).what(), HasSubstr("cannot be written: there is no folder no/such; make the folder"));
+    EXPECT_THAT(end_of({"run", "a.toml", "-o", "x.txt"}).what(), HasSubstr("ends with .h5 or .hdf5 or .nc"));
+}
+
+TEST(Usage, IsSaidInOneStyle) {
+    for (const auto& [words, sentence] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+             {{"run"},
+              "floes run needs the configuration (CONFIG.toml), or the name of an installed one, as smoke; "
+              "floes run --help says more\n"},
+             {{"laboratory"},
+              "floes laboratory needs one of plate, cantilever behind it; floes laboratory --help says more\n"},
+             {{"laboratory", "plat"},
+              "floes laboratory has no plat; did you mean plate? floes laboratory --help says more\n"},
+             {{"match", "a.h5"},
+              "floes match needs --targets: TOML file with a [[target]] for each measured figure; "
+              "floes match --help says more\n"},
+             {{"config"},
+              "floes config takes exactly one of --defaults, --reference, --check, --resolved; none was given; "
+              "floes config --help says more\n"},
+             {{"config", "--defaults", "--reference"},
+              "floes config takes exactly one of --defaults, --reference, --check, --resolved; --defaults and "
+              "--reference were given; floes config --help says more\n"},
+             {{"run", "a.toml", "b.toml"}, "floes run has no use for b.toml; floes run --help says more\n"},
+             {{"run", "a.toml", "--retry-failed"},
+              "floes run: --retry-failed needs --resume; floes run --help says more\n"},
+             {{"run", "a.toml", "--resume", "--overwrite"},
+              "floes run: --resume and --overwrite cannot be given together; floes run --help says more\n"},
+             {{"run", "a.toml", "--threads"},
+              "floes run: --threads needs a value: number of members at a time on each rank; default: one for each of "
+              "its cores; floes run --help says more\n"},
+             {{"hybrid", "--kpr", "1,2"}, "floes hybrid: --kpr takes 3 values; floes hybrid --help says more\n"},
+             {{"summarize", "a.h5", "--parts", "desing"},
+              "floes summarize: --parts: there is no desing; did you mean design? floes summarize --help says more\n"},
+         }) {
+        const CommandLineEnd end = end_of(words);
+        EXPECT_EQ(end.status(), 2);
+        EXPECT_EQ(std::string(end.what()), sentence);
+    }
+}
+
+TEST(Usage, SaysHowNumbersAreWritten) {
+    EXPECT_THAT(end_of({"report", "a.h5", "--exposure-h", "0,5"}).what(),
+                HasSubstr("--exposure-h: 0,5 is no number; write 0.5, with a point"));
+    EXPECT_THAT(end_of({"replay", "a.h5", "-o", "a.png", "--at", "12,5"}).what(),
+                HasSubstr("write 12.5, with a point"));
+    EXPECT_THAT(end_of({"report", "a.h5", "--exposure-h", "1e9"}).what(),
+                HasSubstr("1e9 is not from 0.001 to 1000000"));
+    EXPECT_THAT(end_of({"report", "a.h5", "--exposure-h", "nan"}).what(), HasSubstr("nan is no number"));
+    EXPECT_THAT(end_of({"report", "a.h5", "--quantile", "0,9"}).what(), HasSubstr("decimals have a point"));
+    EXPECT_THAT(end_of({"run", "a.toml", "--threads", "2.5"}).what(), HasSubstr("2.5 is no whole number"));
+    EXPECT_THAT(end_of({"report", "--help"}).output(), HasSubstr("in [0.001 - 1000000]"));
+}
+
 TEST(Help, IsThatOfTheVerb) {
     const CommandLineEnd asked = end_of({"help", "summarize"});
     EXPECT_EQ(asked.status(), 0);

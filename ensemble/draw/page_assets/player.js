@@ -1,9 +1,6 @@
 'use strict';
 // What is shown at which time. Every picture begins here.
 
-// What the buttons call the program's views.
-const viewLabels = {perspective: '3D', above: 'top', side: 'side', below: 'below', plan: 'plan'};
-
 class Player {
   constructor(replay) {
     this.replay = replay;
@@ -37,7 +34,7 @@ class Player {
     $('scrub').max = end;
     header.views.forEach((view, i) => {
       const button = document.createElement('button');
-      button.textContent = viewLabels[view.name];
+      button.textContent = view.name;
       button.dataset.view = view.name;
       button.title = `View ${view.name} (${i + 1})`;
       button.addEventListener('click', () => this.setView(view.name));
