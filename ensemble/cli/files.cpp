@@ -135,6 +135,11 @@ void expect_no_other_file(const fs::path& path) {
     const GivenFile kind = given_file(path);
     std::error_code unknown;
     const bool empty_file = fs::is_regular_file(path, unknown) && fs::is_empty(path, unknown);
+    if (empty_file && !fs::exists(journal_path(path), unknown))
+        throw InputError(
+            fmt::format("{} is an empty file, not a campaign that could be continued; delete it, or -o "
+                        "names another file for the campaign.",
+                        path.string()));
     if (kind == GivenFile::nothing || kind == GivenFile::hdf5 || empty_file) return;
     fs::path other = fs::path(path).replace_extension(".h5");
     if (other == path) other.replace_filename(path.stem().string() + "_campaign.h5");

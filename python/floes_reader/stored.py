@@ -192,4 +192,6 @@ def _opened(path: pathlib.Path) -> h5py.File:
 
 
 def _cure(path: pathlib.Path) -> str:
-    return f"`floes run CONFIG -o {path} --resume` writes a campaign file again from its journal, if that is beside it."
+    if path.suffix not in (".h5", ".hdf5", ".nc") or not path.with_suffix(".journal").exists():
+        return "open() takes a campaign file that floes run wrote, CONFIG.h5; no journal beside it would make it again."
+    return f"`floes run CONFIG -o {path} --resume` writes a campaign file again from its journal."

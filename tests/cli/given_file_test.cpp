@@ -57,6 +57,10 @@ TEST_F(GivenFiles, ThatAreNoCampaignAreNotReplacedByOne) {
     std::filesystem::create_directory(path("empty"));
     EXPECT_THAT(refusal([&] { expect_no_other_file(path("empty")); }), HasSubstr("is a folder and stays as it is"));
     EXPECT_NO_THROW(expect_no_other_file(path("none.h5")));
+    std::ofstream(path("nothing.h5")).close();
+    EXPECT_THAT(refusal([&] { expect_no_other_file(path("nothing.h5")); }), HasSubstr("is an empty file"));
+    std::ofstream(path("nothing.journal")) << "floesjnl";
+    EXPECT_NO_THROW(expect_no_other_file(path("nothing.h5"))) << "--resume writes it again";
 }
 
 TEST_F(GivenFiles, ThatAreNoCampaignAreCalledWhatTheyAre) {

@@ -36,6 +36,9 @@ class Refusals(unittest.TestCase):
                                (b"floesjnl....", "is a journal"), (FULL.read_bytes()[:90_000], "is damaged")):
             BAD.write_bytes(content)
             self.refused(words)
+        mine = FOLDER / "mine.py"
+        mine.write_text("import floes_reader\n")
+        self.refused("open() takes a campaign file that floes run wrote", path=mine)
         BAD.unlink()
         with h5py.File(BAD, "w") as file:
             file["a"] = 1
