@@ -207,8 +207,15 @@ bool record_member(const ReplayOptions& options, const std::filesystem::path& pa
     const FrameSteps steps = frame_steps(chosen_times(subject, options.times), subject.about.scenario);
     const double step = subject.about.scenario.general.time_step;
     check_time(options.look, step * steps.first, step * steps.last, step * steps.stride);
+    const bool is_new = subject.stored.status == RowStatus::missing;
+    if (is_new)
+        std::fprintf(stderr,
+                     "floes: member %d is not in %s yet; it is computed here for the first time, with nothing to be "
+                     "compared with\n",
+                     subject.about.member, options.file.c_str());
     const MemberResult result = compute(subject, steps, path, signals);
     if (result.status == MemberStatus::failed) std::fprintf(stderr, "floes: %s\n", result.reason.c_str());
+    if (is_new) return true;
     const std::vector<std::string> found = differences(subject, result);
     if (found.empty()) return true;
     std::fprintf(stderr,

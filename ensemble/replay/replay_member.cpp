@@ -252,6 +252,11 @@ FrameTimes chosen_times(const ReplaySubject& subject, const TimeChoice& choice) 
     const double end = scenario.general.time_step * scenario.step_count();
     FrameTimes times{.from = 0, .to = end, .every = 0, .through = 0};
     if (choice.worst) {
+        if (subject.stored.status == RowStatus::missing)
+            throw InputError(fmt::format(
+                "Member {0} is not in {1} yet, so nothing says when its largest load comes: leave --worst out, or "
+                "compute the rest of the campaign first, floes run CONFIG.toml -o {1} --resume.",
+                subject.about.member, subject.file.string()));
         times.through = time_of_largest_load(subject);
         if (std::isnan(times.through))
             throw InputError(fmt::format(

@@ -6,16 +6,20 @@
 
 #include <fstream>
 
+#include "campaign_file/publish.hpp"
 #include "cli/commands.hpp"
 #include "core/error.hpp"
 #include "draw/synthetic_recording.hpp"
 #include "support/refusal.hpp"
+#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace replay_test {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 int run(const std::vector<std::string>& words) {
     CommandLine line;
@@ -59,6 +63,25 @@ TEST(ReplayVerb, RefusesATimeWithoutAFrame) {
     check_time({.at = 9.99}, 10, 20, 0.1);
     check_time({}, 10, 20, 0.1);
     EXPECT_THROW(check_time({.at = 9.8}, 10, 20, 0.1), InputError);
+}
+
+TEST(ReplayVerb, SaysThatAMemberIsNotDoneYet) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "a.h5";
+    const Campaign campaign = synthetic::campaign();
+    const std::vector<Session> sessions{synthetic::session()};
+    publish(file, campaign, synthetic::records(campaign), sessions);  // without member 7
+    EXPECT_THAT(refusal([&] {
+                    run({"replay", file, "7", "--worst", "-o", folder / "a.png"});
+                }),
+                HasSubstr("Member 7 is not in " + file + " yet"));
+    testing::internal::CaptureStderr();
+    testing::internal::CaptureStdout();
+    const int status = run({"replay", file, "7", "--to", "0.1", "-o", folder / "a.png"});
+    testing::internal::GetCapturedStdout();
+    EXPECT_THAT(testing::internal::GetCapturedStderr(),
+                AllOf(HasSubstr("member 7 is not in " + file + " yet"), Not(HasSubstr("another version"))));
+    EXPECT_EQ(status, 0);
 }
 
 TEST(ReplayVerb, RefusesBeforeItComputes) {
