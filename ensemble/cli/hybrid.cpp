@@ -7,7 +7,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "cli/commands.hpp"
 #include "cli/config.hpp"
@@ -15,6 +18,7 @@
 #include "core/units.hpp"
 #include "findings/closed_formulas.hpp"
 #include "run/calibrate.hpp"
+#include "scenario/keys.hpp"
 
 namespace floes {
 namespace {
@@ -32,12 +36,16 @@ struct HybridOptions {
     double friction_angle = 45;  // degrees
     double cohesion = 0;         // kPa
     double strength = 2.2;       // MPa
+    bool strength_given = false;
     std::string format = "table";
 };
 
-Scenario scenario_of(const HybridOptions& options) {
+Scenario scenario_of(const HybridOptions& options, std::string& taken) {
     if (options.config.empty()) return Scenario{};
     Campaign campaign = load_campaign(options.config, options.overrides);
+    if (const std::size_t cases = campaign.cases.size(); cases > 1)
+        taken = fmt::format("Ice and structure are those of {}, the first of the {} cases of {}.\n",
+                            campaign.cases.front().name, cases, options.config);
     campaign.cases.resize(1);
     Progress progress(std::cerr, style_of_standard_error());
     settle_moduli(campaign, 1, progress);
@@ -61,18 +69,34 @@ SlopingRequest sloping_of(const HybridOptions& options, const Scenario& scenario
     return {rubble, options.strength * unit::megapascal};
 }
 
+/// What a region's C_R is not for: ice that is scaled down with its structure.
+std::string strength_words(const HybridOptions& options, const Scenario& scenario) {
+    constexpr double much = 5;
+    const double own = scenario.ice.compressive_strength / unit::megapascal;
+    if (options.strength_given || options.strength <= much * own) return {};
+    return fmt::format(
+        "That C_R is of sea ice at full scale, and {} is not: its crushing load is far less; give its own C_R with "
+        "--crushing-MPa.\n",
+        given(scenario, "ice.compressive_strength_kPa"));
+}
+
 std::string answer(const HybridOptions& options) {
-    const Scenario scenario = scenario_of(options);
+    std::string taken;
+    const Scenario scenario = scenario_of(options, taken);
     std::vector<double> moduli;
     for (const double modulus : options.moduli) moduli.push_back(modulus * unit::megapascal);
     const HybridCurve curve = hybrid_curve(scenario, model_of(options, scenario), moduli);
     const SlopingRequest sloping = sloping_of(options, scenario);
     const Units units(std::ranges::max(curve.points, {}, &HybridPoint::load).load);
-    return written({hybrid_section(curve), sloping_section(scenario, moduli, sloping, units)}, options.format, units);
+    Section hybrid = hybrid_section(curve);
+    hybrid.before = taken + hybrid.before;
+    Section level = sloping_section(scenario, moduli, sloping, units);
+    level.after += strength_words(options, scenario);
+    return written({std::move(hybrid), std::move(level)}, options.format, units);
 }
 
 /// What ISO's formulas need and a configuration does not have.
-void add_rubble(Verb& verb, HybridOptions& options) {
+Option add_rubble(Verb& verb, HybridOptions& options) {
     verb.option("--rubble-m", options.rubble_height,
                 "Height of the rubble on the wall above the water, m; default: three thicknesses, as in the example of "
                 "OpenFAST's IceFloe, like the next three");
@@ -83,7 +107,8 @@ void add_rubble(Verb& verb, HybridOptions& options) {
     verb.option("--rubble-cohesion-kPa", options.cohesion, "Its cohesion; 0 is of loose blocks").shows_default();
     verb.option("--rubble-ice-friction", options.ice_friction,
                 "Friction of the sheet on it; default: contact.ice_ice_friction");
-    verb.option("--crushing-MPa", options.strength,
+    return verb
+        .option("--crushing-MPa", options.strength,
                 "C_R, the strength of a region's ice that crushes on a vertical wall 1 m high and wide; take that of "
                 "your site from ISO 19906")
         .within(0.1, 50.0)
@@ -113,7 +138,7 @@ void add_hybrid(CommandLine& line) {
         .exactly(3)
         .not_negative()
         .excludes(crossing);
-    add_rubble(verb, *options);
+    const Option strength = add_rubble(verb, *options);
     add_format(verb, options->format);
     verb.footer(
         "R_LS is the load that breaks the floes (Lindqvist times concentration), R_LM the load that pushes them\n"
@@ -127,7 +152,8 @@ void add_hybrid(CommandLine& line) {
         "  floes hybrid                                   the paper's case\n"
         "  floes hybrid full_scale.toml --rubble-m 4 --modulus-MPa 5000\n"
         "  floes hybrid table3.toml --set ice.bending_strength_kPa=50 --format json");
-    verb.runs([options] {
+    verb.runs([options, strength] {
+        options->strength_given = strength.given();
         std::fputs(answer(*options).c_str(), stdout);
         return 0;
     });

@@ -67,6 +67,13 @@ TEST(Hybrid, PrintsATable) {
     EXPECT_EQ(large.find(".0 "), std::string::npos) << large;
 }
 
+TEST(Hybrid, SaysWhichCaseItTookAndThatItsStrengthIsOfTheSea) {
+    const std::string table3 = hybrid(std::string(FLOES_SOURCE_DIR) + "/configs/table3.toml --modulus-MPa 60");
+    EXPECT_NE(table3.find("the first of the 3 cases of "), std::string::npos) << table3;
+    EXPECT_NE(table3.find("C_R is of sea ice at full scale, and ice.compressive_strength_kPa = "), std::string::npos);
+    EXPECT_EQ(hybrid("--modulus-MPa 60 --crushing-MPa 0.2").find("at full scale, and"), std::string::npos);
+}
+
 // OpenFAST's IceFloe prints these figures for its example (modules/icefloe/test/GLA_proto_flex_ISO.log).
 TEST(Hybrid, HasIsosLevelIceOfAConfiguration) {
     const std::string example = std::string(FLOES_SOURCE_DIR) +
