@@ -329,6 +329,8 @@ void add_plate(Verb& laboratory) {
         // If only one of the two is given, only sheets with these joints are measured.
         if (cfm.given() && !beams.given()) options->moduli.clear();
         if (beams.given() && !cfm.given()) options->cfm.clear();
+        const bool no_sigma = !cfm.given() && base_scenario(*options).joint.model == JointModel::beam;
+        if (no_sigma) options->cfm.clear();
         const bool inverse = modulus.given();
         std::fputs((inverse ? inverse_text(*options) : curve_text(*options)).c_str(), stdout);
         return 0;

@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "cli/verb_output.hpp"
 #include "support/refusal.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace laboratory_test {
@@ -45,6 +47,15 @@ TEST(LaboratoryPlate, RefusesToLookForTheCfmOfSeveralIces) {
     EXPECT_THAT(refusal([] { plate("--element-m 0.2,0.15 --iterations 50,100 --modulus-MPa 60"); }),
                 testing::HasSubstr("the Σ of one ice, but the given lists make 4"));
     EXPECT_THROW(plate("--modulus-MPa 60 --cfm 0.016"), CommandLineEnd);
+}
+
+TEST(LaboratoryPlate, HasNoSigmaOfIceWithBeamJoints) {
+    const std::string small = "--sheet-m 1.2 --element-m 0.3 --thickness-m 0.04 --format json";
+    const TemporaryFolder folder;
+    const std::string file = folder / "beams.toml";
+    std::ofstream(file) << "[joint]\nmodel = \"beam\"\n";
+    for (const json& point : json::parse(plate(file + " " + small)).at("curve"))
+        EXPECT_EQ(point.at("joint_model"), "beam");
 }
 
 TEST(Laboratory, VerbsOf1_0AreRefusedWithTheirNewNames) {
