@@ -13,6 +13,7 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -71,9 +72,30 @@ std::string find_config(const std::string& name) {
     return name;
 }
 
+namespace {
+
+/// Whether a configuration has nothing but blanks and comments.
+bool states_nothing(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::size_t first = text.find_first_not_of(" \t\r");
+        if (first < end && text[first] != '#') return false;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return true;
+}
+
+}  // namespace
+
 Campaign load_campaign(const std::string& name, const std::vector<std::string>& overrides) {
     const std::string path = find_config(name);
-    return read_campaign({read_text(path), path, overrides, true}, read_text);
+    const std::string text = read_text(path);
+    Campaign campaign = read_campaign({text, path, overrides, true}, read_text);
+    if (states_nothing(text))
+        std::fprintf(stderr,
+                     "floes: %s states no key, so everything %shas its default; floes config --defaults prints them\n",
+                     path.c_str(), overrides.empty() ? "" : "but --set ");
+    return campaign;
 }
 
 const Case& chosen_case(const Campaign& campaign, const std::string& name) {

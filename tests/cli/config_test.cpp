@@ -57,6 +57,19 @@ TEST(Config, CheckWarnsOfElementsTooLargeToBreakWhereTheIceWould) {
     EXPECT_NE(coarse.find("The same holds for E60, E200."), std::string::npos) << coarse;
 }
 
+TEST(Config, SaysOfAnEmptyFileThatItStatesNoKey) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "empty.toml") << "# to be written\n\n";
+    std::ofstream(folder / "one.toml") << "campaign.seed = 2";
+    for (const auto& [name, said] : {std::pair{"empty.toml", true}, {"one.toml", false}}) {
+        testing::internal::CaptureStderr();
+        verb_output(add_config, {"config", "--check", folder / name});
+        const bool remark = testing::internal::GetCapturedStderr().find(
+                                "states no key, so everything has its default") != std::string::npos;
+        EXPECT_EQ(remark, said) << name;
+    }
+}
+
 TEST(Config, ResolvedIsTheWholeCampaign) {
     EXPECT_EQ(config({"--resolved", table3, "--set", "general.iterations=20"}),
               write_campaign(load_campaign(table3, {"general.iterations=20"})));
