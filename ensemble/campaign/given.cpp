@@ -11,6 +11,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
+#include "campaign/campaign_keys.hpp"
 #include "campaign/hull_file.hpp"
 #include "campaign/outline_file.hpp"
 #include "core/error.hpp"
@@ -72,9 +73,12 @@ std::vector<Block> read_points(const std::string& text, const std::string& file)
                         "and a line for each point",
                         file));
     const CsvLine& keys = lines.front();
+    Scenario scratch;
+    const Keys known = describe(scratch);
     std::vector<Block> axes;
     for (std::size_t k = 0; k < keys.cells.size(); ++k) {
         const std::string where = fmt::format("{}:{}", file, keys.number);
+        const Key* key = find_key(known, full_path(keys.cells[k]));  // none: refused as that of any axis
         std::vector<Value> values;
         for (const CsvLine& line : std::span(lines).subspan(1)) {
             if (line.cells.size() != keys.cells.size())
@@ -83,6 +87,8 @@ std::vector<Block> read_points(const std::string& text, const std::string& file)
             if (line.cells[k].empty())
                 throw InputError(fmt::format("{}:{}: {} has no value", file, line.number, keys.cells[k]));
             values.push_back(parse_override(keys.cells[k] + "=" + line.cells[k], where).value);
+            if (key != nullptr)
+                assign(*key, {std::string(key->path), values.back(), fmt::format("{}:{}", file, line.number)});
         }
         axes.push_back({axis_block, where, {{"key", {keys.cells[k]}, where}, {"values", {std::move(values)}, where}}});
     }

@@ -66,6 +66,7 @@ std::string points(const std::string& path) {
     if (path == "short.csv") return "ice.thickness_m,field.far_end\n0.03\n";
     if (path == "empty.csv") return "ice.thickness_m\n";
     if (path == "gap.csv") return "ice.thickness_m,field.far_end\n0.03,\n";
+    if (path == "word.csv") return "field.far_end,ice.thickness_m\nopen,0.03\nopen,thin\n";
     return "ice.thicknes_m\n0.03\n";
 }
 
@@ -89,6 +90,8 @@ TEST(Design, PointsOfAFileAreRefusedWithTheirLine) {
     EXPECT_THAT(refused("method = \"list\"\npoints_file = \"empty.csv\""), HasSubstr("there are no points"));
     EXPECT_THAT(refused("method = \"list\"\npoints_file = \"gap.csv\""),
                 HasSubstr("gap.csv:2: field.far_end has no value"));
+    EXPECT_THAT(refused("method = \"list\"\npoints_file = \"word.csv\""),
+                HasSubstr("word.csv:3: ice.thickness_m = \"thin\" is not a number"));
     EXPECT_THAT(refused("method = \"list\"\npoints_file = \"typo.csv\""),
                 HasSubstr("did you mean \"ice.thickness_m\""));
     EXPECT_THAT(refused("method = \"grid\"\npoints_file = \"two.csv\""), HasSubstr("write design.method = \"list\""));
