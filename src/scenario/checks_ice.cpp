@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -151,6 +153,25 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+namespace {
+
+/// The windows and the number of segments next to those of a configuration that go together, in words.
+std::string what_cuts(const Analysis& analysis, std::int64_t window_steps, double time_step) {
+    // A value of the history must not lie across the window's edge either.
+    const std::int64_t stride = analysis.keep_history ? analysis.history_stride : 1;
+    const std::int64_t part = std::lcm(std::int64_t{analysis.segments}, stride);
+    const std::int64_t least = (2 * analysis.segments + part - 1) / part * part;
+    const std::int64_t below = window_steps / part * part;
+    std::string words =
+        fmt::format("analysis.window_s = {:.10g}", static_cast<double>(std::max(below, least)) * time_step);
+    if (below >= least) words += fmt::format(" or {:.10g}", static_cast<double>(below + part) * time_step);
+    std::int64_t segments = std::min(std::int64_t{analysis.segments}, window_steps / 2);
+    while (segments > 1 && window_steps % segments != 0) --segments;
+    return segments < 1 ? words : words + fmt::format(", or analysis.segments = {}", segments);
+}
+
+}  // namespace
+
 void check_time(const Scenario& scenario, Contradictions& found) {
     const Analysis& analysis = scenario.analysis;
     const double steps = (analysis.steady_start + analysis.window) / scenario.general.time_step;
@@ -170,10 +191,10 @@ void check_time(const Scenario& scenario, Contradictions& found) {
     if (found.size() > before) return;
     const int window_steps = scenario.step_count() - scenario.first_window_step();
     if (window_steps % analysis.segments != 0 || window_steps / analysis.segments < 2) {
-        found.push_back(
-            {{"analysis.segments", "analysis.window_s", "general.time_step_s"},
-             fmt::format("{} does not cut {} ({} steps) into equal parts of at least 2 steps; change one of them",
-                         given(scenario, "analysis.segments"), given(scenario, "analysis.window_s"), window_steps)});
+        found.push_back({{"analysis.segments", "analysis.window_s", "general.time_step_s"},
+                         fmt::format("{} does not cut {} ({} steps) into equal parts of at least 2 steps; take {}",
+                                     given(scenario, "analysis.segments"), given(scenario, "analysis.window_s"),
+                                     window_steps, what_cuts(analysis, window_steps, scenario.general.time_step))});
     }
     if (analysis.keep_history &&
         (window_steps % analysis.history_stride != 0 || scenario.first_window_step() % analysis.history_stride != 0)) {

@@ -93,12 +93,16 @@ TEST(Validate, EveryContradictionIsOneSentence) {
          "0.02"},
         {[](Scenario& s) { s.analysis.segments = 7; },
          "analysis.segments = 7 does not cut analysis.window_s = 150.0 (7500 steps) into equal parts of at least 2 "
-         "steps; "
-         "change one of them"},
+         "steps; take analysis.window_s = 149.94 or 150.08, or analysis.segments = 6"},
+        {[](Scenario& s) {
+             s.analysis.window = 20;
+             s.analysis.history_stride = 50;
+         },
+         "analysis.segments = 3 does not cut analysis.window_s = 20.0 (1000 steps) into equal parts of at least 2 "
+         "steps; take analysis.window_s = 18 or 21, or analysis.segments = 2"},
         {[](Scenario& s) { s.analysis.segments = 7500; },
          "analysis.segments = 7500 does not cut analysis.window_s = 150.0 (7500 steps) into equal parts of at least 2 "
-         "steps; "
-         "change one of them"},
+         "steps; take analysis.window_s = 300, or analysis.segments = 3750"},
         {[](Scenario& s) {
              s.structure.shape = Shape({{0, 1}});
          },
