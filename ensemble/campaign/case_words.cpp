@@ -95,9 +95,11 @@ std::string traced_words(const Scenario& scenario) {
             std::pow(traced.scale, 2) * std::accumulate(traced.areas.begin(), traced.areas.end(), 0.0);
         const std::vector<double> added = traced_added(traced);
         const auto worst = std::ranges::max_element(added);
+        // To a thousandth of a percent: what is less is rounding of the coordinates.
+        const auto percent = [](double share) { return 1e-3 * std::round(1e5 * std::max(0.0, share)); };
         words += fmt::format(
             "; with their holes filled they cover {:.2g} % more than as they were traced, at most {:.2g} % ({})",
-            100 * std::max(0.0, sum / in_file - 1), 100 * std::max(0.0, *worst),
+            percent(sum / in_file - 1), percent(*worst),
             outline_name(traced, static_cast<std::size_t>(worst - added.begin())));
     }
     if (scenario.arrangement.given()) return words + "; they lie as they were traced, so every arrangement is the same";
