@@ -318,7 +318,9 @@ void add_looks(Verb& verb, ReplayOptions& options) {
                 "What they tell of the floes: ice (broken ones are marked), piece, speed or utilisation")
         .one_of({"ice", "piece", "speed", "utilisation"})
         .shows_default();
-    verb.option("--size", options.look.size, "Of pictures and films, pixels").shows_default();
+    verb.option("--size", options.look.size,
+                "Of pictures and films, pixels; of --view plan only the width, the height is what the channel needs")
+        .shows_default();
     verb.option("--rate", options.look.rate,
                 "Frames of films a second; with 25, frames 0.1 s apart run 2.5 times as "
                 "fast as the tank")

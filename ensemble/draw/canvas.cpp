@@ -60,7 +60,9 @@ Canvas::Canvas(int width, int height)
 
 Canvas::Canvas(const std::filesystem::path& svg, int width, int height)
     : surface_(std::make_unique<Surface>(cairo_svg_surface_create(svg.c_str(), width, height), svg.string(), width,
-                                         height)) {}
+                                         height)) {
+    cairo_svg_surface_set_document_unit(surface_->surface, CAIRO_SVG_UNIT_PX);  // else points, a third more
+}
 
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas::~Canvas() = default;

@@ -155,13 +155,21 @@ void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const 
     canvas.text({left - 8 * unit, ceiling + size / 2}, fmt::format("{:.0f} {}", up * newtons.factor, newtons.name), ink,
                 size, Align::right);
     canvas.text({left - 8 * unit, at(from, 0).y() + size / 3}, "0", ink, size, Align::right);
-    canvas.text({left, bottom + 18 * unit}, fmt::format("{:g} s", std::round(from)), ink, size);
-    canvas.text({right, bottom + 18 * unit}, fmt::format("{:g} s", std::round(to)), ink, size, Align::right);
+    const auto [first_time, last_time] = ends_of_axis(from, to);
+    canvas.text({left, bottom + 18 * unit}, first_time, ink, size);
+    canvas.text({right, bottom + 18 * unit}, last_time, ink, size, Align::right);
     canvas.text({(left + right) / 2, bottom + 18 * unit}, "surge load, positive against the tow", ink, size,
                 Align::middle);
 }
 
 }  // namespace
+
+std::pair<std::string, std::string> ends_of_axis(double from, double to) {
+    double grain = 1;  // s
+    while (grain > 1e-6 && to - from < 10 * grain) grain /= 10;
+    const auto words = [grain](double time) { return fmt::format("{:.9g} s", std::round(time / grain) * grain); };
+    return {words(from), words(to)};
+}
 
 int picture_height(const PictureStyle& style, const RecordingSubject& subject) {
     if (style.view != View::plan) return style.height + style.height % 2;

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <utility>
 
 #include "draw/scene.hpp"
 
@@ -20,6 +22,9 @@ struct PictureStyle {
 
 /// The height that a picture of this style gets, pixels; even, as films want it.
 int picture_height(const PictureStyle& style, const RecordingSubject& subject);
+
+/// What stands at the ends of an axis of times, s: to whole seconds, and finer over less than ten.
+std::pair<std::string, std::string> ends_of_axis(double from, double to);
 
 /// Draws the frame all over the canvas.
 void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style);

@@ -238,6 +238,12 @@ TEST(Picture, IsTheSameBytesAgain) {
     EXPECT_EQ(drawn(), drawn());
 }
 
+TEST(Picture, TellsTheEndsOfAShortTimeApart) {
+    EXPECT_EQ(ends_of_axis(0.2, 149.6), (std::pair<std::string, std::string>("0 s", "150 s")));
+    EXPECT_EQ(ends_of_axis(0, 0.1), (std::pair<std::string, std::string>("0 s", "0.1 s")));
+    EXPECT_EQ(ends_of_axis(61.25, 64.75), (std::pair<std::string, std::string>("61.3 s", "64.8 s")));
+}
+
 TEST(Picture, IsAFileOfVectorsToo) {
     const TemporaryFolder folder;
     const PictureStyle style{.width = 400, .height = 300};
@@ -248,6 +254,7 @@ TEST(Picture, IsAFileOfVectorsToo) {
     text << std::ifstream(folder / "a.svg").rdbuf();
     EXPECT_THAT(text.str(), HasSubstr("<svg"));
     EXPECT_THAT(text.str(), HasSubstr("</svg>"));
+    EXPECT_THAT(text.str(), HasSubstr("width=\"400px\" height=\"300px\""));
     EXPECT_THROW(Canvas(folder / "no/such/folder.svg", 10, 10), RunError);
 }
 
