@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What `floes plan` foretells on 2 to 100,000 cores, ten members a core: a figure, and the same as a table.
+"""What `floes plan` foretells on 2 to 100,000 cores, ten members a core: a figure, and the same as a table. With
+--no-file, and how long one core writes the campaign file then.
 
 Usage: scaling.py FLOES CONFIGS OUTPUT.svg      (FLOES: the program, CONFIGS: the folder configs/)
 """
@@ -27,12 +28,19 @@ CURVES = [
 
 def plan(program, config, cores, record_bytes):
     arrangements = -(-10 * cores // 3)
-    command = [program, "plan", config, "--cores", str(cores), "--format", "csv",
+    command = [program, "plan", config, "--cores", str(cores), "--format", "csv", "--no-file",
                "--set", f"campaign.arrangements={arrangements}"]
     if record_bytes:
         command += ["--record-bytes", str(record_bytes)]
     text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    return {key: float(value) for key, value in next(csv.DictReader(io.StringIO(text))).items()}
+    row = {key: float(value) for key, value in next(csv.DictReader(io.StringIO(text))).items()}
+    row["busiest"] = max(row["master_busy"], row["writer_busy"])
+    row["efficiency_with_file"] = row["efficiency"] * row["wall_time_s"] / (row["wall_time_s"] + row["file_s"])
+    return row
+
+
+def figures(number):
+    return f"{number:.3g}" if number < 1000 else f"{number:.0f}"
 
 
 def size(number):
@@ -45,19 +53,22 @@ def size(number):
 
 def main(program, configs, output):
     figure, (efficiency, busy) = plt.subplots(1, 2, figsize=(10, 4), sharex=True)
-    print("| members | cores | ranks | wall time, s | efficiency | master busy | campaign file |")
-    print("|---|---|---|---|---|---|---|")
+    print("| members | cores | ranks | writers | wall time, s | efficiency | master busy | busiest other writer "
+          "| campaign file | written in, s | efficiency with it |")
+    print("|---|---|---|---|---|---|---|---|---|---|---|")
     for title, config, record_bytes, colour, line in CURVES:
         rows = [plan(program, os.path.join(configs, config), cores, record_bytes) for cores in CORES]
         for row in rows:
             if row["cores"] not in IN_THE_TABLE:
                 continue
-            print(f"| {title} | {row['cores']:.0f} | {row['ranks']:.0f} | {row['wall_time_s']:.4g} "
-                  f"| {100 * row['efficiency']:.1f} % | {100 * row['master_busy']:.1f} % | {size(row['file_bytes'])} |")
+            print(f"| {title} | {row['cores']:.0f} | {row['ranks']:.0f} | {row['writers']:.0f} | {row['wall_time_s']:.4g} "
+                  f"| {100 * row['efficiency']:.1f} % | {100 * row['master_busy']:.1f} % "
+                  f"| {100 * row['writer_busy']:.1f} % | {size(row['file_bytes'])} | {figures(row['file_s'])} "
+                  f"| {100 * row['efficiency_with_file']:.1f} % |")
         efficiency.plot(CORES, [100 * row["efficiency"] for row in rows], line, color=colour, marker=".", label=title)
-        busy.plot(CORES, [100 * row["master_busy"] for row in rows], line, color=colour, marker=".", label=title)
-    efficiency.set_ylabel("efficiency (%)")
-    busy.set_ylabel("master busy (%)")
+        busy.plot(CORES, [100 * row["busiest"] for row in rows], line, color=colour, marker=".", label=title)
+    efficiency.set_ylabel("efficiency until all results are on the disk (%)")
+    busy.set_ylabel("busiest of master and writers (%)")
     for axis in (efficiency, busy):
         axis.set_xscale("log")
         axis.set_xlabel("cores")

@@ -23,6 +23,14 @@ namespace floes {
 
 namespace {
 
+/// With its pieces.
+double bytes_of(const std::filesystem::path& journal) {
+    auto bytes = static_cast<double>(std::filesystem::file_size(journal));
+    for (const int piece : pieces_of(journal))
+        bytes += static_cast<double>(std::filesystem::file_size(piece_path(journal, piece)));
+    return bytes;
+}
+
 MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesystem::path& campaign_file) {
     const JournalContents contents = read_journal(journal);
     MeasuredRun run{read_stored_campaign(contents, journal), {}, 0};
@@ -33,8 +41,7 @@ MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesyst
     // During a run the file is older than the journal.
     const bool complete = !contents.sessions.empty() && !contents.sessions.back().ended.empty();
     if (complete && std::filesystem::exists(campaign_file)) {
-        run.file_per_record_byte = static_cast<double>(std::filesystem::file_size(campaign_file)) /
-                                   static_cast<double>(std::filesystem::file_size(journal));
+        run.file_per_record_byte = static_cast<double>(std::filesystem::file_size(campaign_file)) / bytes_of(journal);
     }
     return run;
 }

@@ -62,12 +62,15 @@ void Recorder::check(const Places& places) {
     const fs::path journal = journal_path(places.campaign_file);
     const std::string file = places.campaign_file.string();
     const bool has_file = fs::exists(places.campaign_file);
-    const bool has_journal = fs::exists(journal) || !pieces_of(journal).empty();
+    const std::vector<int> pieces = pieces_of(journal);
+    const bool has_journal = fs::exists(journal) || !pieces.empty();
     if (places.existing == Existing::refuse && (has_file || has_journal)) {
         throw InputError(
             fmt::format("{} exists already: --resume continues it, --overwrite starts afresh and replaces it, "
                         "-o names another file.",
-                        has_file ? file : journal.string()));
+                        has_file              ? file
+                        : fs::exists(journal) ? journal.string()
+                                              : piece_path(journal, pieces[0]).string()));
     }
     if (places.existing == Existing::resume && has_file && !has_journal) {
         throw InputError(

@@ -3,7 +3,10 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <exception>
+#include <filesystem>
+#include <thread>
 
 #include <fmt/format.h>
 
@@ -41,6 +44,23 @@ std::string stock(const Inventory& found) {
 std::string harvest(const Tally& tally) {
     return fmt::format("{} reused, {} computed, {} retried, {} set aside", counted(tally.found().reused(), "member"),
                        tally.computed(), tally.found().retried, tally.set_aside());
+}
+
+/// Throws unless rank 0 sees the pieces that others have opened: results on another node's own disk would be lost.
+void expect_to_see_pieces(const Groups& groups, const std::filesystem::path& journal) {
+    constexpr std::chrono::seconds longest{60};  // for which a shared file system may remember that there was none
+    const auto deadline = std::chrono::steady_clock::now() + longest;
+    for (const int writer : groups.writers()) {
+        const std::filesystem::path piece = piece_path(journal, groups.piece_of(writer));
+        while (!std::filesystem::exists(piece)) {
+            if (std::chrono::steady_clock::now() > deadline)
+                throw RunError(fmt::format(
+                    "{}, which rank {} has opened, is not to be seen by rank 0. All ranks that keep results "
+                    "need one folder: give -o on a shared file system, or --writers 1.",
+                    piece.string(), writer));
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
+    }
 }
 
 Session session_of(int ranks, int cores) {
@@ -120,6 +140,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     const Groups groups(link.size(), options.writers);
     const Muster mustered =
         muster(link, campaign, groups, journal_path(options.places.campaign_file), own, options.patience);
+    expect_to_see_pieces(groups, journal_path(options.places.campaign_file));
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder.tally().found()));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);

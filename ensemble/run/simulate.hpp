@@ -85,8 +85,8 @@ class Processors {
 
 class MasterClock {
   public:
-    /// Both must outlive the clock. `begin`: when the first member can be handed out.
-    MasterClock(const DriverCosts& costs, Processors& processors, double begin);
+    /// Both must outlive the clock. `begin`: when the first member can be handed out. `with_file`: it publishes.
+    MasterClock(const DriverCosts& costs, Processors& processors, double begin, bool with_file);
 
     /// Notices an event at `ready` or later; `asleep`: a message, which is found by polling.
     void notice(double ready, bool asleep);
@@ -113,6 +113,7 @@ class MasterClock {
     double busy_ = 0;
     double last_sync_;
     double next_publish_;
+    bool with_file_;
     bool synced_ = true;
     bool published_ = true;
     double members_ = 0;
@@ -160,7 +161,7 @@ struct Forecast {
     double efficiency = 0;     ///< run_time / (cores x wall_time)
     double master_load = 0;    ///< fraction of the time from start-up to the last answer in which the master works
     double writer_load = 0;    ///< the same of the busiest other writer
-    double file_time = 0;      ///< s in which the master writes the campaign file at the end; none if it is left out
+    double file_time = 0;      ///< s in which one core writes the campaign file, at the end or later
     double journal_bytes = 0;  ///< of all records
     double file_bytes = 0;
 };

@@ -53,7 +53,7 @@ class Worker {
           signals_(signals),
           scribe_(campaign, link.rank()),
           crew_(campaign, setup) {
-        if (!post.journal.empty()) writer_.emplace(link, campaign, post.journal);
+        if (!post.journal.empty()) open_writer(campaign, post.journal);
         link_.send(master_rank, Tag::hello,
                    encode(Hello{setup.threads, host_name(), fingerprint(campaign), ::getpid()}));
     }
@@ -67,6 +67,17 @@ class Worker {
     }
 
   private:
+    void open_writer(const Campaign& campaign, const std::string& journal) {
+        try {
+            writer_.emplace(link_, campaign, journal);
+        } catch (const InputError& error) {
+            throw RunError(
+                fmt::format("{} All ranks that keep results write into one folder; --writers 1 lets rank 0 "
+                            "keep them alone.",
+                            error.what()));
+        }
+    }
+
     /// Does all pending work. True if there was any.
     bool advance() {
         bool something = link_.moving();

@@ -36,3 +36,6 @@ said no_file "the results are in late.journal; to write late.h5, one core is eno
 expect 0 late "$FLOES" run campaign.toml -o late.h5 --resume
 said late "8 members reused, 0 computed"
 same alone.h5 late.h5
+expect 0 over "$FLOES" merge alone.h5 -o late.h5 --overwrite
+[ ! -e late.journal.1 ] || fail "a merge left a piece of what it replaced"
+same alone.h5 late.h5

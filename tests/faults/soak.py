@@ -28,7 +28,7 @@ ALLOWED = (0, 1, 85)  # complete; the run failed or members were set aside; stop
 def a_run(folder, **how):
     """A run of a random kind, under way."""
     ranks = random.choice([1, 1, 1, 2])
-    run = begin(folder, isolation=random.choice(["none", "process"]), ranks=ranks,
+    run = begin(folder, isolation=random.choice(["none", "process"]), ranks=ranks, writers=random.randint(1, ranks),
                 recovery=ranks > 1 and random.random() < 0.5, **how)
     process, helper = pids(folder, random.randrange(ranks))
     return run, process, helper
@@ -104,8 +104,9 @@ def folder_moved(folder):
 
 
 def journal_of(folder):
-    path = os.path.join(folder, "a.journal")
-    return path if os.path.exists(path) and os.path.getsize(path) else None
+    """The journal, or a piece of it."""
+    paths = [os.path.join(folder, name) for name in ("a.journal", "a.journal.1")]
+    return random.choice([path for path in paths if os.path.exists(path) and os.path.getsize(path)] or [None])
 
 
 def journal_torn(folder):

@@ -270,7 +270,7 @@ TEST(WriterConversation, ComplainsWhenItsJournalCannotBeOpened) {
     FakeLink link(1, 2);
     link.deliver(0, Tag::post, encode(Post{1, "no/such/a.journal.1"}));
     link.deliver(0, Tag::campaign, text_of(two_members()));
-    link.expect(0, Tag::trouble, [](const Bytes& bytes) { EXPECT_THAT(decode_text(bytes), HasSubstr("no/such")); });
+    link.expect(0, Tag::trouble, [](const Bytes& bytes) { EXPECT_THAT(decode_text(bytes), HasSubstr("--writers 1")); });
     link.deliver(0, Tag::leave, encode_status(1));
     EXPECT_EQ(serve_campaign(link, 1, fake::compute), 1);
     link.finish();
@@ -291,6 +291,7 @@ TEST(MasterConversation, BelievesAWriterAndPublishesWhatItKept) {
     link.expect(1, Tag::post, [&](const Bytes& bytes) {
         EXPECT_EQ(decode_post(bytes).writer, 1);
         EXPECT_EQ(decode_post(bytes).journal, (folder / "a.journal.1").string());
+        open_journal(folder / "a.journal.1", "", Existing::refuse);
     });
     link.expect(1, Tag::campaign);
     link.deliver(1, Tag::hello, hello_of(run.campaign));
@@ -314,7 +315,8 @@ TEST(MasterConversation, DoesNotCallCompleteWhatIsInNoJournal) {
     fake::Run run(folder / "a.h5", two_members());
     run.writers = 2;
     FakeLink link(0, 2);
-    link.expect(1, Tag::post);
+    link.expect(1, Tag::post,
+                [&](const Bytes& bytes) { open_journal(decode_post(bytes).journal, "", Existing::refuse); });
     link.expect(1, Tag::campaign);
     link.deliver(1, Tag::hello, hello_of(run.campaign));
     link.expect(1, Tag::assign);
