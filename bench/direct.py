@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The direct solver beside the sweeps: time, and what a number of iterations leaves unsolved. Under a minute.
 
-    bench/direct.py build/release/bench [--rounds 7] [--docs docs/ice.md]
+    bench/direct.py build/release/bench [--rounds 7] [--docs docs/fracture.md]
 
 Steps and members in turns, A B A B .... --docs puts the tables into that file, between <!-- cost --> and <!-- end -->.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The figures of docs/endless.md: whether the load of a field without end is stationary, and how much ice has to be
+"""The figures of docs/field.md: whether the load of a field without end is stationary, and how much ice has to be
 computed round the structure. Writes docs/endless/loads.csv and docs/endless/load.svg, and prints the page's tables.
 
     floes run configs/endless.toml --set campaign.arrangements=12 -o endless.h5

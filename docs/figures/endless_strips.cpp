@@ -1,5 +1,5 @@
 // Prints how much of the water fields without end cover from the end of one part to that of the next, for the table of
-// docs/endless.md:
+// docs/field.md:
 //   endless_strips [FIELDS]
 // Parts of 24 floes of 0.36 m² at 75 % in a channel 2.5 m wide, eight of each field, in eight strips.
 

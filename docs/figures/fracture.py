@@ -41,7 +41,7 @@ def westergaard(where, b):
 
 
 class Grid:
-    """Square elements of side L on water, joined by the beams of docs/ice.md; the loaded one is in the middle of the rim
+    """Square elements of side L on water, joined by the beams of docs/fracture.md; the loaded one is in the middle of the rim
     of a half plate or of a wide sheet. Motion of an element: down, and its slopes along x and z."""
 
     def __init__(self, side, where):

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The tables of docs/froude.md, from the members in docs/froude.
+"""The tables of docs/validation.md, from the members in docs/froude.
 
 Usage:
     froude.py                        writes the tables
@@ -164,7 +164,7 @@ def main():
         collect(folder)
     if options[:1] == ["--collect"]:
         collect(pathlib.Path(options[1]))
-    fill_or_check({DOCS / "froude.md": BLOCKS}, "--check" in options, "froude.py")
+    fill_or_check({DOCS / "validation.md": BLOCKS}, "--check" in options, "froude.py")
 
 
 if __name__ == "__main__":

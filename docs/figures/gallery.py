@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""docs/gallery.md: a table of every campaign of configs/gallery, and of each its purpose and a picture.
+"""docs/field.md: a table of every campaign of configs/gallery, and of each its purpose and a picture.
 
 Usage: gallery.py FLOES [FOLDER]      FOLDER: where the campaign files are, or come to be; default: a temporary one
 
@@ -15,7 +15,7 @@ import textwrap
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 CONFIGS = PROJECT / "configs" / "gallery"
-PAGE, PICTURES = PROJECT / "docs" / "gallery.md", PROJECT / "docs" / "gallery"
+PAGE, PICTURES = PROJECT / "docs" / "field.md", PROJECT / "docs" / "gallery"
 VIEW = ["--worst", "--size", "720x480"]
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The pictures of docs/hulls.md, docs/hulls/platform.stl, and what the hull's cost is.
+"""The pictures of docs/structures.md, docs/hulls/platform.stl, and what the hull's cost is.
 
 Usage: hulls.py FLOES             (some minutes)
        hulls.py FLOES --cost [N]  (prints the time of steps with hulls of 50 pieces over that with the cone, N pairs)
@@ -117,7 +117,7 @@ def sectors(sides, valley=1.0):
 
 
 CUTS = """# The same flare and the same straight cone as a body of revolution and in pieces, cut at the waterline into rings of 25
-# sides or each ring into 25 wedges: docs/hulls.md. Made by docs/figures/hulls.py. 12 arrangements each.
+# sides or each ring into 25 wedges: docs/structures.md. Made by docs/figures/hulls.py. 12 arrangements each.
 
 [campaign]
 seed = 1

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The tables of docs/ice.md, from docs/ice.
+"""The tables of docs/fracture.md, from docs/ice.
 
 Usage:
     ice.py                    writes the tables
@@ -76,7 +76,7 @@ def main():
             DATA / "joints_channel.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "ice.md": {"strip": strip, "sheet": sheet,
+    fill_or_check({DOCS / "fracture.md": {"strip": strip, "sheet": sheet,
                                       "channel": lambda: beside(members("joints_channel"), JOINTS, "joints",
                                                                 step_by_step=True)}},
                   arguments == ["--check"], "ice.py")

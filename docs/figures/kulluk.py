@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The figures of docs/kulluk.md: loads and mooring forces over the thickness of the ice. Writes docs/kulluk/load.svg and
+"""The figures of docs/validation.md: loads and mooring forces over the thickness of the ice. Writes docs/kulluk/load.svg and
 fills the page's table.
 
     floes run configs/kulluk.toml -o kulluk.h5
@@ -75,4 +75,4 @@ def draw(found):
 if __name__ == "__main__":
     campaign = read(sys.argv[1])
     draw(campaign)
-    fill_or_check({DOCS / "kulluk.md": {"loads": lambda: table(campaign)}}, False, "kulluk.py")
+    fill_or_check({DOCS / "validation.md": {"kulluk": lambda: table(campaign)}}, False, "kulluk.py")

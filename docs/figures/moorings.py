@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""moorings.py > docs/moored/signs.svg: a moored structure from above, with the signs of what docs/moored.md speaks of."""
+"""moorings.py > docs/moored/signs.svg: a moored structure from above, with the signs of what docs/moorings.md speaks of."""
 
 import math
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The tables of docs/order.md and its picture, from the summaries in docs/order.
+"""The tables of docs/field.md and its picture, from the summaries in docs/order.
 
 Usage:
     order.py                            writes tables and picture
@@ -17,11 +17,11 @@ import order_tables
 from order_data import SUMMARIES, collect, collect_walls
 from page_blocks import fill_or_check
 
-PAGE = SUMMARIES.parent / "order.md"
+PAGE = SUMMARIES.parent / "field.md"
 
 
 def main():
-    parser = argparse.ArgumentParser(description="The tables of docs/order.md and its picture.")
+    parser = argparse.ArgumentParser(description="The tables of docs/field.md and its picture.")
     parser.add_argument("--check", action="store_true", help="write nothing; fail if the page differs")
     parser.add_argument("--collect", type=pathlib.Path, nargs=2, metavar="FILE.h5", help="take the summaries first")
     parser.add_argument("--program", default="./floes", metavar="FLOES")

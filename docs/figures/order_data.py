@@ -1,4 +1,4 @@
-"""The data of docs/order.md: its summaries, and how they are taken from the campaigns."""
+"""The data of docs/field.md: its summaries, and how they are taken from the campaigns."""
 import io
 import json
 import pathlib

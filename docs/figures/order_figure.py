@@ -1,4 +1,4 @@
-"""The picture of docs/order.md."""
+"""The picture of docs/field.md."""
 import numpy as np
 import pandas as pd
 

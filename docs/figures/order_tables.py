@@ -1,4 +1,4 @@
-"""The blocks of docs/order.md that its summaries give, each a function that gives Markdown."""
+"""The blocks of docs/field.md that its summaries give, each a function that gives Markdown."""
 import numpy as np
 import pandas as pd
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs the blocks of docs/python.md in order, in one Python, and compares what they print with what stands below them.
+"""Runs the blocks of docs/reading_the_file.md, up to "Without the package", in order, in one Python, and compares what they print with what stands below them.
 
 Usage: python_page.py SMOKE.h5 [--update]     (floes run configs/smoke.toml -o SMOKE.h5; needs matplotlib)
 
@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGE, PICTURES = ROOT / "docs/python.md", ROOT / "docs/python"
+PAGE, PICTURES = ROOT / "docs/reading_the_file.md", ROOT / "docs/python"
 BLOCK = re.compile(r"```python\n(?P<code>.*?)```\n(?:\n```text\n.*?```\n)?", re.S)
 
 
@@ -31,7 +31,8 @@ def run(page):
         lines = "".join(line.rstrip() + "\n" for line in output.getvalue().splitlines())
         return f"```python\n{block['code']}```\n" + (f"\n```text\n{lines}```\n" if lines else "")
 
-    return BLOCK.sub(printed, page)
+    own, heading, others = page.partition("\n## Without the package\n")
+    return BLOCK.sub(printed, own) + heading + others
 
 
 def main(campaign, update):

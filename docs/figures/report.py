@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The pictures of docs/report.md: sections of a report, as headless Chromium shows them.
+"""The pictures of docs/design_load.md: sections of a report, as headless Chromium shows them.
 
 Usage: report.py REPORT.html [PICTURE ...]     (floes report CAMPAIGN.h5 -o REPORT.html; needs chromium and matplotlib)
 """

@@ -1,4 +1,4 @@
-// Prints the tables of docs/arrangement.md on scattered fields:
+// Prints the tables of docs/field.md on scattered fields:
 //   scattered_fields coverage [ARRANGEMENTS]   how far the method goes, how ordered its fields are, how long they take
 //   scattered_fields sweeps [ARRANGEMENTS]     order over arrangement.ordering_sweeps, in the paper's channel
 // 189 floes of 0.36 m² in the paper's channel. Means and ranges over arrangements of those that came to rest.

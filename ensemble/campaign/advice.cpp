@@ -122,7 +122,7 @@ std::string light_structure(const Case& one) {
     if (ratio >= many) return {};
     return fmt::format(
         "{} and the water that moves with it are {:.3g} times the heaviest floe: a floe that strikes it pushes it "
-        "{:.2g} % too hard, as docs/moored.md says",
+        "{:.2g} % too hard, as docs/moorings.md says",
         given(scenario, "moorings.mass_t"), ratio, 100 / ratio);
 }
 

@@ -49,7 +49,7 @@ bool encloses(const Surface& body, const Vec3& point);
 // inwards is cut until no point is deeper than 1/500 of the body's size, or there are as many pieces as wanted. So
 // pieces fill hollows less deep than that, never less than the body.
 //
-// Bullet's HACD was tried instead (docs/hulls.md): it divides the surface and not the body, and left one hollow.
+// Bullet's HACD was tried instead (docs/structures.md): it divides the surface and not the body, and left one hollow.
 
 struct ConvexPiece {
     Polyhedron body;

@@ -319,7 +319,7 @@ void add_plate(Verb& laboratory) {
         "the\n"
         "loaded elements, which is right for joints that follow Σ; E (point) a point load, which is right for beams "
         "from\n"
-        "centre to centre (docs/ice.md).\n\n"
+        "centre to centre (docs/fracture.md).\n\n"
         "  floes laboratory plate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100   the ceiling set by the "
         "iterations\n"
         "  floes laboratory plate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60    beam joints, whatever the "

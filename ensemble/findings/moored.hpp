@@ -1,6 +1,6 @@
 #pragma once
 // A hull on its moorings under the stored loads of a fixed one: what the moorings feel. m ẍ + c ẋ + k x = F(t), one
-// direction, linear (statistics/oscillator.hpp). docs/moored.md says where that holds.
+// direction, linear (statistics/oscillator.hpp). docs/moorings.md says where that holds.
 //
 // The motion starts from rest with the run, before the hull meets the ice: there it is true, and no start is made up.
 // Its entry into the ice swings the hull; the run-up, from the first load to the window, is cut off, and has to be long

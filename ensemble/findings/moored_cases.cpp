@@ -183,7 +183,7 @@ Section moored_section(const Summary& summary, const std::vector<MooredCase>& fo
             "\nm x'' + c x' + k x = F(t) in surge, F the stored load of the fixed hull, exact between its values. "
             "Largest of a segment: mean over segments and arrangements; brackets: 95 % (t). Amplification: largest "
             "k x over largest load. Rms velocity / drift: the load of a fixed hull serves while it is small, below "
-            "some 0.2. docs/moored.md\n",
+            "some 0.2. docs/moorings.md\n",
         .notes = std::move(notes)};
 }
 

@@ -105,7 +105,7 @@ std::optional<Section> moored_runs_section(const Evidence& evidence) {
             "lines bear of that load. Largest of a segment: mean over segments and arrangements; tension: mean "
             "over arrangements of the largest of any line; yaw, heave, pitch and roll: of all runs; thrust likewise, "
             "and the share of the window in which "
-            "thrusters are at a limit in any direction; brackets: 95 % (t). docs/moored.md\n"};
+            "thrusters are at a limit in any direction; brackets: 95 % (t). docs/moorings.md\n"};
 }
 
 namespace {

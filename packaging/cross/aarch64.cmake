@@ -1,5 +1,5 @@
 # A toolchain for aarch64 on another machine: the root of a Debian 12 for arm64 lies in the folder FLOES_SYSROOT
-# (environment); docs/install.md has the command that makes one.
+# (environment); docs/start.md has the command that makes one.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -4,10 +4,10 @@ from spack.package import *
 class Floes(CMakePackage):
     """Ensembles of the ice load on a structure that is towed through managed ice floes."""
 
-    # Not in Spack's own repository and without an address to fetch it from: docs/install.md says how to build with it.
+    # Not in Spack's own repository and without an address to fetch it from: docs/start.md says how to build with it.
     license("BSD-3-Clause")
 
-    version("2.0.0")
+    version("3.0.0")
 
     generator("ninja")
 

@@ -19,7 +19,7 @@ from .stored import CampaignError, LAYOUT, NewerLayoutWarning
 
 __all__ = ["Campaign", "CampaignError", "LAYOUT", "NewerLayoutWarning", "open", "run"]
 
-__version__ = "2.0.0"  # of floes
+__version__ = "3.0.0"  # of floes
 
 
 def open(path: str | os.PathLike) -> Campaign:

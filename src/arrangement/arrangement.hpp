@@ -5,7 +5,7 @@
 //
 // Methods (scenario.arrangement.method): monte_carlo, Monte Carlo of hard floes from a start that it forgets;
 // lattice, rows and columns with a random jitter; file, poses given; scattered, thrown at random and pushed apart. See
-// docs/arrangement.md.
+// docs/field.md.
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 #pragma once
 // Joints as elastic ice: stiffness in closed form from Young's modulus E, Poisson's ratio ν, thickness T and the side L
-// of the square elements. Derivation: docs/ice.md.
+// of the square elements. Derivation: docs/fracture.md.
 //
 // Vertically a joint is the piece of plate from one element's centre to the next, of width L, bent as a beam: its
 // relative rotation and displacement at the middle, where the joint is, do not couple. With D = E T³/(12 (1 - ν²)):
@@ -49,7 +49,7 @@ std::optional<JointSpring> joint_spring(const FloeShape& shape, const Material& 
 // The stress in the outer fibres of the ice at a joint, and the strength that it meets.
 //
 // The lattice of beams has the curvatures of the plate: a joint carries D w_nn per width and twists with D w_nt. The
-// plate's moments follow with Poisson's ratio (docs/ice.md):
+// plate's moments follow with Poisson's ratio (docs/fracture.md):
 //
 //   m_n = M_n + ν M_t,   m_t = M_t + ν M_n,   m_nt = (1 - ν) M_nt
 //

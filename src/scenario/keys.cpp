@@ -83,12 +83,13 @@ TableTitles scenario_titles() {
         {"arrangement", "How the initial positions of the floes are generated."},
         {"structure", "The towed structure. Its wall and the far end of the channel decide the load."},
         {"hull",
-         "The shape of the structure, where it is no body of revolution by structure.profile_m (hulls.md). Ahead is "
+         "The shape of the structure, where it is no body of revolution by structure.profile_m (structures.md). Ahead "
+         "is "
          "+x, starboard +z; the axis is in the middle of the waterline's length."},
         {"path", "Where the structure goes, or the ice drifts, if not straight on at structure.speed_m_s."},
         {"moorings",
          "What holds a structure that gives way to the ice. Its anchors are towed, which is the same as ice that "
-         "drifts past them; docs/moored.md."},
+         "drifts past them; docs/moorings.md."},
         {"contact",
          "Contacts between floes, and between ice and the structure. The coefficient of restitution is 0 (Table 1) and "
          "not a key."},

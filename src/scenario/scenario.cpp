@@ -13,7 +13,7 @@ namespace floes {
 
 namespace {
 
-// Lengths in a field without end, in widths of the field (docs/endless.md).
+// Lengths in a field without end, in widths of the field (docs/field.md).
 constexpr double widths_ahead = 2;
 constexpr double widths_behind = 1;
 

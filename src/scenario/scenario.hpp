@@ -238,7 +238,7 @@ struct FloeShape {
 /// The fixed joints between elements.
 struct Joint {
     JointModel model = JointModel::beam;
-    double cfm = 0.016;                           ///< Σ, Bullet's relative number (docs/calibration.md); below 1
+    double cfm = 0.016;                           ///< Σ, Bullet's relative number (docs/fracture.md); below 1
     double erp = 0.8;                             ///< Γ (Table 1)
     double damping_ratio = 0.05;                  ///< of beam joints, of critical
     double averaging = 0;                         ///< s, of the stress that cracks; 0: Scenario::stress_averaging()

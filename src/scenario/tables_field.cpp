@@ -108,10 +108,10 @@ void add_window(Keys& keys, Field& field) {
             "field.far_end = \"never\"", [&field] { return field.endless(); },
             number_key(path, length, unit::one, at_least(0).at_most(farthest), source, doc))));
     };
-    add("field.ahead_m", field.ahead, "longer changed no load that was seen; docs/endless.md",
+    add("field.ahead_m", field.ahead, "longer changed no load that was seen; docs/field.md",
         "How far ahead of the structure's axis floes are computed. Those farther ahead rest, fixed to whatever touches "
         "them, as a field that is held from ahead. 0: two widths of the field.");
-    add("field.behind_m", field.behind, "longer changed no load that was seen; docs/endless.md",
+    add("field.behind_m", field.behind, "longer changed no load that was seen; docs/field.md",
         "How far behind the structure's axis floes are computed. Those farther behind are taken out. 0: one width of "
         "the field.");
 }
@@ -142,7 +142,7 @@ void add_field(Keys& keys, Field& field) {
         "Far end of the field: closed by a fixed ice sheet, open water, or never an end, with ice from ahead as long "
         "as "
         "the run lasts. With an open far end, the load on a straight 45° wall is half as large and that on a 76° wall "
-        "a fifth, and hardly any floe breaks. never: the ice is laid in parts of field.floes floes; docs/endless.md."));
+        "a fifth, and hardly any floe breaks. never: the ice is laid in parts of field.floes floes; docs/field.md."));
     add_window(keys, field);
     keys.push_back(
         late_key(word_key("field.sides", field.sides, {"ice_sheet", "open"}, "the paper: walls",
@@ -159,7 +159,7 @@ void add_field(Keys& keys, Field& field) {
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
     const Key method =
         word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered", "traced"},
-                 "floes in a tank are laid at random; docs/order.md",
+                 "floes in a tank are laid at random; docs/field.md",
                  "scattered: a disordered field, floes thrown at random and pushed apart until none overlap; "
                  "monte_carlo: equilibrium of hard squares, rows and columns where they are dense, independent of the "
                  "start; lattice: rows, with jitter; file: given poses, the same for each arrangement; traced: where "
@@ -170,7 +170,7 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
                               "a hundredth of an element: none touch at first",
                               "Minimum initial gap between floes, and between floes and walls."));
     keys.push_back(integer_key("arrangement.sweeps", arrangement.sweeps, 0, 10000000,
-                               "stripes decay in 9000: docs/arrangement.md",
+                               "stripes decay in 9000: docs/field.md",
                                "Monte Carlo sweeps (one trial move per floe) after the step size is frozen; only for "
                                "method monte_carlo."));
     keys.push_back(late_key(integer_key(

@@ -21,9 +21,10 @@ void add_general(Keys& keys, General& general) {
         "With the others more sweeps make ice of small cfm stiffer: at cfm 1e-10 a sheet shows 37, 207 and 421 MPa at "
         "10, 50 and 100 sweeps; the paper's figures need 50."));
     keys.push_back(word_key(
-        "general.solver", general.solver, {"stock", "lanes", "direct"}, "E as stated, without a ceiling; docs/ice.md",
+        "general.solver", general.solver, {"stock", "lanes", "direct"},
+        "E as stated, without a ceiling; docs/fracture.md",
         "Constraint solver: direct solves all joints of a floe exactly, so that only contacts need "
-        "iterations (docs/ice.md). lanes sweeps over joints and contacts, with many floes at once, one per "
+        "iterations (docs/fracture.md). lanes sweeps over joints and contacts, with many floes at once, one per "
         "SIMD lane; stock is Bullet's own, the reference and the paper's."));
     keys.push_back(late_key(only_with(
         "general.solver = \"direct\"", [&general] { return general.solver == SolverKind::direct; },
@@ -127,10 +128,11 @@ void add_joint(Keys& keys, Joint& joint) {
                             "Error reduction parameter Γ: the share of a joint's error corrected in each step. "
                             "Stiffness is proportional to it.")));
     keys.push_back(late_key(word_key(
-        "joint.model", joint.model, {"cfm", "beam"}, "E as stated, whatever the elements; docs/ice.md",
+        "joint.model", joint.model, {"cfm", "beam"}, "E as stated, whatever the elements; docs/fracture.md",
         "How stiff joints are. beam: an elastic beam from centre to centre, whose stiffness follows from "
         "ice.elastic_modulus_MPa, ice.poisson_ratio, element side and thickness; with general.solver = \"direct\" only "
-        "(docs/ice.md). cfm: by cfm and erp, together with element size, time step and iterations, as in the paper.")));
+        "(docs/fracture.md). cfm: by cfm and erp, together with element size, time step and iterations, as in the "
+        "paper.")));
     keys.push_back(with_beams(late_key(word_key(
         "joint.failure", joint.failure, {"moment", "stress"}, "does not know the grid; docs/fracture.md",
         "What cracks a joint. stress: the largest principal tension in its outer fibres by bending, twist and thrust, "
@@ -146,9 +148,10 @@ void add_joint(Keys& keys, Joint& joint) {
                             "time step. Rounded to whole steps, at least one. 0: a tenth of the square root of the "
                             "plate's characteristic length over g, 0.02 s for the tank's ice, 0.1 s at full "
                             "scale."))));
-    keys.push_back(with_beams(late_key(number_key(
-        "joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10), "hardly matters: docs/ice.md",
-        "Damping of joints: share of critical for two elements that swing against each other."))));
+    keys.push_back(with_beams(
+        late_key(number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10),
+                            "hardly matters: docs/fracture.md",
+                            "Damping of joints: share of critical for two elements that swing against each other."))));
 }
 
 namespace {

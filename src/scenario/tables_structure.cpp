@@ -21,7 +21,7 @@ Key kind_key(Shape& shape) {
          "profile: a body of revolution by structure.profile_m; cylinder: vertical; cone_up narrows upwards and breaks "
          "ice upwards; cone_down flares upwards and breaks it downwards; four_legs: vertical, in a square; wedge_bow: "
          "a ship with a wedge as bow and a flat stern; drillship: a wedge at either end; barge: ends that slope; file: "
-         "convex pieces of hull.file or hull.pieces. docs/hulls.md has their drawings."});
+         "convex pieces of hull.file or hull.pieces. docs/structures.md has their drawings."});
 }
 
 struct SizeWords {
@@ -43,7 +43,7 @@ Key size_key(Shape& shape, const SizeWords& words) {
         if (is_flare) return kind == HullKind::wedge_bow || kind == HullKind::drillship || kind == HullKind::barge;
         return std::ranges::count(needed_sizes(kind), name) > 0;
     };
-    return late_key(only_with("a hull.shape that has it (docs/hulls.md)", in_force,
+    return late_key(only_with("a hull.shape that has it (docs/structures.md)", in_force,
                               {words.path, std::move(field), is_flare ? "most ships' sides" : "not given", words.doc}));
 }
 

@@ -48,7 +48,7 @@ enum Edge : std::uint8_t { edge_plus_x = 1, edge_plus_z = 2, edge_minus_x = 4, e
 
 /// Squares of this side, m: the one with index i + k * along is the i-th along x and the k-th along z.
 ///
-/// Joints whose Σ is nearly 0 are as stiff as 50 sweeps in their order make them (docs/calibration.md), so the order is
+/// Joints whose Σ is nearly 0 are as stiff as 50 sweeps in their order make them (docs/fracture.md), so the order is
 /// part of the model. Chosen: square rings around the floe's centre, inner before outer, within a ring by element, x
 /// before z. Σ = 1e-10 on the 5.4 m sheet of Fig. 2 then shows 207 MPa by the point-load formula (the paper: about 200;
 /// Bullet's own order 206, row by row 125, all x joints before all z joints 235).

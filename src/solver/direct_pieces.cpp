@@ -86,7 +86,7 @@ PieceJoint DirectFloes::at_rest(const Piece& piece, const SolverJoint& joint, co
         if (joint.spring) {
             stiffness[i] = i < 3 ? joint.spring->force[i] : joint.spring->moment[i - 3];
             damping = 2 * joint.spring->damping_ratio * std::sqrt(stiffness[i] / inverse_mass[i]);
-        } else {  // docs/calibration.md: K = Γ / (Δt² Σ A), D = (1 - Γ) / (Δt Σ A)
+        } else {  // docs/fracture.md: K = Γ / (Δt² Σ A), D = (1 - Γ) / (Δt Σ A)
             const double per_step = 1 / (step * joint.cfm * inverse_mass[i]);
             stiffness[i] = joint.erp * per_step / step;
             damping = (1 - joint.erp) * per_step;

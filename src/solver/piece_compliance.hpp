@@ -5,8 +5,8 @@
 //   (M + Δt D + Δt² K) (v - v_free) = impulses,
 //
 // v_free being what they would be without them. The matrix is factorised once for all pieces of the same form: they
-// differ by a turn in space only, and bend too little to differ by more (docs/ice.md). A piece is flat, its joints in
-// the plane of its bodies: so what moves it within its plane, and out of it, are two systems of half the size.
+// differ by a turn in space only, and bend too little to differ by more (docs/fracture.md). A piece is flat, its joints
+// in the plane of its bodies: so what moves it within its plane, and out of it, are two systems of half the size.
 
 #include <Eigen/SparseCholesky>
 #include <array>

@@ -59,7 +59,7 @@ struct SlidingBoxDefinition {
 
 /// A fixed joint between two moving bodies: relaxed in the configuration in which it is made.
 /// cfm and erp are Bullet's numbers and act on all six axes: row by row the joint is a spring K = Γ / (Δt² Σ A) with a
-/// damper D = (1 - Γ) / (Δt Σ A), A = J M⁻¹ Jᵀ the row's inverse effective mass (docs/calibration.md), in series with
+/// damper D = (1 - Γ) / (Δt Σ A), A = J M⁻¹ Jᵀ the row's inverse effective mass (docs/fracture.md), in series with
 /// what a finite number of sweeps leaves unsolved.
 struct JointDefinition {
     BodyId a;

@@ -68,10 +68,10 @@ TEST(ReadHull, SaysWhatIsWrong) {
     EXPECT_EQ(message("shape = \"file\"\nfile = \"none.stl\""), "configs/none.stl: this file cannot be read");
     EXPECT_EQ(message("shape = \"barge\""),
               "configs/a.toml:2: hull.shape = \"barge\" needs hull.length_m; give it above 0");
-    EXPECT_EQ(
-        message("beam_m = 2.0"),
-        "configs/a.toml:2: hull.beam_m = 2.0 has no effect: it needs a hull.shape that has it (docs/hulls.md). Add "
-        "that, or leave hull.beam_m out.");
+    EXPECT_EQ(message("beam_m = 2.0"),
+              "configs/a.toml:2: hull.beam_m = 2.0 has no effect: it needs a hull.shape that has it "
+              "(docs/structures.md). Add "
+              "that, or leave hull.beam_m out.");
     EXPECT_NE(message("shape = \"cylinder\"\ndiameter_m = 0.05\ndraught_m = 1.0\nfreeboard_m = 1.0")
                   .find("less than half of floe.element_m = 0.2"),
               std::string::npos);

@@ -18,7 +18,7 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
                    ${PROJECT_SOURCE_DIR}/docs/year.md)
   add_test(NAME docs.moored_hull
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
-                   ${PROJECT_SOURCE_DIR}/docs/moored_hull.md)
+                   ${PROJECT_SOURCE_DIR}/docs/moorings.md)
   add_test(NAME docs.notebook
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/notebook_test.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR})

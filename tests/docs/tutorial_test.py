@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Runs every command of docs/tutorial.md (or docs/year.md, docs/moored_hull.md) in order, and compares what it prints with what the page shows.
+"""Runs every command of docs/tutorial.md (or docs/year.md, docs/moorings.md) in order, and compares what it prints with what the page shows.
 
 Usage: tutorial_test.py FLOES PAGE.md [--update]
 

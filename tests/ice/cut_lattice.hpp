@@ -1,6 +1,6 @@
 #pragma once
-// The beams between the elements of a floe at rest on water (docs/ice.md), for the proofs of fracture: deflection and
-// moments under a load.
+// The beams between the elements of a floe at rest on water (docs/fracture.md), for the proofs of fracture: deflection
+// and moments under a load.
 
 #include <Eigen/SparseCholesky>
 #include <cmath>

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Every block of docs/reading_the_file.md runs as it stands, and its last number is the one that floes gives.
+"""Every block of the section "Without the package" of docs/reading_the_file.md runs as it stands, and its last number is the one that floes gives.
 
 Usage: reading_the_file.py FLOES CONFIG.toml PAGE.md
 """
@@ -19,7 +19,7 @@ def numbers(text):
 
 
 def main(floes, config, page):
-    blocks = re.findall(r"^```(\w+)\n(.*?)^```", page.read_text(), re.DOTALL | re.MULTILINE)
+    blocks = re.findall(r"^```(\w+)\n(.*?)^```", page.read_text().partition("\n## Without the package\n")[2], re.DOTALL | re.MULTILINE)
     kinds = [kind for kind, _ in blocks]
     if sorted(set(kinds)) != sorted(COMMANDS) or kinds.count("python") < 3:
         sys.exit(f"the page has blocks of {kinds}")

@@ -1,4 +1,4 @@
-# python/floes_reader, installed by pip without a network, beside what floes says of the same files; and docs/python.md.
+# python/floes_reader, installed by pip without a network, beside what floes says of the same files; and docs/reading_the_file.md.
 # Debian's own Python has what it needs (packages-test-all.txt); another one earlier in the path may not.
 if(TARGET floes)
   add_test(NAME python.reader

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """reader_test.py FLOES SYNTHETIC_FILE PROJECT: what python/floes_reader makes of campaign files, beside what floes
-says of them and what h5py reads. The page docs/python.md shows what its blocks print."""
+says of them and what h5py reads. The page docs/reading_the_file.md shows what its blocks print."""
 
 import contextlib
 import csv

@@ -22,7 +22,7 @@ for path in bin/floes share/floes/configs/smoke.toml share/floes/configs/validat
     share/floes/pbs/campaign.pbs share/floes/lsf/campaign.lsf share/man/man1/floes.1.gz share/man/man1/floes-run.1.gz \
     share/bash-completion/completions/floes share/zsh/site-functions/_floes share/fish/vendor_completions.d/floes.fish \
     share/floes/python/first_look.ipynb share/floes/python/pyproject.toml \
-    share/doc/floes/LICENSE share/doc/floes/docs/THIRD_PARTY.md share/doc/floes/docs/install.md; do
+    share/doc/floes/LICENSE share/doc/floes/docs/THIRD_PARTY.md share/doc/floes/docs/start.md; do
     [[ -e $root/$path ]] || fail "$path is not installed"
 done
 cd "$root"

@@ -14,8 +14,8 @@ import yaml
 
 CI_FILES = [".github/workflows/tests.yml", ".gitlab-ci.yml", "packaging/ci/campaign.github.yml",
             "packaging/ci/campaign.gitlab-ci.yml"]
-COMMANDS_IN = CI_FILES + ["packaging/conda/recipe/meta.yaml", "README.md", "docs/install.md", "docs/clusters.md",
-                          "docs/tutorial.md", "docs/settings.md", "docs/limits.md",
+COMMANDS_IN = CI_FILES + ["packaging/conda/recipe/meta.yaml", "README.md", "docs/start.md", "docs/clusters.md",
+                          "docs/tutorial.md", "docs/limits.md",
                           "packaging/clusters/pbs/campaign.pbs", "packaging/clusters/lsf/campaign.lsf", "slurm/campaign.sbatch"]
 YAMLLINT = ("{extends: default, rules: {line-length: disable, document-start: disable, truthy: {check-keys: false}, "
             "comments: {min-spaces-from-content: 2}}}")

@@ -17,7 +17,7 @@ PLACES = [
     ("packaging/conda/recipe/meta.yaml", r'^  version: "([^"]+)"$'),
     ("python/floes_reader/__init__.py", r'^__version__ = "([^"]+)"  # of floes$'),
     ("README.md", r"floes_([0-9.]+)_amd64\.deb"),
-    ("docs/install.md", r"floes_([0-9.]+)_amd64\.deb"),
+    ("docs/start.md", r"floes_([0-9.]+)_amd64\.deb"),
 ]
 
 

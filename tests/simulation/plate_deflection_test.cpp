@@ -19,7 +19,7 @@ Scenario paper_plate(double cfm) {
 }
 
 // A sheet of 2.6 m is small against the 1.9 m (five characteristic lengths) on which the load acts, so it reads
-// somewhat softer than one of 5.4 m; the full figure is docs/calibration.md.
+// somewhat softer than one of 5.4 m; the full figure is docs/fracture.md.
 TEST(PlateDeflection, ASmallSheetReadsThePapersModulus) {
     const PlateDeflection at_60 = measure_plate_deflection(paper_plate(0.016), {.sheet = 2.6});
     EXPECT_NEAR(at_60.elastic_modulus, 60e6, 0.10 * 60e6);
