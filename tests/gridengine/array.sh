@@ -32,7 +32,7 @@ all_is_one_run
 # qdel ends a task, which keeps what is done and does not come back.
 rm held.* asleep.* campaign.part"${HELD[0]}".*
 job=$(submit -t "${HELD[0]}" campaign.gridengine.sh)
-until_true 60 test -e "asleep.${HELD[0]}" || fail "part ${HELD[0]} has no member after a minute"
+until_true 240 test -e "asleep.${HELD[0]}" || fail "part ${HELD[0]} has no member after four minutes"
 qdel "$job" > /dev/null
 ends "$job" 60
 said "campaign.part${HELD[0]}.log" "1 of 2 members done and on the disk"

@@ -36,7 +36,7 @@ all_is_one_run
 # scancel ends a task, which keeps what is done and does not come back.
 rm held.* asleep.* campaign.part"${HELD[0]}".*
 job=$(submit --array="${HELD[0]}" campaign.slurm.sh)
-until_true 60 test -e "asleep.${HELD[0]}" || fail "part ${HELD[0]} has no member after a minute"
+until_true 240 test -e "asleep.${HELD[0]}" || fail "part ${HELD[0]} has no member after four minutes"
 until_true 20 scancel "$job" || fail "job $job cannot be cancelled"
 until_true 60 is_over "$job" || fail "job $job has not ended"
 said "campaign.part${HELD[0]}.log" "1 of 2 members done and on the disk"

@@ -19,7 +19,7 @@ if [[ \$part == $FULL && ! -e $FOLDER/disk.was_full ]]; then
 fi
 [[ " ${HELD[*]} " == *" \$part "* && ! -e $FOLDER/held.\$part ]] || exec $PROGRAM "\$@"
 touch $FOLDER/held.\$part
-nice -n 19 $PROGRAM "\$@" &  # so that what watches it is not late
+nice -n 10 $PROGRAM "\$@" &  # so that what watches it is not late
 child=\$!
 trap 'kill -USR1 \$child; kill -CONT \$child' USR1 TERM
 # A journal with a member: 2.6 kB of header, 1.4 kB of session at most, 4.3 kB of a member at least.
