@@ -74,7 +74,15 @@ Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vecto
             throw InputError(
                 fmt::format("--at {} is no KEY=NUMBER of an axis; the axes are {}.", pair, fmt::join(keys, ", ")));
         }
-        at[axis - axes.begin()] = axis->coordinate(value);
+        // Beyond, emulators say anything; a rounded end of the range is not beyond.
+        constexpr double end = 1 + 1e-6;
+        const double coordinate = axis->coordinate(value);
+        if (std::abs(coordinate) > end)
+            throw InputError(
+                fmt::format("--at {} lies outside the range of {} in the design, {:g} to {:g}; nothing "
+                            "was run there that could be compared.",
+                            pair, key, axis->from, axis->to));
+        at[axis - axes.begin()] = coordinate;
     }
     for (std::size_t k = 0; k < axes.size(); ++k)
         if (std::isnan(at[static_cast<Eigen::Index>(k)]))
@@ -107,6 +115,9 @@ std::vector<Section> predictions(const MatchOptions& options, const std::vector<
                                  const Matching& found) {
     std::vector<Section> made;
     if (options.predicted.empty() && options.exposure_h == 0) return made;
+    if (found.left == 0)
+        return {
+            {.title = "Predicted over what is not ruled out", .missing = "Nothing can be predicted: nothing is left."}};
     const OverLeft left(found, targets);
     if (!options.predicted.empty()) made.push_back(quantities_over(left, options, waves));
     if (options.exposure_h > 0) made.push_back(design_over(left, options, waves, data, targets));
@@ -208,8 +219,8 @@ void add_match(CommandLine& line) {
     add_format(verb, options->format);
     verb.footer(
         "Emulators predict each target over the design's axes. A point is ruled out when a target is more than three\n"
-        "standard deviations from its prediction there, counting the scatter of single runs, the measurement's\n"
-        "uncertainty and the discrepancy that the model is allowed.\n\n"
+        "standard deviations from its prediction there (more where the scatter is known from few runs), counting the\n"
+        "scatter of single runs, the measurement's uncertainty and the discrepancy that the model is allowed.\n\n"
         "  floes run wave1.toml && floes match wave1.h5 --targets tank.toml --next wave2.toml\n"
         "  floes run wave2.toml && floes match wave1.h5 wave2.h5 --targets tank.toml --exposure-h 3");
     verb.runs([options] {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/contract.hpp"
 #include "core/text.hpp"
 #include "core/undefined.hpp"
 #include "core/units.hpp"
@@ -93,9 +94,10 @@ Figure inputs_figure(const MatchData& data, const Matching& found) {
         .y = up,
         .size = bars_size(count),
         .legend = {{"label", "before"}, {"c2", "not ruled out"}, {"", "| median"}, {"", "× best point"}},
-        .caption =
-            "Each input's range, and from where to where it is not ruled out. A narrow region can lie aslant, so "
-            "that no input alone is narrow: see the pairs of inputs."};
+        .caption = fmt::format(
+            "Each input's range, and from where to where it is not ruled out.{}",
+            count < 2 ? ""
+                      : " A narrow region can lie aslant, so that no input alone is narrow: see the pairs of inputs.")};
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t axis = count - 1 - i;
         const double y = static_cast<double>(i);
@@ -108,6 +110,36 @@ Figure inputs_figure(const MatchData& data, const Matching& found) {
         }
         figure.cross(percent_of_range(found.best[static_cast<Eigen::Index>(axis)]), y + 0.5, "");
     }
+    return figure;
+}
+
+Figure along_figure(const MatchData& data, const Matching& found) {
+    FLOES_EXPECTS(data.axes.size() == 1);
+    // Beyond this all points are ruled out alike, and one far off would press the others flat.
+    constexpr double highest = 4 * ruled_out_above;
+    const MatchAxis& axis = data.axes.front();
+    Figure::Points line;
+    for (Eigen::Index k = 0; k < found.points.rows(); ++k)
+        line.emplace_back(axis.value(found.points(k, 0)), found.implausibility[k]);
+    std::ranges::sort(line);
+    double largest = 2 * ruled_out_above;
+    for (const auto& [x, y] : line) largest = std::max(largest, y);
+    Figure figure{.description = "Implausibility along the input",
+                  .x = {axis.key, axis.from, axis.to, axis.scale == AxisScale::log},
+                  .y = {"implausibility", 0, std::min(largest, highest)},
+                  .caption = fmt::format(
+                      "The largest implausibility of the targets at {} points of the input's range; above {:g}, the "
+                      "dashed line, a point is ruled out. The cross is the best point; ticks at the bottom are the "
+                      "points simulated.",
+                      found.sampled, ruled_out_above)};
+    for (auto& [x, y] : line) y = std::min(y, figure.y.high);
+    figure.level(ruled_out_above, "dashed");
+    figure.line(std::move(line), "c2 thick");
+    for (const MatchPoint& point : data.points) {
+        const double x = axis.value(point.coordinates.front());
+        if (x >= axis.from && x <= axis.to) figure.line({{x, 0}, {x, 0.04 * figure.y.high}}, "");
+    }
+    figure.cross(axis.value(found.best[0]), std::min(found.best_implausibility, figure.y.high), "");
     return figure;
 }
 
@@ -162,13 +194,33 @@ std::string verdict_text(const std::vector<EmulatedTarget>& targets, const Match
                                   percent(found.share()), found.sampled);
     }
     told += fmt::format(
-        "No combination of the inputs meets all of them: the best one misses a target by {:.1f} standard deviations.\n",
-        found.best_implausibility);
+        "No combination of the inputs meets all of them: at the best one a target has an implausibility of {:.1f}; "
+        "above {:g} it is ruled out.\n",
+        found.best_implausibility, ruled_out_above);
     for (const auto& [a, b] : found.conflicts)
         told +=
             fmt::format("No combination meets both {} and {}.\n", targets[static_cast<std::size_t>(a)].target().name(),
                         targets[static_cast<std::size_t>(b)].target().name());
     return told;
+}
+
+/// What an implausibility is, for people.
+std::string implausibility_words() {
+    return fmt::format(
+        "Implausibility: by how many times the expected difference (one standard deviation) measured and predicted "
+        "differ, as a share of the multiple that rules out, times {0:g}: above {0:g} a point is ruled out. That "
+        "multiple is {0:g}, and more where the scatter is known from few runs (Student's quantile that 1 % exceed).",
+        ruled_out_above);
+}
+
+/// A sentence where the scatter is so uncertain that differences count only far beyond three standard deviations.
+void note_bound(Section& section, const EmulatedTarget& target, double bound) {
+    constexpr double much_above = 4;
+    if (!(bound > much_above)) return;
+    section.notes.push_back(fmt::format(
+        "{}: ruled out only beyond {:.1f} times the expected difference, not {:g}, because the scatter of single runs "
+        "is known from so few; run more arrangements.",
+        target.target().name(), bound, ruled_out_above));
 }
 
 /// For a target: what people call it, and its names for programs.
@@ -198,6 +250,7 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
                                 {.key = "left_out_error", .words = "left-out error", .decimals = 2},
                                 {"unused"},
                                 {.key = "least_implausibility", .words = "least implausibility", .decimals = 2},
+                                {"bound"},
                                 {.key = "rules_out", .words = "rules out", .unit = "share", .decimals = 1},
                                 {.key = "alone", .words = "alone", .unit = "share", .decimals = 1}}};
     for (std::size_t k = 0; k < targets.size(); ++k) {
@@ -206,19 +259,21 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
         rows.add(named(about) + std::vector<Datum>{about.shown(about.value), about.value, about.uncertainty,
                                                    about.discrepancy, about.runs, kind_word(targets[k]),
                                                    error_of_left_out(targets[k]), targets[k].unused(), verdict.least,
-                                                   verdict.rules_out, verdict.alone});
+                                                   verdict.bound, verdict.rules_out, verdict.alone});
     }
     Section section{
         .title = "Targets",
         .before = verdict_text(targets, found) + "\n",
         .results = {std::move(whole), std::move(rows)},
-        .after =
-            "\nLeft-out error: of points predicted from the others, in standard deviations; 1 is right. Least "
-            "implausibility: how far the target is from its prediction at the best point for it, in standard "
-            "deviations. Rules out: share of the inputs' ranges where that is above 3; alone: that no other target "
-            "rules out.\n"};
+        .after = fmt::format(
+            "\nLeft-out error: of points predicted from the others, in standard deviations; 1 is right. {} Least: at "
+            "the best point for the target. Rules out: share of the inputs' ranges that it rules out; alone: that no "
+            "other target does.\n",
+            implausibility_words())};
     for (const auto& [reason, names] : unused_by_reason(targets))
         section.notes.push_back(fmt::format("Not used: {}: {}", fmt::join(names, ", "), reason));
+    for (std::size_t k = 0; k < targets.size(); ++k)
+        if (targets[k].unused().empty()) note_bound(section, targets[k], found.verdicts[k].bound);
     if (std::ranges::any_of(found.verdicts, [](const TargetVerdict& one) { return one.rules_out > 0; }))
         section.figures = {ruled_out_figure(targets, found)};
     return section;
@@ -268,7 +323,9 @@ Section correlation_section(const MatchData& data, const Matching& found) {
 
 std::vector<Section> match_sections(const MatchData& data, const std::vector<EmulatedTarget>& targets,
                                     const Matching& found) {
-    return {target_section(targets, found), axis_section(data, found), correlation_section(data, found)};
+    std::vector<Section> sections{target_section(targets, found), axis_section(data, found)};
+    if (data.axes.size() > 1) sections.push_back(correlation_section(data, found));
+    return sections;
 }
 
 Section check_section(const std::vector<EmulatedTarget>& targets) {
@@ -299,28 +356,34 @@ Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& 
                                              {"", "expected to differ by"},
                                              {"predicted"},
                                              {"difference"},
+                                             {.key = "ratio", .words = "differs by times", .decimals = 2},
+                                             {.key = "bound", .words = "ruled out above", .decimals = 2},
                                              {.key = "implausibility", .words = "implausibility", .decimals = 2}}};
     std::vector<std::string> against;
+    Section section;
     for (const EmulatedTarget& one : targets) {
         if (!one.emulated()) continue;
         const Target& about = one.target();
-        const double predicted = one.mean().at(at).mean, difference = one.expected_difference(at);
-        rows.add(named(about) + std::vector<Datum>{about.shown(about.value), about.shown(predicted),
-                                                   about.shown(difference, 3), predicted, difference,
-                                                   one.implausibility(at)});
+        const Comparison here = one.compared(at);
+        rows.add(named(about) + std::vector<Datum>{about.shown(about.value), about.shown(here.predicted),
+                                                   about.shown(here.expected, 3), here.predicted, here.expected,
+                                                   here.ratio, here.bound, here.implausibility()});
         if (one.rules_out(at)) against.push_back(about.name());
+        note_bound(section, one, here.bound);
     }
     std::string place;
     for (std::size_t k = 0; k < data.axes.size(); ++k)
         place += fmt::format("{}{} = {:.4g}", k > 0 ? ", " : "", data.axes[k].key,
                              data.axes[k].value(at[static_cast<Eigen::Index>(k)]));
-    return {.title = "At " + place,
-            .before =
-                against.empty() ? "Not ruled out.\n\n" : fmt::format("Ruled out by {}.\n\n", fmt::join(against, ", ")),
-            .results = {std::move(rows)},
-            .after =
-                "\nExpected to differ by: one standard deviation, of the emulator, single runs, measurement and "
-                "model.\n"};
+    section.title = "At " + place;
+    section.before =
+        against.empty() ? "Not ruled out.\n\n" : fmt::format("Ruled out by {}.\n\n", fmt::join(against, ", "));
+    section.results = {std::move(rows)};
+    section.after = fmt::format(
+        "\nExpected to differ by: one standard deviation, of the emulator, single runs, measurement and model. Differs "
+        "by times: the difference of measured and predicted over that; ruled out above: its bound. {}\n",
+        implausibility_words());
+    return section;
 }
 
 namespace {
@@ -347,6 +410,7 @@ Results results_of(const std::vector<PredictedDesignLoad>& designs, const Design
                              {"runs", "runs"},
                              {"only_left", "at inputs left"}}};
     for (const PredictedDesignLoad& one : designs) {
+        if (!one.known()) continue;
         const Limits& limits = one.growth_quantile.interval;
         rows.add({Named{one.case_name, one.case_name.empty() ? "all" : one.case_name}, request.exposure,
                   request.averaging, request.scale, request.quantiles.front(), estimate(one.expected),
@@ -360,23 +424,27 @@ Results results_of(const std::vector<PredictedDesignLoad>& designs, const Design
 }  // namespace
 
 Section design_section(const std::vector<PredictedDesignLoad>& designs, const DesignLoadRequest& request) {
-    const bool all_left = std::ranges::all_of(designs, &PredictedDesignLoad::only_left);
-    return {
+    const bool all_left =
+        std::ranges::all_of(designs, [](const PredictedDesignLoad& one) { return !one.known() || one.only_left; });
+    Section section{
         .title = fmt::format("Design load over what is not ruled out: the largest load averaged over {:g} s in {:g} h",
-                             request.averaging, request.exposure / unit::hour),
-        .results = {results_of(designs, request)},
-        .after = fmt::format(
-            "\nIn brackets 95 %, of the inputs, the emulator and the tail together; weighed: by the likelihood of the "
-            "targets.\n"
-            "The emulated mean of the segment maxima times a growth: that to the load {}, from both tails of all runs "
-            "at inputs that are left, each divided by its mean maximum. The halves have the runs with the smaller and "
-            "the larger mean maxima; where they differ by more than the interval, the growth depends on the "
-            "inputs.\n{}",
-            exceeded_words(request),
-            all_left
-                ? ""
-                : fmt::format("Where fewer than {} runs are at inputs that are left, the runs at all points count.\n",
-                              fewest_growth_runs))};
+                             request.averaging, request.exposure / unit::hour)};
+    for (const PredictedDesignLoad& one : designs)
+        if (!one.unknown.empty()) section.notes.push_back(one.unknown);
+    if (std::ranges::none_of(designs, &PredictedDesignLoad::known)) return section;
+    section.results = {results_of(designs, request)};
+    section.after = fmt::format(
+        "\nIn brackets 95 %, of the inputs, the emulator and the tail together; weighed: by the likelihood of the "
+        "targets.\n"
+        "The emulated mean of the segment maxima times a growth: that to the load {}, from both tails of all runs "
+        "at inputs that are left, each divided by its mean maximum. The halves have the runs with the smaller and "
+        "the larger mean maxima; where they differ by more than the interval, the growth depends on the "
+        "inputs.\n{}",
+        exceeded_words(request),
+        all_left ? ""
+                 : fmt::format("Where fewer than {} runs are at inputs that are left, the runs at all points count.\n",
+                               fewest_growth_runs));
+    return section;
 }
 
 }  // namespace floes

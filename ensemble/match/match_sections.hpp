@@ -19,9 +19,13 @@ Figure ruled_out_figure(const std::vector<EmulatedTarget>& targets, const Matchi
 /// For each input, its range and what of it is left.
 Figure inputs_figure(const MatchData& data, const Matching& found);
 
+/// The largest implausibility over the only input.
+Figure along_figure(const MatchData& data, const Matching& found);
+
 // What a matching found, as tables for people and records for programs.
 
-/// The verdict in sentences, the targets, the inputs before and after, and their correlations in what is left.
+/// The verdict in sentences, the targets, the inputs before and after, and of several inputs the correlations in
+/// what is left.
 std::vector<Section> match_sections(const MatchData& data, const std::vector<EmulatedTarget>& targets,
                                     const Matching& found);
 

@@ -117,10 +117,10 @@ double freedom_of(double variance_of_log) {
     return 2 * half;
 }
 
-/// By how much Student's quantile that 1 % exceed lies beyond three standard deviations; 1 where it does not.
-double student_factor(double freedom) {
+/// Three, or Student's quantile that 1 % exceed where that is more.
+double bound_of(double freedom) {
     constexpr double tail = 0.005;
-    return std::max(1.0, student_t(std::max(1.0, freedom), tail) / ruled_out_above);
+    return std::max(ruled_out_above, student_t(std::max(1.0, freedom), tail));
 }
 
 double quantile(std::vector<double> values, double share) {
@@ -247,14 +247,14 @@ double EmulatedTarget::difference_of(double mean_variance, double scatter) const
                      target_.uncertainty * target_.uncertainty + target_.discrepancy * target_.discrepancy);
 }
 
-double EmulatedTarget::implausibility(const Eigen::VectorXd& x) const {
+Comparison EmulatedTarget::compared(const Eigen::VectorXd& x) const {
     const Emulated mean = mean_->at(x);
     const ScatterAt scatter = scatter_at(x);
     const double difference = difference_of(mean.variance, scatter.variance);
     const double by_scatter = scatter.variance * (common_part_ + 1.0 / target_.runs);
     const double share = by_scatter / (difference * difference);
-    const double factor = share > 0 ? student_factor(scatter.freedom / (share * share)) : 1;
-    return std::abs(target_.value - mean.mean) / (difference * factor);
+    const double bound = share > 0 ? bound_of(scatter.freedom / (share * share)) : ruled_out_above;
+    return {mean.mean, difference, std::abs(target_.value - mean.mean) / difference, bound};
 }
 
 std::vector<EmulatedTarget> emulate(const MatchData& data) {
@@ -275,7 +275,9 @@ Matching match(const MatchData& data, const std::vector<EmulatedTarget>& targets
         TargetVerdict& verdict = found.verdicts[t];
         const auto column = static_cast<Eigen::Index>(t);
         const bool emulated = targets[t].emulated();
-        verdict.least = emulated ? implausible.col(column).minCoeff() : undefined;
+        Eigen::Index nearest = 0;
+        verdict.least = emulated ? implausible.col(column).minCoeff(&nearest) : undefined;
+        verdict.bound = emulated ? targets[t].compared(found.points.row(nearest).transpose()).bound : undefined;
         verdict.least_of_left = emulated && !left.empty() ? implausible(left, column).minCoeff() : undefined;
     }
     if (left.empty()) {

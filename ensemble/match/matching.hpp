@@ -13,8 +13,9 @@
 //
 // s² is itself an estimate, of ln s² with a variance τ². Its expectation is e^(τ²/2) times the emulated one; it has the
 // degrees of freedom f of a sample variance whose logarithm has that variance, ψ'(f/2) = τ² (G. K. Smyth, Statistical
-// Applications in Genetics and Molecular Biology 3 (2004) 3, section 6.2); and I is divided by how far Student's
-// quantile that 1 % exceed lies beyond three, with Satterthwaite's degrees of freedom of the whole sum. No s² is taken
+// Applications in Genetics and Molecular Biology 3 (2004) 3, section 6.2); and the bound of the root above is not three
+// but Student's quantile that 1 % exceed where that is more, with Satterthwaite's degrees of freedom of the whole sum.
+// The implausibility is that root over its bound, times three: one number for all points and targets. No s² is taken
 // to be below a tenth of that of all points: a few runs that agree by chance do not show that runs agree.
 
 #include <cstdint>
@@ -37,6 +38,16 @@ inline constexpr double ruled_out_above = 3;
 
 Eigen::VectorXd coordinates_of(const MatchPoint& point);
 
+/// A target beside its prediction at a point. Values are in the quantity's stored unit.
+struct Comparison {
+    double predicted = 0;  ///< emulated mean
+    double expected = 0;   ///< the difference that is expected, as one standard deviation
+    double ratio = 0;      ///< the difference over the expected one
+    double bound = 0;      ///< of the ratio: 3, or Student's quantile where the scatter is known from few runs
+
+    double implausibility() const { return ratio / bound * ruled_out_above; }
+};
+
 /// A target with its emulators.
 class EmulatedTarget {
   public:
@@ -53,7 +64,8 @@ class EmulatedTarget {
     double common_variance(const Eigen::VectorXd& x) const { return common_part_ * scatter(x); }
     /// The difference from the target that is expected there, as one standard deviation.
     double expected_difference(const Eigen::VectorXd& x) const;
-    double implausibility(const Eigen::VectorXd& x) const;  ///< I, by Student's quantile where s² is uncertain
+    Comparison compared(const Eigen::VectorXd& x) const;
+    double implausibility(const Eigen::VectorXd& x) const { return compared(x).implausibility(); }
     /// Whether it is used and rules the point out.
     bool rules_out(const Eigen::VectorXd& x) const { return unused_.empty() && implausibility(x) > ruled_out_above; }
     /// Why it is not used: its emulator fails its check, or it is held out; empty when it is used.
@@ -78,6 +90,7 @@ class EmulatedTarget {
 /// What is known of one target over the whole space.
 struct TargetVerdict {
     double least = 0;          ///< implausibility anywhere
+    double bound = 0;          ///< of the ratio, where the implausibility is least
     double rules_out = 0;      ///< share of the space
     double alone = 0;          ///< share that no other target rules out
     double least_of_left = 0;  ///< implausibility in what is left; NaN if nothing is
@@ -93,7 +106,7 @@ struct AxisLeft {
 struct Matching {
     int sampled = 0;                      ///< points of the space that were looked at
     int left = 0;                         ///< of them, not ruled out
-    std::vector<TargetVerdict> verdicts;  ///< one a target; of unused ones only `least`
+    std::vector<TargetVerdict> verdicts;  ///< one a target; of unused ones only `least`, `bound`
     std::vector<AxisLeft> axes;           ///< empty if nothing is left
     Eigen::MatrixXd correlations;         ///< of the axes' coordinates in what is left
     Eigen::VectorXd best;                 ///< coordinates with the smallest largest implausibility

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "findings/estimates.hpp"
 #include "match/matching.hpp"
@@ -65,11 +66,15 @@ OverLeft::OverLeft(const Matching& found, const std::vector<EmulatedTarget>& tar
     for (double& weight : weights_) weight /= sum;
 }
 
-AtPoints OverLeft::emulated(const EmulatedTarget& quantity) const {
+std::string unpredictable(const EmulatedTarget& quantity) {
     const std::string name = quantity.target().name();
     if (!quantity.emulated()) throw InputError(fmt::format("{} cannot be predicted: no wave has it.", name));
-    if (const std::string fault = quantity.mean().fault(); !fault.empty())
-        throw InputError(fmt::format("{} cannot be predicted: {}", name, fault));
+    const std::string fault = quantity.mean().fault();
+    return fault.empty() ? "" : fmt::format("{} cannot be predicted: {}", name, fault);
+}
+
+AtPoints OverLeft::emulated(const EmulatedTarget& quantity) const {
+    FLOES_EXPECTS(unpredictable(quantity).empty());
     AtPoints at;
     for (Eigen::Index k = 0; k < points_.rows(); ++k) {
         const Eigen::VectorXd x = points_.row(k).transpose();
@@ -108,6 +113,8 @@ Target to_predict(const std::string& quantity, const std::string& case_name) {
 }
 
 Predicted predict(const OverLeft& left, const EmulatedTarget& quantity) {
+    if (std::string unknown = unpredictable(quantity); !unknown.empty())
+        return {quantity.target().quantity, quantity.target().case_name, {}, {}, {}, 0, std::move(unknown)};
     const AtPoints mean = left.emulated(quantity);
     AtPoints run = mean;
     for (std::size_t k = 0; k < run.variance.size(); ++k)
@@ -118,7 +125,8 @@ Predicted predict(const OverLeft& left, const EmulatedTarget& quantity) {
             left.even(mean, about.least, about.most),
             left.weighed(mean, about.least, about.most),
             left.weighed(run, about.least, about.most),
-            left.effective()};
+            left.effective(),
+            {}};
 }
 
 Estimate estimate(const PredictedRange& range) {
@@ -133,18 +141,24 @@ Section predicted_section(const std::vector<Predicted>& predicted) {
         rows.columns.back().digits = 4;
     }
     rows.columns.push_back({"effective_points"});
+    Section section{.title = "Predicted over what is not ruled out"};
     for (const Predicted& one : predicted) {
+        if (!one.unknown.empty()) {
+            section.notes.push_back(one.unknown);
+            continue;
+        }
         rows.add_heading(std::string{one.quantity.label.view()}, Results::For::people, unit_of(one.quantity));
         rows.add({Named{one.case_name, one.case_name.empty() ? "all" : one.case_name},
                   std::string{one.quantity.key.view()}, estimate(one.mean), estimate(one.weighted), estimate(one.run),
                   one.effective});
     }
-    return {.title = "Predicted over what is not ruled out",
-            .results = {std::move(rows)},
-            .after =
-                "\nIn brackets 95 %. Mean of runs: every combination of inputs that is left counts the same; weighed: "
-                "by the likelihood of the targets, normal and independent of each other. A single run adds the "
-                "scatter.\n"};
+    if (section.notes.size() == predicted.size()) return section;
+    section.results = {std::move(rows)};
+    section.after =
+        "\nIn brackets 95 %. Mean of runs: every combination of inputs that is left counts the same; weighed: "
+        "by the likelihood of the targets, normal and independent of each other. A single run adds the "
+        "scatter.\n";
+    return section;
 }
 
 namespace {
@@ -192,9 +206,12 @@ PredictedDesignLoad of_case(CaseRuns all, const AtPoints& mean_maximum, const Ov
     all.measured.mean = divided.mean;
     const Exposure exposure{request.model_exposure(), {request.quantiles.front()}, request.share};
     const DesignLoad load = design_load(divided.rows, all.measured, exposure);
-    if (!load.valid())
-        throw InputError(fmt::format("{}{}too few peaks ({} of {}) for a design load; run more points or arrangements.",
-                                     case_name, case_name.empty() ? "" : ": ", load.peaks, fewest_peaks));
+    if (!load.valid()) {
+        made.unknown =
+            fmt::format("{}too few peaks ({}; it takes {}) for a design load; run more points or arrangements.",
+                        case_name.empty() ? "There are " : case_name + ": ", load.peaks, fewest_peaks);
+        return made;
+    }
     made.growth_expected = load.estimates.front().expected;
     made.growth_quantile = load.estimates.front().quantiles.front();
     const std::span<const DividedRun> runs = all.runs;
@@ -223,6 +240,12 @@ std::vector<PredictedDesignLoad> predict_design_load(std::span<const MatchWave> 
     for (const EmulatedTarget& index : emulate(match_data(waves, indices))) {
         if (!index.emulated()) continue;
         const std::string& name = index.target().case_name;
+        if (std::string unknown = unpredictable(index); !unknown.empty()) {
+            PredictedDesignLoad& made = designs.emplace_back();
+            made.case_name = name;
+            made.unknown = std::move(unknown);
+            continue;
+        }
         const AtPoints mean_maximum = left.emulated(index);
         designs.push_back(of_case(runs_of(waves, data, at_left, index, request), mean_maximum, left, name, request));
     }

@@ -32,8 +32,8 @@ class OverLeft {
     /// Throws InputError where nothing is left.
     OverLeft(const Matching& found, const std::vector<EmulatedTarget>& targets);
 
-    /// The emulated mean over arrangements, with the emulator's uncertainty and the error that all points share. Throws
-    /// InputError where no wave has the quantity, or its emulator fails its check.
+    /// The emulated mean over arrangements, with the emulator's uncertainty and the error that all points share. Only
+    /// where unpredictable() gives nothing.
     AtPoints emulated(const EmulatedTarget& quantity) const;
     const Eigen::MatrixXd& points() const { return points_; }
 
@@ -54,6 +54,10 @@ class OverLeft {
 
 // A quantity over the inputs that are left.
 
+/// Why the quantity cannot be predicted, a sentence: its emulator fails its check; empty where it can. Throws
+/// InputError where no wave has it.
+std::string unpredictable(const EmulatedTarget& quantity);
+
 /// For one quantity of one case, over the points that are not ruled out, in the quantity's stored unit.
 struct Predicted {
     Quantity quantity;
@@ -62,9 +66,10 @@ struct Predicted {
     PredictedRange weighted;  ///< the same, points weighed by the likelihood of the targets
     PredictedRange run;       ///< of a single run, weighed
     double effective = 0;     ///< OverLeft::effective()
+    std::string unknown;      ///< why it is not known, a sentence; then there are no ranges
 };
 
-/// Emulator uncertainty and, of a single run, scatter are added at each point. Throws as OverLeft::emulated() does.
+/// Emulator uncertainty and, of a single run, scatter are added at each point. Throws as unpredictable() does.
 Predicted predict(const OverLeft& left, const EmulatedTarget& quantity);
 
 /// A target without a measured value, so that match_data() gathers the quantity.
@@ -98,13 +103,16 @@ struct PredictedDesignLoad {
     PredictedRange expected_weighed;   ///< with the likelihood of the targets as weights
     PredictedRange quantile;           ///< that the largest load stays below with the probability asked for
     PredictedRange quantile_weighed;
+    std::string unknown;  ///< why it is not known, a sentence; then there are no figures
+
+    bool known() const { return unknown.empty(); }
 };
 
 /// Fewest runs at points that are left from which the growth is taken; with fewer, from all points.
 inline constexpr std::size_t fewest_growth_runs = 20;
 
-/// One for each case with runs, of the first quantile asked for. Throws InputError as OverLeft::emulated() and
-/// averaging_time() do, and where a case has too few peaks to fit.
+/// One for each case with runs, of the first quantile asked for; not known where a case has too few peaks to fit or its
+/// mean maximum is unpredictable(). Throws InputError as averaging_time() does.
 std::vector<PredictedDesignLoad> predict_design_load(std::span<const MatchWave> waves, const MatchData& data,
                                                      const std::vector<EmulatedTarget>& targets, const OverLeft& left,
                                                      const DesignLoadRequest& request);

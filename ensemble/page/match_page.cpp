@@ -314,12 +314,15 @@ std::string titled(const Section& told) {
     return section(told.title, section_html(told, told.title));
 }
 
+/// What is left: along the only input, or for each pair of them.
 std::string pairs(const MatchPageData& told) {
+    if (told.data.axes.size() == 1)
+        return titled({.title = "What is left along the input", .figures = {along_figure(told.data, told.found)}});
     return section(
         "What is left, for each pair of inputs",
         figure(match_grid(told.data, told.found),
                fmt::format("Of {} points of the inputs' ranges. Below the diagonal: the smallest implausibility of the "
-                           "points in each cell, whatever the other inputs; the line is where it passes {:g}, beyond "
+                           "points in each cell, whatever the other inputs; the line is where it passes {:g}, above "
                            "which a point is ruled out; dots are the points simulated. Above the diagonal: share of "
                            "the points in each cell that is not ruled out. On the diagonal: that share along one "
                            "input. The cross is the best point.",
@@ -339,7 +342,8 @@ std::string trail(const std::vector<MatchTrail>& waves) {
 std::string match_page(const MatchPageData& told) {
     const std::vector<Section> sections = match_sections(told.data, told.targets, told.found);
     std::string body = "<h1>What the measured loads leave possible</h1>\n" + titled(sections.at(0)) +
-                       titled(sections.at(1)) + pairs(told) + titled(sections.at(2));
+                       titled(sections.at(1)) + pairs(told);
+    for (std::size_t k = 2; k < sections.size(); ++k) body += titled(sections[k]);
     for (const Section& one : told.predictions) body += titled(one);
     body += titled(check_section(told.targets));
     if (told.trail.size() > 1) body += trail(told.trail);

@@ -2,6 +2,7 @@
 
 #include "match/matching.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -230,6 +231,71 @@ TEST(Matching, KnowsThatTheScatterDependsOnTheInputs) {
         EXPECT_LT(std::exp(off), 1.8) << x << ": pooled over all points it would be 2.7 at -0.8";
     }
     EXPECT_LT(uneven(1).mean().at(at(-0.7)).variance, 0.4 * uneven(1).mean().at(at(0.7)).variance);
+}
+
+/// A load of 30 N that scatters by 2 N, at six points of one axis with so many runs each.
+MatchData six_points(int runs) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    MatchData data;
+    data.axes = {{"structure.keel_radius_m", 0.4, 0.5}};
+    TargetData target;
+    target.target.quantity = *any_quantity("mean_load");
+    target.target.value = 70;
+    for (int k = 0; k < 6; ++k) {
+        data.points.push_back({{2.0 * k / 5 - 1}, 0, k});
+        double sum = 0;
+        double squares = 0;
+        for (int run = 0; run < runs; ++run) {
+            const double off = 2 * normal(random);
+            sum += off;
+            squares += off * off;
+        }
+        target.point.push_back(k);
+        target.mean.push_back(30 + sum / runs);
+        target.sample_variance.push_back((squares - sum * sum / runs) / (runs - 1));
+        target.variance.push_back(4);
+        target.runs.push_back(runs);
+    }
+    data.targets = {target};
+    return data;
+}
+
+// What is printed adds up, and with few runs the output says that the bound is not three.
+TEST(Matching, SaysWhichMultipleOfTheExpectedDifferenceRulesOut) {
+    const Eigen::VectorXd at = Eigen::VectorXd::Constant(1, 0.2);
+    for (const int runs : {2, 200}) {
+        const MatchData data = six_points(runs);
+        const std::vector<EmulatedTarget> targets = emulate(data);
+        const Comparison here = targets[0].compared(at);
+        EXPECT_DOUBLE_EQ(here.ratio, (70 - here.predicted) / here.expected);
+        EXPECT_DOUBLE_EQ(here.expected, targets[0].expected_difference(at));
+        EXPECT_DOUBLE_EQ(targets[0].implausibility(at), 3 * here.ratio / here.bound);
+        EXPECT_EQ(targets[0].rules_out(at), here.ratio > here.bound);
+        const Section point = point_section(data, targets, at);
+        const std::string said =
+            fmt::format("mean_load: ruled out only beyond {:.1f} times the expected difference, not 3", here.bound);
+        if (runs == 2) {
+            EXPECT_GT(here.bound, 4);
+            EXPECT_THAT(point.notes, ElementsAre(HasSubstr(said)));
+        } else {
+            EXPECT_NEAR(here.bound, 3, 0.1);
+            EXPECT_THAT(point.notes, IsEmpty());
+        }
+        const Section all = match_sections(data, targets, match(data, targets, 64, 1)).front();
+        EXPECT_EQ(all.notes.size(), point.notes.size());
+    }
+}
+
+// The correlation of one input with itself is no finding.
+TEST(Matching, OfOneInputHasNoCorrelations) {
+    const MatchData data = six_points(4);
+    const std::vector<EmulatedTarget> targets = emulate(data);
+    const Matching found = match(data, targets, 64, 1);
+    EXPECT_EQ(match_sections(data, targets, found).size(), 2u);
+    const Figure along = along_figure(data, found);
+    EXPECT_EQ(along.x.label, "structure.keel_radius_m");
+    EXPECT_EQ(along.x.high, 0.5);
 }
 
 // From many runs of two quantities a third one is known, one that was not measured; from one run it is less so.

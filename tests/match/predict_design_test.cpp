@@ -151,6 +151,19 @@ TEST(PredictedDesignLoad, ScalesByFroude) {
     EXPECT_LT(full, 64 * model);
 }
 
+// The other tables are known all the same, so this is a sentence in place of the figures and no refusal.
+TEST(PredictedDesignLoad, SaysThatThereAreTooFewPeaks) {
+    MatchWave wave = tank([](double) { return 1.0; });
+    for (MemberRow& row : wave.table.members)
+        for (AveragedLoad& averaged : row.averaged) averaged.peaks.clear();
+    const Found found = found_in(wave, 1);
+    ASSERT_EQ(found.designs.size(), 1u);
+    EXPECT_FALSE(found.designs.front().known());
+    const Section section = design_section(found.designs, found.request);
+    EXPECT_TRUE(section.results.empty());
+    EXPECT_THAT(section.notes, testing::ElementsAre(HasSubstr("E60: too few peaks (0; it takes 20)")));
+}
+
 TEST(PredictedDesignLoad, NeedsAnAveragingTimeThatTheWavesHave) {
     const MatchWave wave = tank([](double) { return 1.0; });
     EXPECT_THAT(refusal([&] { found_in(wave, 1, {.averaging = 7}); }), HasSubstr("take one of 0.5, 1 s"));

@@ -101,6 +101,19 @@ TEST(MatchPage, ShowsWhatIsLeftInTheKeysUnits) {
     EXPECT_THAT(page, Not(HasSubstr("inf\"")));
 }
 
+// One input has no pairs: its page has a curve and no empty squares.
+TEST(MatchPage, OfOneInputDrawsTheImplausibilityAlongIt) {
+    MatchPageData made = told(30, false);
+    made.data.axes.pop_back();
+    for (MatchPoint& point : made.data.points) point.coordinates.pop_back();
+    made.targets = emulate(made.data);
+    made.found = match(made.data, made.targets, 256, 1);
+    const std::string page = match_page(made);
+    EXPECT_THAT(page, HasSubstr("Implausibility along the input"));
+    EXPECT_THAT(page, Not(HasSubstr("pair")));
+    EXPECT_THAT(page, Not(HasSubstr("Correlations")));
+}
+
 TEST(MatchPage, SaysThatNothingIsLeft) {
     const std::string page = match_page(told(60, false));
     EXPECT_THAT(page, HasSubstr("No combination of the inputs meets all of them"));
