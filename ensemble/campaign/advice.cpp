@@ -158,8 +158,12 @@ std::vector<std::string> advice(const Campaign& campaign) {
                 others.push_back(one.name);
         }
         if (first.empty()) continue;
-        sentences.push_back(others.empty() ? first + "."
-                                           : fmt::format("{}. The same holds for {}.", first, name_list(others)));
+        constexpr std::size_t few = 3;  // names that are read; of more, if it is all of them, that says it
+        const bool all = others.size() + 1 == campaign.cases.size() && others.size() > few;
+        sentences.push_back(others.empty()
+                                ? first + "."
+                                : fmt::format("{}. The same holds for {}.", first,
+                                              all ? fmt::format("all {} others", others.size()) : name_list(others)));
     }
     return sentences;
 }

@@ -214,8 +214,57 @@ std::string swing_words(const Scenario& scenario) {
 
 }  // namespace
 
+namespace {
+
+/// Texts and the numbers between them: one text more than numbers. A digit in a word or behind a sign is no number.
+struct NumberedText {
+    std::vector<std::string> texts{""};
+    std::vector<std::string> numbers;
+};
+
+NumberedText taken_apart(const std::string& sentence) {
+    const auto digit = [&](std::size_t k) { return k < sentence.size() && sentence[k] >= '0' && sentence[k] <= '9'; };
+    NumberedText made;
+    for (std::size_t k = 0; k < sentence.size();) {
+        const bool alone = k == 0 || sentence[k - 1] == ' ' || sentence[k - 1] == '(';
+        if (!digit(k) || !alone) {
+            made.texts.back() += sentence[k++];
+            continue;
+        }
+        std::size_t end = k;
+        while (digit(end) || (end < sentence.size() && sentence[end] == '.' && digit(end + 1))) ++end;
+        made.numbers.push_back(sentence.substr(k, end - k));
+        made.texts.emplace_back();
+        k = end;
+    }
+    return made;
+}
+
+}  // namespace
+
+std::optional<std::string> with_ranges(const std::vector<std::string>& sentences) {
+    if (sentences.empty()) return {};
+    const NumberedText first = taken_apart(sentences.front());
+    std::vector<std::string> least = first.numbers;
+    std::vector<std::string> most = first.numbers;
+    const auto value = [](const std::string& number) { return std::stod(number); };
+    for (const std::string& sentence : sentences) {
+        const NumberedText other = taken_apart(sentence);
+        if (other.texts != first.texts) return {};
+        for (std::size_t k = 0; k < least.size(); ++k) {
+            least[k] = std::ranges::min(least[k], other.numbers[k], {}, value);
+            most[k] = std::ranges::max(most[k], other.numbers[k], {}, value);
+        }
+    }
+    std::string made = first.texts.front();
+    for (std::size_t k = 0; k < least.size(); ++k)
+        made += (least[k] == most[k] ? least[k] : least[k] + " to " + most[k]) + first.texts[k + 1];
+    return made;
+}
+
 std::vector<std::string> case_words(const Campaign& campaign) {
     std::vector<std::string> sentences;
+    std::vector<std::string> of_points;
     std::set<std::string> said;
     for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
         const Scenario& scenario = campaign.cases[k].scenario;
@@ -231,8 +280,12 @@ std::vector<std::string> case_words(const Campaign& campaign) {
         std::erase_if(parts, [&](const std::string& part) { return !said.insert(part).second; });
         if (parts.empty()) continue;
         const std::string words = fmt::format("{}", fmt::join(parts, "; "));
+        if (campaign.design.active()) of_points.push_back(words);
         sentences.push_back(fmt::format("case {}: {}.", campaign.cases[k].name, words));
     }
+    if (of_points.size() > 1)
+        if (const std::optional<std::string> all = with_ranges(of_points))
+            return {fmt::format("points of the design: {}.", *all)};
     return sentences;
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/case_words.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
@@ -72,6 +73,12 @@ void add_condition(const Summary& summary, std::string_view name,
     }
     constexpr std::size_t most_wordings = 4;
     if (wordings.size() > most_wordings) {
+        std::vector<std::string> all;
+        for (const auto& [wording, cases] : wordings) all.push_back(wording);
+        if (const std::optional<std::string> ranges = with_ranges(all)) {
+            lines.push_back(fmt::format("{}: {}, by case.", name, *ranges));
+            return;
+        }
         lines.push_back(fmt::format("{}: {} different ones, as {} ({}).", name, wordings.size(), wordings.front().first,
                                     name_list(wordings.front().second)));
         return;
@@ -221,7 +228,8 @@ std::string value_of(const Key& key) {
     return text.starts_with('"') ? text.substr(1, text.size() - 2) : text;
 }
 
-/// For the keys in which cases differ. Lists and profiles are left to the conditions, which draw or name them.
+/// For the keys in which cases differ, with the cases in which they have an effect. Lists and profiles are left to the
+/// conditions, which draw or name them.
 std::vector<std::pair<std::string, Values>> varied(const Campaign& campaign, const Summary& summary) {
     std::vector<std::pair<std::string, Values>> all;
     for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
@@ -231,6 +239,7 @@ std::vector<std::pair<std::string, Values>> varied(const Campaign& campaign, con
             if (key.derived() || key.replaced || std::holds_alternative<RowsField>(key.field)) continue;
             if (k == 0) all.emplace_back(std::string(key.path), Values{});
             Values& values = all.at(place++).second;
+            if (key.idle()) continue;
             const std::string value = value_of(key);
             auto found = std::ranges::find(values, value, &Values::value_type::first);
             if (found == values.end()) found = values.insert(found, {value, {}});
@@ -241,6 +250,16 @@ std::vector<std::pair<std::string, Values>> varied(const Campaign& campaign, con
     return all;
 }
 
+/// The name of a key with its table before it where the name alone does not say of what: "sizes law", "wind speed".
+std::string full_name(std::string_view path) {
+    constexpr std::array<std::string_view, 6> understood{"ice", "floe", "structure", "field", "general", "analysis"};
+    const std::string_view table = path.substr(0, path.find('.'));
+    const std::string name = key_words(path).name;
+    const bool of_contact = table == "contact" && name.starts_with("ice-");
+    if (of_contact || path == "joint.cfm" || std::ranges::find(understood, table) != understood.end()) return name;
+    return fmt::format("{} {}", table, name);
+}
+
 std::string variation_line(const std::string& path, const Values& values) {
     constexpr std::size_t most = 6;
     const KeyWords words = key_words(path);
@@ -249,7 +268,7 @@ std::string variation_line(const std::string& path, const Values& values) {
         parts.push_back(fmt::format("{}{} ({})", values[k].first, words.unit.empty() ? "" : " " + words.unit,
                                     name_list(values[k].second)));
     if (values.size() > most) parts.push_back(fmt::format("and {} other values", values.size() - most));
-    return fmt::format("Varies: {} {}.", words.name, fmt::join(parts, ", "));
+    return fmt::format("Varies: {} {}.", full_name(path), fmt::join(parts, ", "));
 }
 
 std::string design_line(const Campaign& campaign) {

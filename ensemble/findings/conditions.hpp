@@ -58,8 +58,8 @@ std::vector<Condition> conditions();
 /// "0.02", "0.02 to 0.04": the least and the largest of the values.
 std::string range_text(const std::vector<double>& values);
 
-/// A sentence for each key in which the cases differ, "Varies: thickness 0.02 m (soft), 0.03 m (stiff, open)."; of a
-/// design one for its axes. At most a handful, and then how many more.
+/// A sentence for each key in which the cases that it has an effect in differ, "Varies: thickness 0.02 m (soft), 0.03 m
+/// (stiff, open)."; of a design one for its axes. At most a handful, and then how many more.
 std::vector<std::string> variation_lines(const Campaign& campaign, const Summary& summary);
 
 /// Groups of cases that are equal in what `of` gives, in order of their first case.

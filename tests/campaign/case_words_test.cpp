@@ -25,6 +25,23 @@ TEST(CaseWords, SayWhatAListCameTo) {
                   "the floes, 66.7 % of the area; 1512 elements of 0.2 m; the field is 16.8 m long."});
 }
 
+TEST(CaseWords, SayThePointsOfADesignOnceWithTheirRanges) {
+    const auto found = words(
+        "structure.start_m = 5.0\n[field]\nfar_end = \"never\"\n[analysis]\nsteady_start_s = 8\nwindow_s = "
+        "12\n[design]\nmethod = \"grid\"\n"
+        "[[design.axis]]\nkey = \"structure.speed_m_s\"\nvalues = [0.1, 0.2, 0.3]\n");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_THAT(found.front(), testing::StartsWith("points of the design: the field has no end"));
+    EXPECT_THAT(found.front(), testing::ContainsRegex("ahead of a tow of [0-9.]+ to [0-9.]+ m in 20 s"));
+}
+
+TEST(WithRanges, JoinsSentencesThatDifferInNumbersOnly) {
+    EXPECT_EQ(with_ranges({"towed at 0.2 m/s", "towed at 0.05 m/s", "towed at 0.1 m/s"}), "towed at 0.05 to 0.2 m/s");
+    EXPECT_EQ(with_ranges({"2 floes of 3 m", "2 floes of 3 m"}), "2 floes of 3 m");
+    EXPECT_EQ(with_ranges({"towed at 0.2 m/s", "led along a path"}), std::nullopt);
+    EXPECT_EQ(with_ranges({"preset p1", "preset p2"}), std::nullopt);
+}
+
 TEST(CaseWords, SayWhatTheBrineGives) {
     EXPECT_EQ(words("[brine]\nsalinity_ppt = 5.0\n"),
               std::vector<std::string>{"case E60: all floes have 461.4 kPa in bending and 8180 MPa."});
