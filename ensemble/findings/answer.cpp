@@ -26,6 +26,9 @@ namespace {
 constexpr std::size_t most_changes = 3;        // of an answer
 constexpr std::size_t most_changes_shown = 6;  // on the screen
 constexpr std::size_t most_cases = 7;          // the first and those compared with it
+constexpr std::string_view apart_words =
+    "Difference of means: the cases begin from other floes, so they are not compared arrangement by arrangement; the "
+    "interval is Welch's.";
 
 /// "29.6 N (28.8 to 30.3)"; 95 % is said once, before. Limits that say nothing are left out.
 std::string load(const Estimate& mean, const Units& units) {
@@ -139,27 +142,40 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
     return sentences;
 }
 
-/// "E60 instead of E30 changes the mean load by +0.1 N (-0.3 to +0.5)." Over the arrangements that both have; of the
-/// variations of a base case those that change it most, and what all do together.
+/// "E60 instead of E30 changes the mean load by +0.1 N (-0.3 to +0.5)." Over the arrangements that both have, and of
+/// cases that begin from other floes the difference of the means; of the variations of a base case those that change it
+/// most, and what all do together.
 std::vector<std::string> case_sentences(const Evidence& evidence) {
+    struct Change {
+        std::size_t second;
+        Estimate difference;
+        int arrangements;
+        bool apart;
+    };
     std::vector<std::string> sentences;
     const std::size_t reference = evidence.reference.value_or(0);
     const bool variations = base_case(evidence.campaign).has_value();
-    std::vector<PairRow> rows =
-        compare_with(evidence, reference, quantity("mean_load"), variations ? evidence.table.cases.size() : most_cases);
+    const std::size_t most = variations ? evidence.table.cases.size() : most_cases;
+    std::vector<Change> found;
+    for (const PairRow& row : compare_with(evidence, reference, quantity("mean_load"), most))
+        found.push_back({row.second, row.difference(), row.found.arrangements, false});
+    for (const ApartRow& row : compare_apart(evidence, reference, quantity("mean_load"), most))
+        found.push_back({row.second, row.difference(), row.fewest, true});
+    std::ranges::stable_sort(found, {}, &Change::second);
     if (variations) {
-        std::ranges::stable_sort(rows, std::ranges::greater{},
-                                 [](const PairRow& row) { return std::abs(row.found.difference); });
-        rows.resize(std::min(rows.size(), most_changes));
+        std::ranges::stable_sort(found, std::ranges::greater{},
+                                 [](const Change& row) { return std::abs(row.difference.value); });
+        found.resize(std::min(found.size(), most_changes));
         if (std::string told = width_sentence(find_model_width(evidence), evidence.units); !told.empty())
             sentences.push_back(std::move(told));
     }
-    for (const PairRow& row : rows) {
-        sentences.push_back(fmt::format(
-            "{} instead of {} changes the mean load by {}{}.", evidence.summary.label_of(row.second),
-            evidence.summary.label_of(row.first), change_text(row.difference(), evidence.units),
-            row.found.arrangements < fewest_for_interval ? fmt::format(" [n = {}]", row.found.arrangements) : ""));
-    }
+    for (const Change& row : found)
+        sentences.push_back(
+            fmt::format("{} instead of {} changes the mean load by {}{}{}.", evidence.summary.label_of(row.second),
+                        evidence.summary.label_of(reference), change_text(row.difference, evidence.units),
+                        row.apart ? ", the difference of means" : "",
+                        row.arrangements < fewest_for_interval ? fmt::format(" [n = {}]", row.arrangements) : ""));
+    if (std::ranges::any_of(found, &Change::apart)) sentences.push_back(std::string{apart_words});
     return sentences;
 }
 
@@ -187,7 +203,9 @@ std::vector<std::string> changes(Evidence& evidence) {
                                              ? change_sentences(sensitivity_of(evidence), evidence.units, most_changes)
                                              : case_sentences(evidence);
     if (sentences.empty())
-        sentences.push_back("Nothing was varied, so this campaign does not say what would change the load.");
+        sentences.push_back(evidence.summary.cases.size() < 2
+                                ? "Nothing was varied, so this campaign does not say what would change the load."
+                                : "Too few simulations are done to say what changes the load.");
     return sentences;
 }
 
@@ -229,8 +247,9 @@ void add_loads(const std::vector<LoadColumn>& loads, const CaseSummary& row, std
     for (const LoadColumn& load : loads) line.emplace_back(estimate_of(row, load.quantity));
 }
 
-/// One row a case, with the difference to the reference where there is another case.
-Results case_rows(const Evidence& evidence, const std::vector<LoadColumn>& loads) {
+/// One row a case, with the difference to the reference where there is another case; `apart`: cases that begin from
+/// other floes than it.
+Results case_rows(const Evidence& evidence, const std::vector<LoadColumn>& loads, const std::vector<ApartRow>& apart) {
     const Summary& summary = evidence.summary;
     const std::size_t reference = evidence.reference.value_or(0);
     const bool compared = summary.cases.size() > 1 && (!evidence.campaign.design.active() || evidence.reference);
@@ -249,8 +268,14 @@ Results case_rows(const Evidence& evidence, const std::vector<LoadColumn>& loads
         add_loads(loads, summary.cases[k], line);
         if (compared) {
             const auto pair = std::ranges::find(pairs, k, &PairRow::second);
-            const bool known = k != reference && pair != pairs.end();
-            line.emplace_back(known ? Datum(pair->difference()) : k == reference ? Datum(Absent{}) : Undefined{});
+            const auto means = std::ranges::find(apart, k, &ApartRow::second);
+            if (k == reference) {
+                line.emplace_back(Absent{});
+            } else if (pair != pairs.end()) {
+                line.emplace_back(pair->difference());
+            } else {
+                line.push_back(means != apart.end() ? Datum(means->difference()) : Undefined{});
+            }
         }
         table.add(std::move(line));
     }
@@ -319,7 +344,10 @@ Section overview_section(const Evidence& evidence, const Sensitivity& sensitivit
         section.after = "\n" + load_columns_text(summary) + "\n";
         return section;
     } else {
-        section.results.push_back(case_rows(evidence, loads));
+        const std::vector<ApartRow> apart =
+            compare_apart(evidence, evidence.reference.value_or(0), loads.front().quantity, most_overview_rows);
+        section.results.push_back(case_rows(evidence, loads, apart));
+        if (!apart.empty()) section.notes.emplace_back(apart_words);
     }
     section.after = "\n" + load_columns_text(summary) + "\n";
     if (many && !design)

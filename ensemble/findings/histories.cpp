@@ -17,6 +17,7 @@ constexpr std::size_t drawn_columns = 700;
 
 struct DrawnHistory {
     std::size_t case_index = 0;
+    int floes = 0;          ///< equal for those that began from the same floes
     Figure::Points points;  ///< s after the tow began, N
 };
 
@@ -34,15 +35,17 @@ Figure::Points thinned(const StoredHistory& history) {
     return points;
 }
 
-/// The first arrangement that is done in every case; -1 if there is none.
-int common_arrangement(const CampaignTable& table) {
+/// The number of the first arrangement that is done in every case; -1 if there is none. Cases whose fields differ have
+/// other floes under one number.
+int common_arrangement(const Sample& sample) {
     std::vector<std::size_t> done;
-    for (const MemberRow& member : table.members) {
-        const auto row = static_cast<std::size_t>(member.arrangement);
-        if (row >= done.size()) done.resize(row + 1);
-        done[row] += member.done() ? 1 : 0;
-    }
-    const auto found = std::ranges::find(done, table.cases.size());
+    for (std::size_t k = 0; k < sample.cases(); ++k)
+        for (const std::size_t member : sample.done(k)) {
+            const auto number = static_cast<std::size_t>(sample.number_of(member));
+            if (number >= done.size()) done.resize(number + 1);
+            ++done[number];
+        }
+    const auto found = std::ranges::find(done, sample.cases());
     return found == done.end() ? -1 : static_cast<int>(found - done.begin());
 }
 
@@ -88,18 +91,22 @@ Figure history_figure(const Summary& summary, std::vector<DrawnHistory> historie
 
 Section histories_section(Evidence& evidence) {
     std::vector<DrawnHistory> histories;
-    const int arrangement = common_arrangement(evidence.table);
+    const Sample& sample = evidence.sample;
+    const int arrangement = common_arrangement(sample);
     const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
     for_each_history(evidence.file, [&](const StoredHistory& history) {
-        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
-        if (member.arrangement == arrangement && std::ranges::count(drawn, static_cast<std::size_t>(member.case_index)))
-            histories.push_back({static_cast<std::size_t>(member.case_index), thinned(history)});
+        const auto member = static_cast<std::size_t>(history.member);
+        if (sample.number_of(member) == arrangement && std::ranges::count(drawn, sample.case_of(member)))
+            histories.push_back({sample.case_of(member), sample.arrangement_of(member), thinned(history)});
     });
     if (histories.empty())
         return {.before = "No figure: the file has no load histories of an arrangement that is done in every case.\n"};
+    const bool same = std::ranges::all_of(
+        histories, [&](const DrawnHistory& history) { return history.floes == histories.front().floes; });
     Figure figure = history_figure(evidence.summary, std::move(histories));
-    figure.caption = std::string(evidence.summary.cases.size() > 1 ? "One arrangement, every case, shifted upwards"
-                                                                   : "One arrangement") +
+    figure.caption = std::string(evidence.summary.cases.size() < 2 ? "One arrangement"
+                                 : same                            ? "One arrangement, every case, shifted upwards"
+                                        : "One run of every case, shifted upwards; they begin from different floes") +
                      " (the paper's Fig. 6). Dashed: start of the analysis window." + undrawn_text(evidence.summary);
     if (std::ranges::any_of(evidence.table.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
         figure.caption += " The file holds means over several steps, whose peaks are lower than the measured ones.";

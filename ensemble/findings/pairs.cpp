@@ -243,6 +243,10 @@ Estimate PairRow::difference() const {
     return {found.difference, found.interval.low, found.interval.high, found.arrangements >= fewest_for_interval};
 }
 
+Estimate ApartRow::difference() const {
+    return {found.difference, found.interval.low, found.interval.high, fewest >= fewest_for_interval};
+}
+
 std::vector<PairRow> compare_pairs(const Evidence& evidence, const PairOptions& options) {
     const std::vector<SharedMembers> pairs = find_pairs(evidence.sample, options);
     std::vector<PairRow> all;
@@ -273,6 +277,25 @@ std::vector<PairRow> compare_with(const Evidence& evidence, std::size_t referenc
         PairRow& row = all.emplace_back(compare(evidence.sample, pair, quantity, {}));
         row.t_p_holm = row.found.t_p;
         row.wilcoxon_p_holm = row.found.wilcoxon_p;
+    }
+    return all;
+}
+
+std::vector<ApartRow> compare_apart(const Evidence& evidence, std::size_t reference, const Quantity& quantity,
+                                    std::size_t most) {
+    const auto values_of = [&](std::size_t of_case) {
+        std::vector<double> values = evidence.sample.values(evidence.sample.done(of_case), quantity);
+        std::erase_if(values, [](double value) { return std::isnan(value); });
+        return values;
+    };
+    std::vector<ApartRow> all;
+    if (reference >= evidence.sample.cases()) return all;
+    const std::vector<double> first = values_of(reference);
+    for (std::size_t k = 0; k < std::min(most, evidence.sample.cases()); ++k) {
+        if (k == reference || !shared(evidence.sample, reference, k).members.empty()) continue;
+        const std::vector<double> second = values_of(k);
+        if (first.empty() || second.empty()) continue;
+        all.push_back({k, difference_of_means(first, second), static_cast<int>(std::min(first.size(), second.size()))});
     }
     return all;
 }

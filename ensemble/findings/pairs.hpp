@@ -46,6 +46,20 @@ std::vector<PairRow> compare_pairs(const Evidence& evidence, const PairOptions& 
 std::vector<PairRow> compare_with(const Evidence& evidence, std::size_t reference, const Quantity& quantity,
                                   std::size_t most);
 
+/// A case less the reference where they begin from other floes, so that only their means can be compared.
+struct ApartRow {
+    std::size_t second = 0;
+    MeanDifference found{};
+    int fewest = 0;  ///< values of the case with fewer
+
+    Estimate difference() const;
+};
+
+/// One quantity of each of the first `most` cases that share no done arrangement with `reference`, in file order. Cases
+/// without a value are left out.
+std::vector<ApartRow> compare_apart(const Evidence& evidence, std::size_t reference, const Quantity& quantity,
+                                    std::size_t most);
+
 /// A sentence on the pairs that could not be compared; empty when there are none.
 std::string left_out_text(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options = {});
 

@@ -138,6 +138,25 @@ TEST(Answer, SaysWhatVariesBetweenCases) {
     EXPECT_THAT(answer.changes.at(0), HasSubstr("thick instead of thin changes the mean load by +8 N"));
 }
 
+// Cases whose floes differ share no arrangement: their means are compared, and that is said. A key of a law that a case
+// does not use is no difference of that case.
+TEST(Answer, ComparesTheMeansOfCasesWithOtherFloes) {
+    Evidence evidence = evidence_with(
+        "[campaign]\narrangements = 4\n[[case]]\nname = \"alike\"\n[[case]]\nname = \"mixed\"\n"
+        "ice.thickness_m = 0.04\nsizes.law = \"lognormal\"\nsizes.largest_m = 1.0\n");
+    for (MemberRow& row : evidence.table.members) row.arrangement += 4 * row.case_index;
+    evidence = evidence_of(evidence.campaign, evidence.table);
+    const CampaignAnswer answer = find_answer(evidence);
+    ASSERT_EQ(answer.changes.size(), 2u);
+    EXPECT_THAT(answer.changes[0], testing::MatchesRegex("mixed instead of alike changes the mean load by .* \\(.* to "
+                                                         ".*\\), the difference of means\\."));
+    EXPECT_THAT(answer.changes[1], HasSubstr("the cases begin from other floes"));
+    const std::string overview = text(std::vector{overview_section(evidence, find_sensitivity(evidence))}, 200);
+    EXPECT_THAT(overview, HasSubstr("the cases begin from other floes"));
+    EXPECT_THAT(answer.basis, testing::Contains(HasSubstr("Varies: sizes law one (alike), lognormal (mixed).")));
+    EXPECT_THAT(answer.basis, Not(testing::Contains(HasSubstr("largest"))));
+}
+
 // A doubt that matters stands beside the figure: the methods lie between 40 and 75 N, 70 % of 50 N apart, and 3 h are
 // 108 times the 100 s that were run.
 TEST(Answer, SaysDoubtsBesideTheFigure) {
@@ -194,7 +213,7 @@ TEST(WhatWasRun, DrawsFloesThatDifferAsTheyAre) {
     EXPECT_GT(elements(drawn.figures.back()), 12);  // of three floes
 }
 
-TEST(Conditions, OfManyDifferentCasesAreCountedNotListed) {
+TEST(Conditions, OfManyDifferentCasesAreRangesOrCountedNotListed) {
     std::string cases = "[campaign]\narrangements = 3\n";
     for (int k = 0; k < 5; ++k)
         cases += "[[case]]\nname = \"" + std::string(1, static_cast<char>('a' + k)) +
@@ -204,8 +223,11 @@ TEST(Conditions, OfManyDifferentCasesAreCountedNotListed) {
     for (std::size_t k = 0; k < summary.cases.size(); ++k)
         summary.cases[k].about.contact =
             with_preset({.crushing_pressure = 1e5 + 1e3 * static_cast<double>(k)}, ContactPreset::physical);
-    const std::vector<std::string> lines = condition_lines(summary);
-    EXPECT_THAT(lines, testing::Contains(testing::StartsWith("Contacts: 5 different ones, as preset physical")));
+    EXPECT_THAT(condition_lines(summary),
+                testing::Contains(testing::MatchesRegex("Contacts: preset physical, .*at 100 to 104 kPa, by case\\.")));
+    summary.cases[4].about.contact.friction = Friction::one_direction;
+    EXPECT_THAT(condition_lines(summary),
+                testing::Contains(testing::StartsWith("Contacts: 5 different ones, as preset physical")));
 }
 
 TEST(Convergence, OfTwoArrangementsIsNoFigure) {
