@@ -51,8 +51,7 @@ Scenario base_scenario(const CantileverOptions& options) {
     return load_campaign(options.config, options.overrides).cases.front().scenario;
 }
 
-std::vector<Row> measure(const CantileverOptions& options) {
-    Scenario scenario = base_scenario(options);
+std::vector<Row> measure(Scenario scenario, const CantileverOptions& options) {
     if (options.moduli.size() != 1)
         throw InputError("The elastic beam for comparison has one modulus; give a single --modulus-MPa.");
     const double foundation = scenario.water.density * scenario.general.gravity;
@@ -76,6 +75,14 @@ std::vector<Row> measure(const CantileverOptions& options) {
             }
         }
     }
+    return rows;
+}
+
+/// Of the given ice, or of the default ice with its beam joints and the paper's with each Σ.
+std::vector<Row> measure_all(const CantileverOptions& options) {
+    std::vector<Row> rows;
+    if (options.config.empty()) rows = measure(Scenario{}, options);
+    for (const Row& row : measure(base_scenario(options), options)) rows.push_back(row);
     return rows;
 }
 
@@ -129,10 +136,14 @@ void add_cantilever(Verb& laboratory) {
     auto options = std::make_shared<CantileverOptions>();
     Verb verb =
         laboratory.inner("cantilever", "Measured strength of a numerical beam, compared with its input strength");
-    Option config = verb.option("config", options->config,
-                                "Test the ice of this configuration's first case; default: the paper's ice");
+    Option config =
+        verb.option("config", options->config,
+                    "Test the ice of this configuration's first case; default: the default ice, with beam joints, "
+                    "and the paper's with each Σ");
     add_overrides(verb, options->overrides).needs(config);
-    verb.option("--cfm", options->cfm, "Values of Σ, comma-separated").comma_separated().shows_default();
+    verb.option("--cfm", options->cfm, "Values of Σ, comma-separated; of joints that have it")
+        .comma_separated()
+        .shows_default();
     verb.option("--elements", options->elements, "Lengths of the beam in elements, comma-separated")
         .comma_separated()
         .within(1, 100)
@@ -158,7 +169,7 @@ void add_cantilever(Verb& laboratory) {
         "h), or P/(b h²) with paper.threshold_form = \"as_printed\".");
     verb.runs([options] {
         const Section section =
-            options->stiffness ? stiffness_section(*options) : section_of(measure(*options), options->floating);
+            options->stiffness ? stiffness_section(*options) : section_of(measure_all(*options), options->floating);
         std::fputs(written({section}, options->format).c_str(), stdout);
         return 0;
     });

@@ -58,6 +58,18 @@ TEST(LaboratoryPlate, HasNoSigmaOfIceWithBeamJoints) {
         EXPECT_EQ(point.at("joint_model"), "beam");
 }
 
+// Without a configuration the joints that a campaign has by default are tested too, not only the paper's.
+TEST(LaboratoryCantilever, TestsTheDefaultBeams) {
+    const json found = json::parse(
+        verb_output(add_laboratory, "laboratory cantilever --cfm 0.016 --elements 2 --load bending --format json"));
+    const json& rows = found.at("rows");
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_TRUE(rows[0].at("cfm").is_null());
+    EXPECT_EQ(rows[1].at("cfm"), 0.016);
+    for (const json& row : rows)
+        EXPECT_NEAR(row.at("strength_kPa").get<double>() / row.at("set_kPa").get<double>(), 1, 0.35);
+}
+
 TEST(Laboratory, VerbsOf1_0AreRefusedWithTheirNewNames) {
     for (const auto& [words, now] : {std::pair{"calibrate table3.toml --modulus-MPa 60", "floes laboratory plate"},
                                      {"calibrate --help", "floes laboratory plate"},
