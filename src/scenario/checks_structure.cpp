@@ -215,11 +215,12 @@ void check_periods(const Scenario& scenario, Contradictions& found) {
     for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
         const std::string_view word = motion_names.at(at(mode.motion));
         if (std::isnan(mode.period)) {
-            refuse(
-                found, {"moorings.centre_m", "moorings.mass_t"},
-                fmt::format("the hull does not float upright: with its centre at {}, in {} its weight turns it over; "
-                            "take a lower centre, or a moorings.free without {}",
-                            given(scenario, "moorings.centre_m"), word, word));
+            refuse(found, {"moorings.centre_m", "moorings.mass_t"},
+                   fmt::format(
+                       "the hull does not float upright: with its centre at {}, in {} its weight turns it over; "
+                       "take a lower centre, or a moorings.free without {}; a hull of a file that lies on its side "
+                       "wants another hull.up",
+                       given(scenario, "moorings.centre_m"), word, word));
         } else if (!std::isfinite(mode.period)) {
             refuse(
                 found, {"moorings.free", "moorings.lines"},

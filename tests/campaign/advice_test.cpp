@@ -46,7 +46,7 @@ TEST(Advice, OfTheGapIsAboutStraightTowsBetweenBanks) {
                                     "[floe]\nelement_m = 0.1\n"),
                 ElementsAre(HasSubstr("1.06 sides of a floe")));
     EXPECT_THAT(advice_for(narrow + "floe.length_m = 0.3\nfloe.breadth_m = 0.3\nfloe.element_m = 0.1\n"
-                                    "analysis.steady_start_s = 30\nanalysis.window_s = 30\n"),
+                                    "analysis.steady_start_s = 50\nanalysis.window_s = 30\n"),
                 IsEmpty());
     EXPECT_THAT(advice_for(narrow + "field.sides = \"open\"\n"), IsEmpty());
     EXPECT_THAT(advice_for(narrow + "path.legs = [[0.0, 0.07, 270.0, 0.01]]\n"), IsEmpty());
@@ -68,6 +68,32 @@ TEST(Advice, NamesTheOtherCasesOfOneOddity) {
                            "general.iterations = 20\n[[case]]\nname = \"c\"\n"),
                 ElementsAre(testing::AllOf(HasSubstr("case a: general.iterations = 5"),
                                            testing::EndsWith("The same holds for c."))));
+}
+
+TEST(Advice, QuotesTheOddestCase) {
+    EXPECT_THAT(advice_for("general.iterations = 5\n[[case]]\nname = \"a\"\n[[case]]\nname = \"b\"\n"
+                           "general.iterations = 2\n"),
+                ElementsAre(testing::AllOf(HasSubstr("case b: general.iterations = 2"),
+                                           testing::EndsWith("Less so, the same holds for a."))));
+}
+
+// 0.5 t on 0.1 N/m; a hull that starts 17.5 m before the ice and goes at 0.07 m/s meets it after 250 s.
+TEST(Advice, OfWindowsThatMeasureTooLittle) {
+    const std::string moored =
+        "[structure]\nprofile_m = [[-0.443, 0.614], [0.122, 0.614]]\n[moorings]\ngyration_m = 0.44\nmass_t = 0.5\n"
+        "sway_kN_m = 0.7\nyaw_kN_m_rad = 0.1\n";
+    EXPECT_THAT(advice_for(moored + "surge_kN_m = 0.0001\n"),
+                testing::Contains(HasSubstr("is shorter than three natural periods of 444")));
+    EXPECT_THAT(advice_for(moored + "surge_kN_m = 0.8\n"),
+                testing::Not(testing::Contains(HasSubstr("natural periods"))));
+    EXPECT_THAT(advice_for("structure.start_m = -12\n"),
+                testing::Contains(HasSubstr("begins to measure before the hull meets the ice")));
+}
+
+TEST(Advice, OfAMassInKilogramsSaysTonnes) {
+    EXPECT_THAT(advice_for("[structure]\nprofile_m = [[-0.443, 0.614], [0.122, 0.614]]\n[moorings]\ngyration_m = 0.44\n"
+                           "surge_kN_m = 0.8\nsway_kN_m = 0.7\nyaw_kN_m_rad = 0.1\nmass_t = 525\n"),
+                testing::Contains(HasSubstr("moorings.mass_t is in tonnes, and this looks like kilograms")));
 }
 
 }  // namespace advice_test

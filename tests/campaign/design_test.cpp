@@ -300,7 +300,7 @@ TEST(Design, HasTooManyCasesForMessages) {
     EXPECT_THAT(differences(many, more),
                 ElementsAre("cases: p000, p001, p002 … (32 in all) there, p000, p001, p002 … (64 in all) here"));
     ASSERT_EQ(advice(many).size(), 1u);
-    EXPECT_THAT(advice(many).front(), HasSubstr("(31 in all)."));
+    EXPECT_THAT(advice(many).front(), HasSubstr("he same holds for all 31 others."));
 }
 
 TEST(CommonArrangements, AreOfCasesWithOneGeometry) {
