@@ -131,27 +131,46 @@ std::vector<PieceRow> read_pieces(const CampaignFile& file) {
 namespace {
 
 /// For the members that `wanted` takes.
-void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
-                   const std::function<void(const StoredHistory&)>& use) {
+void for_histories(const CampaignFile& file, std::span<const ArrayOutput* const> arrays,
+                   const std::function<bool(int member)>& wanted,
+                   const std::function<void(const StoredHistories&)>& use) {
     const hdf5::QuietErrors quiet;
     const Campaign& campaign = file.campaign();
     const ArrayPlaces places(campaign);
     const std::vector<RowStatus> states = read_states(file);
-    ArrayReader reader(file, array, places);
+    std::vector<ArrayReader> readers;
+    for (const ArrayOutput* array : arrays) readers.emplace_back(file, *array, places);
     for (int member = 0; member < static_cast<int>(states.size()); ++member) {
         if (states[static_cast<std::size_t>(member)] != RowStatus::done || !wanted(member)) continue;
         const int of_case = member_key(campaign, member).case_index;
-        const ArrayValues history = reader.read(static_cast<std::size_t>(member), of_case);
+        std::vector<ArrayValues> read;
+        for (ArrayReader& reader : readers) read.push_back(reader.read(static_cast<std::size_t>(member), of_case));
+        if (std::ranges::any_of(read, [](const ArrayValues& one) { return one.empty(); })) continue;
         const Scenario& scenario = campaign.cases[static_cast<std::size_t>(of_case)].scenario;
-        const double step = scenario.general.time_step * scenario.analysis.history_stride;
-        if (!history.empty()) use({member, step, history.values});
+        StoredHistories histories{member, scenario.general.time_step * scenario.analysis.history_stride, {}};
+        for (const ArrayValues& one : read) histories.values.emplace_back(one.values);
+        use(histories);
     }
+}
+
+void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
+                   const std::function<void(const StoredHistory&)>& use) {
+    const ArrayOutput* const only = &array;
+    for_histories(file, std::span(&only, 1), wanted, [&](const StoredHistories& of) {
+        use({of.member, of.step, of.values.front()});
+    });
 }
 
 }  // namespace
 
 void for_each_history(const CampaignFile& file, const ArrayOutput& of,
                       const std::function<void(const StoredHistory&)>& use) {
+    for_histories(
+        file, of, [](int) { return true; }, use);
+}
+
+void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
+                        const std::function<void(const StoredHistories&)>& use) {
     for_histories(
         file, of, [](int) { return true; }, use);
 }

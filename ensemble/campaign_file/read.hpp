@@ -99,6 +99,15 @@ void for_each_history(const CampaignFile& file, const ArrayOutput& of,
 /// Of the surge load.
 void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use);
 
+/// The same of several histories of each member, for those that have them all; `values`: one history after the other.
+struct StoredHistories {
+    int member = 0;
+    double step = 0;  ///< s
+    std::vector<std::span<const double>> values;
+};
+void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
+                        const std::function<void(const StoredHistories&)>& use);
+
 /// The loads of one member.
 void with_history(const CampaignFile& file, int member, const std::function<void(const StoredHistory&)>& use);
 

@@ -29,8 +29,8 @@
 
 namespace floes {
 
-/// `parts`: names of findings; empty: cases, members, pairs, and the points of a design. The first sheet says what the
-/// others hold.
+/// `parts`: names of findings; empty: cases, members, pairs, the points of a design, and hulls that give way. The first
+/// sheet says what the others hold.
 std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::string>& parts);
 
 namespace {
@@ -73,6 +73,7 @@ std::string_view about(std::string_view part) {
 
 bool is_wanted(const Finding& finding, const std::vector<std::string>& parts, const Campaign& campaign) {
     if (!parts.empty()) return std::ranges::find(parts, finding.name) != parts.end();
+    if (finding.name == "moored") return finding.unasked(campaign);
     if (finding.name == "pairs") return campaign.cases.size() > 1 && finding.unasked(campaign);
     return finding.name == "cases" || finding.name == "members" ||
            (finding.name == "points" && campaign.design.active());

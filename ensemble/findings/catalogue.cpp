@@ -56,6 +56,10 @@ bool with_parts(const Campaign& campaign) {
                                [](const Case& one) { return one.scenario.structure.shape.parts().size() > 1; });
 }
 
+bool with_moorings(const Campaign& campaign) {
+    return std::ranges::any_of(campaign.cases, [](const Case& one) { return one.scenario.moorings.give_way(); });
+}
+
 bool without_design(const Campaign& campaign) {
     return !campaign.design.active();
 }
@@ -161,7 +165,7 @@ constexpr std::array all{
     Finding{"", one<levels>, never, "Extremes", with_levels},
     Finding{"exceedance", exceedance, never},
     Finding{"fatigue", fatigue_sections, never},
-    Finding{"moored", moored_sections, never, "On moorings", in_detail},
+    Finding{"moored", moored_sections, with_moorings, "On moorings", in_detail},
     Finding{"steady", one<steady>, never},
     Finding{"control", one<control_section>, never},
     Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},

@@ -17,24 +17,130 @@
 
 namespace floes {
 
-constinit const std::array<DesignOf, 8> design_ofs{{
-    {"load", "Design load", "load", "load", "N", 3, nullptr, false, Motion::surge},
-    {"mooring_force", "Design mooring force", "force of springs and lines along the tow", "force", "N", 3,
-     &array_output("history/surge_mooring"), false, Motion::surge},
-    {"surge_offset", "Design offset", "offset along the surge load", "offset", "m", 1,
-     &array_output("history/surge_offset"), false, Motion::surge},
-    {"sway_offset", "Design offset abeam", "offset abeam either way", "offset", "m", 1,
-     &array_output("history/sway_offset"), true, Motion::sway},
-    {"yaw", "Design yaw", "yaw either way", "yaw", "rad", 0, &array_output("history/structure_yaw"), true, Motion::yaw},
-    {"heave", "Design heave", "heave up or down", "heave", "m", 1, &array_output("history/heave_offset"), true,
-     Motion::heave},
-    {"pitch", "Design pitch", "pitch either way", "pitch", "rad", 0, &array_output("history/pitch"), true,
-     Motion::pitch},
-    {"roll", "Design roll", "roll either way", "roll", "rad", 0, &array_output("history/roll"), true, Motion::roll},
+namespace {
+
+double as_it_is(const Moorings&, std::span<const double> of) {
+    return of[0];
+}
+
+double either_way(const Moorings&, std::span<const double> of) {
+    return std::abs(of[0]);
+}
+
+double resultant(const Moorings&, std::span<const double> of) {
+    return std::hypot(of[0], of[1]);
+}
+
+/// Of the turret, or of the structure's axis, from where it would be; surge offsets are against the tow.
+double horizontal_offset(const Moorings& moorings, std::span<const double> of) {
+    const Vec2 arm = turned({moorings.turret, 0}, of[2]);
+    return std::hypot(-of[0] + arm.x() - moorings.turret, of[1] + arm.y());
+}
+
+constexpr std::array in_surge{Motion::surge, Motion::surge};
+
+}  // namespace
+
+constinit const std::array<DesignOf, 11> design_ofs{{
+    {"load", "Design load", "load", "load", "N", 3, {}, nullptr, in_surge},
+    {"mooring_force",
+     "Design mooring force",
+     "horizontal resultant of springs, lines and turret",
+     "force",
+     "N",
+     3,
+     {&array_output("history/surge_mooring"), &array_output("history/sway_mooring")},
+     resultant,
+     {Motion::surge, Motion::sway}},
+    {"surge_mooring",
+     "Design mooring force along the tow",
+     "force of springs, lines and turret along the tow",
+     "force",
+     "N",
+     3,
+     {&array_output("history/surge_mooring")},
+     as_it_is,
+     {Motion::surge, Motion::surge},
+     true},
+    {"sway_mooring",
+     "Design mooring force across the tow",
+     "force of springs, lines and turret across the tow",
+     "force",
+     "N",
+     3,
+     {&array_output("history/sway_mooring")},
+     either_way,
+     {Motion::sway, Motion::sway},
+     true},
+    {"offset",
+     "Design offset",
+     "horizontal offset of the turret, without one of the hull's axis",
+     "offset",
+     "m",
+     1,
+     {&array_output("history/surge_offset"), &array_output("history/sway_offset"),
+      &array_output("history/structure_yaw")},
+     horizontal_offset,
+     {Motion::surge, Motion::sway}},
+    {"surge_offset",
+     "Design offset along the tow",
+     "offset of the hull's axis along the surge load",
+     "offset",
+     "m",
+     1,
+     {&array_output("history/surge_offset")},
+     as_it_is,
+     {Motion::surge, Motion::surge},
+     true},
+    {"sway_offset",
+     "Design offset abeam",
+     "offset of the hull's axis abeam either way",
+     "offset",
+     "m",
+     1,
+     {&array_output("history/sway_offset")},
+     either_way,
+     {Motion::sway, Motion::sway},
+     true},
+    {"yaw",
+     "Design yaw",
+     "yaw either way",
+     "yaw",
+     "rad",
+     0,
+     {&array_output("history/structure_yaw")},
+     either_way,
+     {Motion::yaw, Motion::yaw}},
+    {"heave",
+     "Design heave",
+     "heave up or down",
+     "heave",
+     "m",
+     1,
+     {&array_output("history/heave_offset")},
+     either_way,
+     {Motion::heave, Motion::heave}},
+    {"pitch",
+     "Design pitch",
+     "pitch either way",
+     "pitch",
+     "rad",
+     0,
+     {&array_output("history/pitch")},
+     either_way,
+     {Motion::pitch, Motion::pitch}},
+    {"roll",
+     "Design roll",
+     "roll either way",
+     "roll",
+     "rad",
+     0,
+     {&array_output("history/roll")},
+     either_way,
+     {Motion::roll, Motion::roll}},
 }};
 
-constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", 3, nullptr,
-                                       false, Motion::surge};
+constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", 3, {}, nullptr, in_surge};
 
 CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time) {
     CasePeaks made;
@@ -247,7 +353,7 @@ std::string value_key(const DesignLoadRequest& request) {
 Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                   const DesignLoadRequest& request) {
     Results results{.place = "design/loads",
-                    .columns = program_columns("case method averaging exposure_h scale figure probability"),
+                    .columns = program_columns("case method averaging exposure_h scale figure probability of unit"),
                     .view = Results::View::none};
     results.columns.push_back(estimates(value_key(request), "", std::string(request.of.unit)));
     const Datum averaging = is_averaged(request) ? Datum(request.averaging) : Undefined{};
@@ -255,8 +361,8 @@ Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& des
         for (const DesignLoadEstimate& made : design.load.estimates) {
             const auto add = [&](const char* figure, double probability, const DesignLoadFigure& load) {
                 results.add({summary.named(design.case_index), name_of(made.method), averaging,
-                             request.exposure / unit::hour, request.scale, figure, probability,
-                             shown_figure(load, request.factor(), true)});
+                             request.exposure / unit::hour, request.scale, figure, probability, request.of.word,
+                             request.of.unit, shown_figure(load, request.factor(), true)});
             };
             add("expected", std::nan(""), made.expected);
             for (std::size_t k = 0; k < made.quantiles.size(); ++k)
@@ -371,29 +477,31 @@ std::string negligible_text(const std::string& name, const JointTrend& trend) {
                        negligible_change / unit::percent);
 }
 
-/// "E30: too few peaks (3 of 20) to fit; about 27 arrangements would do."
-std::string none_text(const std::string& name, const CaseDesignLoad& one, const CaseRow& about) {
+}  // namespace
+
+std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
     if (one.refused)
         return fmt::format(
-            "{}: {}, so it is not known how high it gets later. Measure later (--window auto, or run with a later "
+            "{}, so it is not known how high it gets later. Measure later (--window auto, or run with a later "
             "analysis.steady_start_s); --rising extrapolates as if it stayed as in the window.{}",
-            name, trend_text(one.trend), end_text(about));
+            trend_text(one.trend), end_text(about));
     const DesignLoad& load = one.load;
     if (load.arrangements < fewest_members)
-        return fmt::format("{}: {} of the {} arrangements that a design load needs; 8 or more are a beginning.", name,
+        return fmt::format("{} of the {} arrangements that a design load needs; 8 or more are a beginning.",
                            load.arrangements, fewest_members);
     if (load.peaks >= fewest_peaks)
-        return fmt::format("{}: its {} peaks give no tail, or reach down to its mean; take fewer (--peaks).", name,
-                           load.peaks);
+        return fmt::format("its {} peaks give no tail, or reach down to its mean; take fewer (--peaks).", load.peaks);
     const double more =
         load.peaks > 0
             ? std::ceil(static_cast<double>(fewest_peaks * load.arrangements) / static_cast<double>(load.peaks))
             : 0;
-    return fmt::format("{}: too few peaks ({} of {}) to fit; {}.", name, load.peaks, fewest_peaks,
+    return fmt::format("too few peaks ({} of {}) to fit; {}.", load.peaks, fewest_peaks,
                        more > static_cast<double>(load.arrangements)
                            ? fmt::format("about {:.0f} arrangements would do", more)
                            : std::string{"run more arrangements"});
 }
+
+namespace {
 
 std::string percent(double share) {
     return fmt::format("{:.3g} %", share / unit::percent);
@@ -437,7 +545,7 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
         if (std::string small = negligible_text(name, one.trend); !small.empty())
             steadiness.push_back(std::move(small));
         if (!one.load.valid()) {
-            too_few.push_back(none_text(name, one, about));
+            too_few.push_back(fmt::format("{}: {}", name, none_text(one, about)));
             continue;
         }
         if (std::string steady = stationary_text(name, one.trend, about); !steady.empty())

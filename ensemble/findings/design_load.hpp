@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,15 +35,18 @@ struct ArrayOutput;
 
 /// What a design value is of. All but the load are of structures that give way.
 struct DesignOf {
-    std::string_view word;       ///< of the option --of
-    std::string_view title;      ///< "Design offset"
-    std::string_view largest;    ///< "offset along the surge load"
-    std::string_view noun;       ///< of one value: "offset"
-    std::string_view unit;       ///< SI
-    int power;                   ///< of the scale, by Froude
-    const ArrayOutput* history;  ///< that it is the largest of; null: of other loads
-    bool amount;                 ///< either way
-    Motion motion;               ///< whose natural period its peaks are apart
+    std::string_view word;     ///< of the option --of
+    std::string_view title;    ///< "Design offset"
+    std::string_view largest;  ///< "offset along the surge load"
+    std::string_view noun;     ///< of one value: "offset"
+    std::string_view unit;     ///< SI
+    int power;                 ///< of the scale, by Froude
+    /// That it follows from, null where there are no more; all null: of other loads.
+    std::array<const ArrayOutput*, 3> histories;
+    double (*value)(const Moorings& moorings, std::span<const double> of_histories);  ///< of one moment; null likewise
+    /// It is of structures that give way in one of them, and its peaks are their longest natural period apart.
+    std::array<Motion, 2> motions;
+    bool part = false;  ///< along one axis, of what another is the whole of: told where it is asked for
 
     /// For people, who are shown angles in degrees.
     std::string_view shown_unit() const { return unit == "rad" ? "°" : unit; }
@@ -50,7 +54,7 @@ struct DesignOf {
 };
 
 /// The first one is the load.
-extern const std::array<DesignOf, 8> design_ofs;
+extern const std::array<DesignOf, 11> design_ofs;
 
 /// The mooring force k x that stored loads of a fixed hull make.
 extern const DesignOf design_of_k_x;
@@ -91,6 +95,9 @@ std::string standing_out_text(const CaseDesignLoad& one);
 
 /// How far the methods lie apart, relative to the load by both tails; of the first quantile. `load` is valid.
 double disagreement(const DesignLoad& load);
+
+/// Why there is none, of a load that is not valid: "too few peaks (3 of 20) to fit; about 27 arrangements would do."
+std::string none_text(const CaseDesignLoad& one, const CaseRow& about);
 
 /// A disagreement that is said beside the load.
 inline constexpr double much_disagreement = 0.25;

@@ -26,6 +26,15 @@ struct DesignLoads {
     std::vector<CaseDesignLoad> of_cases;  ///< empty where the members did not average their load
 };
 
+/// Of structures that gave way in the simulation.
+struct SimulatedDesign {
+    DesignLoadRequest request;
+    std::vector<CaseDesignLoad> of_cases = {};  ///< that give way so
+    std::string refused = {};                   ///< why there are none, a sentence
+
+    bool known() const;  ///< of some case
+};
+
 struct Evidence {
     Evidence() : sample(table) {}
 
@@ -40,6 +49,7 @@ struct Evidence {
     std::optional<std::vector<CaseExtremes>> extremes = {};
     std::optional<Sensitivity> sensitivity = {};
     std::optional<DesignLoads> designs = {};
+    std::optional<std::vector<SimulatedDesign>> simulated = {};
     std::optional<std::vector<BreakRow>> breaks = {};
     std::optional<std::vector<PieceRow>> pieces = {};
     Reference reference;                                   ///< case that the others are compared with

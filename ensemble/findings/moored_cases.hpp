@@ -48,7 +48,10 @@ std::string mooring_notes(const Evidence& evidence);
 
 /// All design values of structures that give way, over 3 h and exceeded with 10 %, for people; `design --of` has them
 /// for programs. Empty where nothing gives way or the file keeps no histories.
-std::vector<Section> simulated_designs(const Evidence& evidence);
+std::vector<Section> simulated_designs(Evidence& evidence);
+
+/// What they are made of, once; none where nothing gives way or the file keeps no histories.
+const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence);
 
 /// The line of each case.
 Section moored_section(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request);

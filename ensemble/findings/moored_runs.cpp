@@ -1,9 +1,12 @@
 // Structures that gave way in the simulation: the line of each case.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
@@ -47,42 +50,128 @@ bool anywhere(const Evidence& evidence, std::string_view key) {
     return false;
 }
 
+// What springs, lines and turret of structures that gave way in the simulation bear, and how far they let go.
+
+/// Peaks nearer than a natural period, or than the time in which the hull's own damping lets a swing fall to 1/e, are
+/// one event, as of a hull that stored loads move. Without damping of its own only the ice lets it fade.
+double separation_of(const Analysis& analysis, const Moorings& moorings, double period) {
+    const double fade = moorings.damping > 0 ? period / (2 * std::numbers::pi * moorings.damping) : 0;
+    return std::max({analysis.peak_separation, period, fade});
+}
+
+/// s, of the mode that is mostly this motion, the longest where none is; 0 where the motion is held.
+double period_of(const Scenario& scenario, Motion motion) {
+    if (!scenario.moorings.give_way() || !scenario.moorings.is_free(motion)) return 0;
+    if (!scenario.moorings.floats()) return scenario.moorings.period(motion);
+    double longest = 0;
+    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
+        if (mode.motion == motion) return mode.period;
+        longest = std::max(longest, mode.period);
+    }
+    return longest;
+}
+
+bool gives_way_in(const Case& one, std::span<const Motion> motions) {
+    return one.scenario.moorings.give_way() && one.scenario.analysis.keep_history &&
+           std::ranges::any_of(motions, [&](Motion motion) { return one.scenario.moorings.is_free(motion); });
+}
+
+/// The longest of them.
+double period_of(const Scenario& scenario, std::span<const Motion> motions) {
+    double longest = 0;
+    for (const Motion motion : motions) longest = std::max(longest, period_of(scenario, motion));
+    return longest;
+}
+
+/// What it is the largest of, over the run of each member that has its histories.
+void for_each_value(const Evidence& evidence, const DesignOf& of,
+                    const std::function<void(const StoredHistory&)>& use) {
+    const auto last = std::ranges::find(of.histories, nullptr);
+    std::vector<double> made;
+    std::array<double, std::tuple_size_v<decltype(of.histories)>> at_once{};
+    for_each_histories(evidence.file, {of.histories.begin(), last}, [&](const StoredHistories& found) {
+        const int of_case = evidence.table.members[static_cast<std::size_t>(found.member)].case_index;
+        const Moorings& moorings = evidence.campaign.cases[static_cast<std::size_t>(of_case)].scenario.moorings;
+        made.clear();
+        for (std::size_t k = 0; k < found.values.front().size(); ++k) {
+            for (std::size_t j = 0; j < found.values.size(); ++j) at_once.at(j) = found.values[j][k];
+            made.push_back(of.value(moorings, at_once));
+        }
+        use({found.member, found.step, made});
+    });
+}
+
+bool by_thrusters_alone(const Case& one) {
+    return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()(0, 0) == 0;
+}
+
+/// The largest of a segment, of each member, by case; empty where the file keeps no histories.
+std::map<std::size_t, std::vector<double>> segment_maxima(const Evidence& evidence, std::string_view word) {
+    std::map<std::size_t, std::vector<double>> found;
+    if (evidence.file.empty()) return found;
+    const DesignOf& of = *std::ranges::find(design_ofs, word, &DesignOf::word);
+    for_each_value(evidence, of, [&](const StoredHistory& history) {
+        const int of_case = evidence.table.members[static_cast<std::size_t>(history.member)].case_index;
+        const auto index = static_cast<std::size_t>(of_case);
+        if (!gives_way_in(evidence.campaign.cases[index], of.motions)) return;
+        const Analysis& analysis = evidence.table.cases[index].analysis;
+        found[index].push_back(
+            averaged_load(in_window(history, analysis), {.time_step = history.step,
+                                                         .segments = analysis.segments,
+                                                         .times = std::span(&history.step, 1),
+                                                         .peak_separation = analysis.peak_separation})
+                .front()
+                .mean_maximum);
+    });
+    return found;
+}
+
 Results run_results(const Evidence& evidence) {
     const bool lines = anywhere(evidence, "largest_line_tension");
     const bool thrusters = anywhere(evidence, "largest_surge_thrust");
     const bool floats = anywhere(evidence, "largest_pitch");
+    std::map<std::size_t, std::vector<double>> forces = segment_maxima(evidence, "mooring_force");
+    std::map<std::size_t, std::vector<double>> offsets = segment_maxima(evidence, "offset");
     const auto if_any = [](bool any, const char* words) { return any ? words : ""; };
     Results results{
         .place = "moored/simulated",
-        .columns = {{"case", "gives way"},
-                    {"runs", "runs"},
-                    estimates("mean_load", "mean load", "N"),
-                    estimates("mean_offset", "mean offset, m"),
-                    estimates("sd_offset", "SD of offset, m"),
-                    estimates("mean_force", "", "N"),
-                    estimates("largest_force", "largest mooring force of a segment", "N"),
-                    {"largest_yaw"},
-                    {.words = "largest yaw, °", .decimals = 1},
-                    {.key = "velocity_ratio", .words = "rms velocity / drift", .decimals = 3},
-                    {.key = "largest_heave", .words = if_any(floats, "largest heave, m"), .decimals = 3},
-                    {.key = "largest_pitch_deg", .words = if_any(floats, "largest pitch, °"), .decimals = 2},
-                    {.key = "largest_roll_deg", .words = if_any(floats, "largest roll, °"), .decimals = 2},
-                    estimates("largest_tension", if_any(lines, "largest tension of a line"), "N"),
-                    {.key = "broken_lines", .words = if_any(lines, "lines broken"), .decimals = 0},
-                    estimates("largest_thrust", if_any(thrusters, "largest thrust in surge"), "N"),
-                    estimates("thrust_at_limit", if_any(thrusters, "time at the limit of thrust"), "share")}};
+        .columns = {
+            {"case", "gives way"},
+            {"runs", "runs"},
+            estimates("mean_load", "mean load", "N"),
+            estimates("mean_offset", "mean offset, m"),
+            estimates("sd_offset", "SD of offset, m"),
+            estimates("mean_force", "", "N"),
+            estimates("largest_force", "largest mooring force of a segment, along the tow", "N"),
+            estimates("largest_resultant", if_any(!forces.empty(), "the same, horizontal resultant"), "N"),
+            estimates("largest_place_offset", if_any(!offsets.empty(), "largest horizontal offset of a segment, m")),
+            {"largest_yaw"},
+            {.words = "largest yaw, °", .decimals = 1},
+            {.key = "velocity_ratio", .words = "rms velocity / drift", .decimals = 3},
+            {.key = "largest_heave", .words = if_any(floats, "largest heave, m"), .decimals = 3},
+            {.key = "largest_pitch_deg", .words = if_any(floats, "largest pitch, °"), .decimals = 2},
+            {.key = "largest_roll_deg", .words = if_any(floats, "largest roll, °"), .decimals = 2},
+            estimates("largest_tension", if_any(lines, "largest tension of a line"), "N"),
+            {.key = "broken_lines", .words = if_any(lines, "lines broken"), .decimals = 0},
+            estimates("largest_thrust", if_any(thrusters, "largest thrust in surge"), "N"),
+            estimates("thrust_at_limit", if_any(thrusters, "time at the limit of thrust"), "share")}};
     for (std::size_t index = 0; index < evidence.campaign.cases.size(); ++index) {
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
         if (!scenario.moorings.give_way() || evidence.sample.done(index).empty()) continue;
         const auto mean = [&](std::string_view key) { return mean_of_runs(evidence, index, key); };
         const auto most = [&](std::string_view key) { return std::ranges::max(values_of(evidence, index, key)); };
+        const auto segments = [&](auto& maxima) {
+            return maxima[index].empty()
+                       ? Estimate{}
+                       : estimate(mean_interval(maxima[index]), static_cast<int>(maxima[index].size()));
+        };
         const std::vector<double> yaw = values_of(evidence, index, "largest_yaw");
         double squares = 0;
         const std::vector<double> speeds = values_of(evidence, index, "rms_surge_velocity");
         for (const double speed : speeds) squares += speed * speed;
         results.add({evidence.summary.named(index), yaw.size(), mean("mean_load"), mean("mean_surge_offset"),
                      mean("sd_surge_offset"), mean("mean_surge_mooring"), mean("mean_maximum_surge_mooring"),
-                     std::ranges::max(yaw), std::ranges::max(yaw) / unit::degree,
+                     segments(forces), segments(offsets), std::ranges::max(yaw), std::ranges::max(yaw) / unit::degree,
                      std::sqrt(squares / static_cast<double>(speeds.size())) / scenario.structure.speed,
                      most("largest_heave_offset"), most("largest_pitch") / unit::degree,
                      most("largest_roll") / unit::degree, mean("largest_line_tension"),
@@ -101,8 +190,10 @@ std::optional<Section> moored_runs_section(const Evidence& evidence) {
         .title = "Structures that give way in the simulation",
         .results = {std::move(results)},
         .after =
-            "\nOffset along the surge load from where the moorings would have the structure, and what springs and "
-            "lines bear of that load. Largest of a segment: mean over segments and arrangements; tension: mean "
+            "\nMean and SD of the offset: of the hull's axis along the surge load, from where the moorings would have "
+            "it; mooring force: what springs, lines and turret bear of that load, and their resultant in the "
+            "horizontal plane; horizontal offset: of the turret, without one of the hull's axis. Largest of a "
+            "segment: mean over segments and arrangements; tension: mean "
             "over arrangements of the largest of any line; yaw, heave, pitch and roll: of all runs; thrust likewise, "
             "and the share of the window in which "
             "thrusters are at a limit in any direction; brackets: 95 % (t). docs/moorings.md\n"};
@@ -251,35 +342,6 @@ Section moored_spectrum(const Evidence& evidence, double damping_ratio, double a
             .figures = {figure_of(evidence, points, "Dashed: the moorings feel the load as it is.")}};
 }
 
-// The force of springs and lines of structures that gave way in the simulation, as tails are fitted to it.
-
-namespace {
-
-/// Peaks nearer than a natural period, or than the time in which the hull's own damping lets a swing fall to 1/e, are
-/// one event, as of a hull that stored loads move. Without damping of its own only the ice lets it fade.
-double separation_of(const Analysis& analysis, const Moorings& moorings, double period) {
-    const double fade = moorings.damping > 0 ? period / (2 * std::numbers::pi * moorings.damping) : 0;
-    return std::max({analysis.peak_separation, period, fade});
-}
-
-/// s, of the mode that is mostly this motion, the longest where none is; 0 where the motion is held.
-double period_of(const Scenario& scenario, Motion motion) {
-    if (!scenario.moorings.give_way() || !scenario.moorings.is_free(motion)) return 0;
-    if (!scenario.moorings.floats()) return scenario.moorings.period(motion);
-    double longest = 0;
-    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
-        if (mode.motion == motion) return mode.period;
-        longest = std::max(longest, mode.period);
-    }
-    return longest;
-}
-
-bool by_thrusters_alone(const Case& one) {
-    return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()(0, 0) == 0;
-}
-
-}  // namespace
-
 std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of) {
     const CampaignTable& table = evidence.table;
     std::vector<CasePeaks> all(table.cases.size());
@@ -287,11 +349,10 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
     for (std::size_t index = 0; index < all.size(); ++index) {
         const Analysis& analysis = table.cases[index].analysis;
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
-        periods.push_back(period_of(scenario, of.motion));
+        periods.push_back(period_of(scenario, of.motions));
         all[index].measured = {analysis.window, analysis.window / analysis.segments,
                                separation_of(analysis, scenario.moorings, periods.back()), 0};
     }
-    std::vector<double> amounts;
     const auto take = [&](const StoredHistory& history) {
         const MemberRow& member = table.members[static_cast<std::size_t>(history.member)];
         const auto index = static_cast<std::size_t>(member.case_index);
@@ -299,9 +360,7 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
         const Analysis& analysis = table.cases[index].analysis;
         if (const std::string words = period_refusal(analysis, history.step, periods[index], 1); !words.empty())
             throw InputError(fmt::format("{}: {}: {}.", of.title, evidence.summary.label_of(index), words));
-        const std::span<const double> window = in_window(history, analysis);
-        amounts.assign(window.begin(), window.end());
-        if (of.amount) std::ranges::transform(amounts, amounts.begin(), [](double value) { return std::abs(value); });
+        const std::span<const double> amounts = in_window(history, analysis);
         CasePeaks& made = all[index];
         const AveragedLoad as_it_is = averaged_load(amounts, {.time_step = history.step,
                                                               .segments = analysis.segments,
@@ -313,13 +372,16 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
         made.members.push_back(history.member);
         made.measured.mean += mean_of(amounts);
     };
-    for_each_history(evidence.file, *of.history, take);
+    for_each_value(evidence, of, take);
     if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
         throw InputError(fmt::format(
             "{0}: no case gives way in {1} with stored histories. moorings.mass_t makes a structure give way, "
             "moorings.free says in which motions, analysis.history_steps of 1 or more stores them. --mooring-kN-m, "
             "--mass-t and --damping-percent move a hull by the stored loads of a fixed one.",
-            of.title, motion_names.at(at(of.motion))));
+            of.title,
+            of.motions[0] == of.motions[1]
+                ? std::string(motion_names.at(at(of.motions[0])))
+                : fmt::format("{} or {}", motion_names.at(at(of.motions[0])), motion_names.at(at(of.motions[1])))));
     for (CasePeaks& one : all)
         if (!one.rows.empty()) one.measured.mean /= static_cast<double>(one.rows.size());
     return all;
@@ -347,49 +409,54 @@ std::string mooring_notes(const Evidence& evidence) {
     return text;
 }
 
-namespace {
-
-bool gives_way_in(const Case& one, Motion motion) {
-    return one.scenario.moorings.give_way() && one.scenario.moorings.is_free(motion) &&
-           one.scenario.analysis.keep_history;
-}
-
-}  // namespace
-
 std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request) {
     std::vector<CaseDesignLoad> designs =
         find_design_loads(evidence.table, request, simulated_peaks(evidence, request.of));
     std::erase_if(designs, [&](const CaseDesignLoad& one) {
-        return !gives_way_in(evidence.campaign.cases[one.case_index], request.of.motion);
+        return !gives_way_in(evidence.campaign.cases[one.case_index], request.of.motions);
     });
     return designs;
 }
 
 namespace {
 
-/// Without what is for programs.
-Section for_people(const Evidence& evidence, const DesignOf& of) try {
-    DesignLoadRequest request = evidence.design_request.value_or(DesignLoadRequest{});
-    request.of = of;
-    const std::vector<CaseDesignLoad> designs = find_simulated_designs(evidence, request);
-    if (std::ranges::none_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); }))
-        return {.missing =
-                    fmt::format("{}: not known of any case; floes design --of {} says why.\n", of.title, of.word)};
-    Section section = design_values_section(evidence.summary, designs, request);
+/// Without what is for programs; a sentence for each case where none has any.
+Section for_people(const Evidence& evidence, const SimulatedDesign& design) {
+    if (!design.refused.empty()) return {.missing = design.refused + "\n"};
+    Section section = design_values_section(evidence.summary, design.of_cases, design.request);
+    if (!design.known()) return {.missing = fmt::format("{}: {}", design.request.of.title, section.before)};
     std::erase_if(section.results, [](const Results& one) { return one.view == Results::View::none; });
     return section;
-} catch (const InputError& refused) {
-    return {.missing = fmt::format("{}\n", refused.what())};
 }
 
 }  // namespace
 
-std::vector<Section> simulated_designs(const Evidence& evidence) {
+bool SimulatedDesign::known() const {
+    return std::ranges::any_of(of_cases, [](const CaseDesignLoad& one) { return one.load.valid(); });
+}
+
+const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence) {
+    if (evidence.simulated) return *evidence.simulated;
+    std::vector<SimulatedDesign>& found = evidence.simulated.emplace();
+    if (evidence.file.empty()) return found;
+    for (const DesignOf& of : std::span(design_ofs).subspan(1)) {
+        if (of.part || std::ranges::none_of(evidence.campaign.cases,
+                                            [&](const Case& one) { return gives_way_in(one, of.motions); }))
+            continue;
+        SimulatedDesign& one = found.emplace_back(evidence.design_request.value_or(DesignLoadRequest{}));
+        one.request.of = of;
+        try {
+            one.of_cases = find_simulated_designs(evidence, one.request);
+        } catch (const InputError& refused) {
+            one.refused = refused.what();
+        }
+    }
+    return found;
+}
+
+std::vector<Section> simulated_designs(Evidence& evidence) {
     std::vector<Section> sections;
-    if (evidence.file.empty()) return sections;
-    for (const DesignOf& of : std::span(design_ofs).subspan(1))
-        if (std::ranges::any_of(evidence.campaign.cases, [&](const Case& one) { return gives_way_in(one, of.motion); }))
-            sections.push_back(for_people(evidence, of));
+    for (const SimulatedDesign& design : simulated_of(evidence)) sections.push_back(for_people(evidence, design));
     return sections;
 }
 

@@ -107,7 +107,7 @@ TEST_F(Design, SaysWhichKeyStoresTheHistoriesThatAHullNeeds) {
 
 /// The first case on springs of a period of 1 s, whose members swing by 10, 20, … N about 100 N; with a line that
 /// broke in the first member.
-void publish_moored(const std::filesystem::path& file) {
+void publish_moored(const std::filesystem::path& file, double sideways = 0, double turret = 0) {
     Campaign campaign = synthetic::campaign();
     campaign.cases.resize(1);
     Scenario& scenario = campaign.cases.front().scenario;
@@ -116,6 +116,12 @@ void publish_moored(const std::filesystem::path& file) {
     scenario.analysis.peak_separation = 0.1;
     const double k = 1e5 * 4 * std::numbers::pi * std::numbers::pi;
     scenario.moorings = {.mass = 1e5, .gyration = 0.4, .surge = k, .sway = k, .yaw = 0.16 * k};
+    if (turret != 0) {
+        scenario.moorings.surge = scenario.moorings.sway = 0.9 * k;
+        scenario.moorings.yaw = 0.144 * k;
+        scenario.moorings.turret_curve = {{0, 0}, {10, 1e-6 * k}};
+        scenario.moorings.turret = turret;
+    }
     std::vector<MemberRecord> records = synthetic::records(campaign);
     double swing = 0;
     for (MemberRecord& record : records) {
@@ -128,6 +134,8 @@ void publish_moored(const std::filesystem::path& file) {
             motion.surge_mooring.back() = 100 + swing * phase;
             motion.surge_offset.back() = 0.5 + 1e-3 * swing * phase;
             motion.yaw.back() = -1e-3 * swing * std::abs(phase);
+            motion.sway_mooring.back() = -sideways * motion.surge_mooring.back();
+            motion.sway_offset.back() = sideways * motion.surge_offset.back();
         }
     }
     records.front().result.moored.broken_lines = 1;
@@ -150,9 +158,30 @@ TEST_F(Design, ExtrapolatesTheMooringForceOfAHullThatGivesWay) {
         EXPECT_NEAR(found.front(), 100 + 10 * static_cast<double>(row + 1), 0.01 * 10 * static_cast<double>(row + 1));
     }
     const std::string told = design("--of mooring_force", no_load);
-    EXPECT_THAT(told, HasSubstr("Design mooring force: the largest force of springs and lines along the tow in 3 h"));
+    EXPECT_THAT(
+        told, HasSubstr("Design mooring force: the largest horizontal resultant of springs, lines and turret in 3 h"));
     EXPECT_THAT(told, HasSubstr("! soft: lines broke in 1 of 4 members"));
     EXPECT_THAT(told, HasSubstr("Structures that give way in the simulation"));
+}
+
+// Three along and four across are five; a hull that turns about its turret takes its axis aside, not the turret.
+TEST_F(Design, TakesTheResultantAndThePlaceOfTheTurret) {
+    const auto largest = [&](std::string_view word) {
+        const Evidence evidence = read_evidence(CampaignFile(file_));
+        return simulated_peaks(evidence, *std::ranges::find(design_ofs, word, &DesignOf::word))
+            .at(0)
+            .rows.at(1)
+            .peaks.front();
+    };
+    publish_moored(file_, 4.0 / 3);
+    EXPECT_NEAR(largest("mooring_force"), 5.0 / 3 * largest("surge_mooring"), 1e-6);
+    EXPECT_NEAR(largest("sway_mooring"), 4.0 / 3 * largest("surge_mooring"), 1e-6);
+    EXPECT_NEAR(largest("offset"), 5.0 / 3 * largest("surge_offset"), 1e-9);
+    EXPECT_THAT(design("--of mooring_force", no_load), HasSubstr("the same, horizontal resultant"));
+    std::filesystem::remove(file_);
+    publish_moored(file_, 0, 100);  // yaws by 0.02 at the largest offset of 0.52, to port: the turret goes 2 m aside
+    EXPECT_NEAR(largest("surge_offset"), 0.52, 1e-3);
+    EXPECT_NEAR(largest("offset"), std::hypot(0.52 + 100 * (1 - std::cos(0.02)), 100 * std::sin(0.02)), 5e-3);
 }
 
 // Offsets are lengths, which grow with the scale; angles are turned either way, told in degrees and stored in radians.
@@ -165,8 +194,9 @@ TEST_F(Design, ExtrapolatesMotionsInTheirOwnUnits) {
     EXPECT_NEAR(peaks_of("surge_offset").measured.mean, 0.5, 1e-3);
     EXPECT_NEAR(peaks_of("surge_offset").rows.at(1).peaks.front(), 0.52, 1e-3);
     EXPECT_NEAR(peaks_of("yaw").rows.at(1).peaks.front(), 0.02, 1e-3);
-    EXPECT_THAT(design("--of surge_offset --scale 9 --averaging-s 3", no_load),
-                HasSubstr("Design offset: the largest offset along the surge load in 3 h"));
+    EXPECT_THAT(
+        design("--of surge_offset --scale 9 --averaging-s 3", no_load),
+        HasSubstr("Design offset along the tow: the largest offset of the hull's axis along the surge load in 3 h"));
     DesignLoadRequest request{.scale = 9};
     for (const auto& [word, factor] : {std::pair("load", 729.0), {"surge_offset", 9.0}, {"yaw", 1.0}}) {
         request.of = *std::ranges::find(design_ofs, word, &DesignOf::word);
@@ -184,7 +214,7 @@ TEST_F(Design, WritesEveryAnswerAsAPageOrAWorkbook) {
     const std::string page = file_.string() + ".html";
     design("--of surge_offset -o " + page, no_load);
     EXPECT_THAT(read_text(page), testing::AllOf(HasSubstr("Design values"), HasSubstr("--of surge_offset"),
-                                                HasSubstr("the largest offset along the surge load")));
+                                                HasSubstr("axis along the surge load")));
     const std::string book = file_.string() + ".xlsx";
     design("--averaging-s 0.4 -o " + book, no_load);
     EXPECT_GT(std::filesystem::file_size(book), 1000u);
