@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <vector>
 
@@ -48,8 +49,9 @@ struct YearOptions {
     std::string program;
 };
 
-/// Prints the answer and writes the output. Throws InputError as find_year() and read_regimes() do.
-void tell_year(const YearOptions& options);
+/// Prints the answer and writes the output, and whether some load is known. Throws InputError as find_year() and
+/// read_regimes() do.
+bool tell_year(const YearOptions& options);
 
 namespace {
 
@@ -63,8 +65,24 @@ std::string command_of(const std::string& program, const std::string& words, con
     return command + " -o " + shell_word(output);
 }
 
-void write_sheets(const std::string& output, const std::vector<Section>& sections) {
-    std::vector<Sheet> sheets;
+/// The sentences of the answer, which are lost among numbers: what they are of, warnings, and what to know.
+DataRows about_rows(const std::vector<Section>& sections, const std::string& command) {
+    Results lines{.columns = program_columns("about"), .view = Results::View::none};
+    const auto add = [&](const std::string& text) {
+        for (const auto line : std::views::split(text, '\n'))
+            if (!line.empty()) lines.add({std::string(line.begin(), line.end())});
+    };
+    for (const Section& section : sections) {
+        for (const std::string& text : {section.title, section.before, section.missing, section.after}) add(text);
+        for (const std::string& note : section.notes) add(note);
+    }
+    add("Units are SI: N, m, rad; averaging in s. \"of\" says what a value is of.");
+    add("Made by: " + command);
+    return data_rows(lines);
+}
+
+void write_sheets(const std::string& output, const std::vector<Section>& sections, const std::string& command) {
+    std::vector<Sheet> sheets{{"about", about_rows(sections, command)}};
     for (const Section& section : sections)
         for (const DataRows& records : records_of(section))
             sheets.push_back({records.place.substr(records.place.find('/') + 1), records});
@@ -77,7 +95,7 @@ void write_sheets(const std::string& output, const std::vector<Section>& section
 void write_output(const std::string& output, const char* title, const std::vector<Section>& sections,
                   const std::string& command, const Units& units) {
     if (output.ends_with(".xlsx"))
-        write_sheets(output, sections);
+        write_sheets(output, sections, command);
     else
         write_page(output, sections_page(title, sections, command, units));
     std::fprintf(stderr, "floes: %s is written\n", output.c_str());
@@ -88,18 +106,24 @@ void write_year(const YearOptions& options, const std::vector<Section>& sections
     const Units units = year_units(year, request);
     if (!options.output.ends_with(".svg")) {
         write_output(options.output, "Loads of a year", sections,
-                     command_of(options.program, options.words, "--regimes " + shell_word(options.regimes),
+                     command_of(options.program, options.words,
+                                fmt::format("--regimes {} --per-year {:g}", shell_word(options.regimes),
+                                            fmt::join(request.per_year, ",")),
                                 options.load, options.automatic_window, options.output),
                      units);
         return;
     }
-    write_page(options.output, figure_file(year_figure(year, request), units));
+    const std::optional<Figure> figure = year_figure(year, request);
+    if (!figure)
+        throw InputError(fmt::format(
+            "{} is not written: it would have no line, because the tails say no load of a year.", options.output));
+    write_page(options.output, figure_file(*figure, units));
     std::fprintf(stderr, "floes: %s is written\n", options.output.c_str());
 }
 
 }  // namespace
 
-void tell_year(const YearOptions& options) {
+bool tell_year(const YearOptions& options) {
     const bool known = options.output.empty() || options.output.ends_with(".html") ||
                        options.output.ends_with(".pdf") || options.output.ends_with(".svg") ||
                        options.output.ends_with(".xlsx");
@@ -122,6 +146,7 @@ void tell_year(const YearOptions& options) {
     std::fputs(written(sections, options.format, year_units(year, request)).c_str(), stdout);
     if (options.next && options.format != "table") std::fputs(sections.back().before.c_str(), stderr);
     if (!options.output.empty()) write_year(options, sections, year, request);
+    return says_some_load(year);
 }
 
 // floes contour: environmental contours of two inputs, as a table, a picture, or cases to run.
@@ -354,7 +379,13 @@ int answer(const DesignOptions& options) {
     return found.given ? 0 : 1;
 }
 
-void answer_of_year(const DesignOptions& options) {
+/// Whether some load is known.
+bool answer_of_year(const DesignOptions& options) {
+    if (options.of != "load")
+        throw InputError(fmt::format(
+            "The loads of a year (--regimes) are of the ice load alone, and --of {0} is not. Leave out --regimes for "
+            "the largest {0} in an exposure (--exposure-h), or leave out --of.",
+            options.of));
     const GivenCampaign given(options.files);
     YearOptions year = options.year;
     year.file = given.path();
@@ -364,16 +395,15 @@ void answer_of_year(const DesignOptions& options) {
     year.automatic_window = options.window == "auto";
     year.program = options.program;
     year.output = options.output;
-    tell_year(year);
+    return tell_year(year);
 }
 
-void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile, const Option& mooring,
-              const Option& of) {
+void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile, const Option& mooring) {
     Option regimes = verb.option(
         "--regimes", year.regimes,
         "The loads of a year instead: TOML file with a [[regime]] for each kind of ice, its hours a year and "
         "its case or place in the design; or a scatter diagram (.csv)");
-    regimes.excludes(exposure).excludes(quantile).excludes(mooring).excludes(of);
+    regimes.excludes(exposure).excludes(quantile).excludes(mooring);
     verb.option("--per-year", year.per_year, "Probabilities of exceedance in a year, comma-separated")
         .comma_separated()
         .within(1e-7, 0.5)
@@ -410,9 +440,12 @@ void add_design(CommandLine& line) {
     Option mooring = add_mooring(verb, options->mooring);
     Option of = verb.option("--of", options->of,
                             "What is extrapolated. All but the load are of structures that give way in the simulation: "
-                            "what springs and lines bear of the surge load, offsets and angles");
+                            "mooring_force, the horizontal resultant of springs, lines and turret, and its parts "
+                            "along the tow and across it, surge_mooring and sway_mooring; offset, horizontally, of the "
+                            "turret, or of the hull's axis without one; surge_offset and sway_offset of the axis; "
+                            "heave and angles");
     of.one_of(words_of()).shows_default().excludes(mooring);
-    add_year(verb, options->year, exposure, quantile, mooring, of);
+    add_year(verb, options->year, exposure, quantile, mooring);
     add_window(verb, options->window);
     verb.option("-o,--output", options->output,
                 "Write a page (.html, .pdf) or a workbook (.xlsx) too; of a year also the exceedance curve (.svg)")
@@ -421,7 +454,7 @@ void add_design(CommandLine& line) {
     verb.footer(
         "The exposure passes through many arrangements, so the members of a case are pieces of it. Loads of single\n"
         "steps depend on the time step and are no design loads; averaged ones do not (docs/convergence.md).\n"
-        "Exit status 1: no case has a design load.\n\n"
+        "Exit status 1: no case has a design load, or no load of the year is known.\n\n"
         "  floes design table3_physical.h5\n"
         "  floes design table3_physical.h5 --exposure-h 10 --quantile 0.5,0.9,0.99 --averaging-s 2\n"
         "  floes design table3_physical.h5 --scale 36 --averaging-s 6 --exposure-h 3      loads at full scale\n"
@@ -432,8 +465,7 @@ void add_design(CommandLine& line) {
     verb.runs([options, &line] {
         options->program = line.program_name();
         if (!options->year.regimes.empty()) {
-            answer_of_year(*options);
-            return 0;
+            return answer_of_year(*options) ? 0 : 1;
         }
         return answer(*options);
     });

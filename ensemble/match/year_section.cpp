@@ -66,16 +66,25 @@ std::string doubt_lines(const Year& year, const YearRequest& request) {
     return lines;
 }
 
-Estimate at_scale(const YearFigure& load, const YearRequest& request, bool said = true) {
+/// Whether the interval says something of the load, of sources that all have enough arrangements.
+bool is_said(const YearFigure& load, const Year& year) {
+    std::size_t fewest = year.sources.front().members.size();
+    for (const TailSource& source : year.sources) fewest = std::min(fewest, source.members.size());
+    return says_something(load.value, load.interval, static_cast<int>(fewest));
+}
+
+/// With its limits alone where they say nothing of it.
+Estimate at_scale(const YearFigure& load, const Year& year, const YearRequest& request) {
     const double factor = request.load.factor();
-    return {factor * load.value, factor * load.interval.low, factor * load.interval.high, said};
+    return {is_said(load, year) ? factor * load.value : std::nan(""), factor * load.interval.low,
+            factor * load.interval.high};
 }
 
 /// The exceedance curve, for programs.
 Results curve_rows(const Year& year, const YearRequest& request) {
     Results results{
         .place = "year/curve", .columns = {{"exceeded_a_year"}, estimates("load", "")}, .view = Results::View::none};
-    for (const YearCurvePoint& point : year.curve) results.add({point.per_year, at_scale(point.all, request)});
+    for (const YearCurvePoint& point : year.curve) results.add({point.per_year, at_scale(point.all, year, request)});
     return results;
 }
 
@@ -89,11 +98,9 @@ Section loads_section(const Year& year, const YearRequest& request) {
     results.columns.push_back({"hours_for_one_over_hours_run"});
     std::vector<std::string> notes;
     const Units units = year_units(year, request);
-    std::size_t fewest = year.sources.front().members.size();
-    for (const TailSource& source : year.sources) fewest = std::min(fewest, source.members.size());
     for (const YearLevel& level : year.levels) {
-        const bool said = says_something(level.load.value, level.load.interval, static_cast<int>(fewest));
-        const Estimate told = at_scale(level.load, request);
+        const bool said = is_said(level.load, year);
+        const Estimate told = at_scale(level.load, year, request);
         results.add({level_name(level.per_year), if_known(said, told), level.per_year, request.load.averaging,
                      request.load.scale, told, level.beyond_run});
         if (!std::isfinite(level.load.value))
@@ -201,7 +208,7 @@ std::vector<Section> year_sections(const Evidence& evidence, const Year& year, c
     double hours = 0;
     for (const YearRegimeRow& row : year.regimes) hours += row.regime.time / unit::hour;
     Section basis = sources_section(year, request);
-    basis.figures = {year_figure(year, request)};
+    if (std::optional<Figure> figure = year_figure(year, request)) basis.figures = {std::move(*figure)};
     const std::string scale =
         request.load.scale == 1
             ? ""
@@ -215,19 +222,24 @@ std::vector<Section> year_sections(const Evidence& evidence, const Year& year, c
             std::move(basis)};
 }
 
-Figure year_figure(const Year& year, const YearRequest& request) {
+bool says_some_load(const Year& year) {
+    return std::ranges::any_of(year.levels, [&](const YearLevel& level) { return is_said(level.load, year); });
+}
+
+std::optional<Figure> year_figure(const Year& year, const YearRequest& request) {
     constexpr std::size_t most_told_apart = 6;
     const double factor = request.load.factor();
     std::vector<double> values;
     Figure::Points low, high, middle;
     for (const YearCurvePoint& point : year.curve) {
-        if (!std::isfinite(point.all.value)) continue;
+        if (!is_said(point.all, year)) continue;
         low.emplace_back(factor * point.all.interval.low, point.per_year);
         high.emplace_back(factor * point.all.interval.high, point.per_year);
         middle.emplace_back(factor * point.all.value, point.per_year);
         values.push_back(middle.back().first);
         values.push_back(std::min(high.back().first, 3 * middle.back().first));
     }
+    if (middle.empty()) return {};
     const double rarest = year.curve.back().per_year;
     Figure figure{.description = "Probability that the largest load of a year exceeds a load",
                   .x = axis_around(fmt::format("largest load of a year, averaged over {:g} s", request.load.averaging),
@@ -243,18 +255,21 @@ Figure year_figure(const Year& year, const YearRequest& request) {
     for (std::size_t regime = 0; regime < year.regimes.size(); ++regime) {
         Figure::Points line;
         for (const YearCurvePoint& point : year.curve)
-            if (std::isfinite(point.alone[regime]) && factor * point.alone[regime] <= figure.x.high)
+            if (is_said(point.all, year) && std::isfinite(point.alone[regime]) &&
+                factor * point.alone[regime] <= figure.x.high)
                 line.emplace_back(factor * point.alone[regime], point.per_year);
         figure.line(std::move(line), colours ? colour(regime) : "thin");
         if (colours) figure.legend.emplace_back(colour(regime), year.regimes[regime].regime.name);
     }
+    const std::size_t middle_count = middle.size();
     figure.line(std::move(middle), "thick");
     figure.legend.emplace_back("ink", "all regimes");
     for (const YearLevel& level : year.levels) figure.level(level.per_year, "dashed");
     figure.caption = fmt::format(
         "Probability that the largest load of a year exceeds a load: of all regimes (thick, with its 95 % interval), "
-        "and of each as if there were no other{}. Dashed: the probabilities asked for.",
-        colours ? "" : " (thin)");
+        "and of each as if there were no other{}. Dashed: the probabilities asked for.{}",
+        colours ? "" : " (thin)",
+        middle_count < year.curve.size() ? " Loads whose interval says nothing of them are left out." : "");
     return figure;
 }
 

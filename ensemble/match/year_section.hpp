@@ -1,6 +1,7 @@
 #pragma once
 // The loads of a year for people and programs.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,11 @@ Units year_units(const Year& year, const YearRequest& request);
 /// year/loads, year/regimes, year/sources and year/curve.
 std::vector<Section> year_sections(const Evidence& evidence, const Year& year, const YearRequest& request);
 
-/// The exceedance curve with its interval, and that of each regime alone.
-Figure year_figure(const Year& year, const YearRequest& request);
+/// Whether a load that was asked for is known: where its interval says nothing, people and programs get none.
+bool says_some_load(const Year& year);
+
+/// The exceedance curve with its interval, and that of each regime alone, as far as it is known; none where it is not.
+std::optional<Figure> year_figure(const Year& year, const YearRequest& request);
 
 /// The source of which the rarest load is least certain, and the command that runs as many members again; `program` as
 /// the user typed it. Without a title.

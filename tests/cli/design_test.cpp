@@ -224,7 +224,8 @@ TEST_F(Design, WritesEveryAnswerAsAPageOrAWorkbook) {
 TEST_F(Design, RefusesTheMooringForceOfAFixedHull) {
     EXPECT_THAT(refusal([&] { design("--of mooring_force"); }), HasSubstr("moorings.mass_t"));
     EXPECT_THROW(design(std::string(hull) + "--of mooring_force"), CommandLineEnd);
-    EXPECT_THROW(design("--of mooring_force --regimes year.toml"), CommandLineEnd);
+    EXPECT_THAT(refusal([&] { design("--of mooring_force --regimes year.toml"); }),
+                HasSubstr("are of the ice load alone, and --of mooring_force is not"));
 }
 
 }  // namespace design_test

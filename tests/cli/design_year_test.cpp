@@ -20,6 +20,9 @@ namespace design_year_test {
 
 using testing::HasSubstr;
 
+/// Levels that so few peaks say something of.
+const std::string likely = "--per-year 0.5,0.45 ";
+
 /// Of the synthetic campaign with exponential peaks of 20 N above 30 N, eight in a window.
 class DesignYear : public testing::Test {
   protected:
@@ -43,9 +46,12 @@ class DesignYear : public testing::Test {
 
     void put(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
 
-    std::string year(const std::string& regimes, const std::string& arguments = {}) {
-        return verb_output(add_design, "design " + file_.string() + " --averaging-s 0.4 --regimes " +
-                                           (folder_ / regimes).string() + " " + arguments);
+    std::string year(const std::string& regimes, const std::string& arguments = {}, int wanted = 0) {
+        const auto [output, status] =
+            verb_answer(add_design, words_of("design " + file_.string() + " --averaging-s 0.4 --regimes " +
+                                             (folder_ / regimes).string() + " " + arguments));
+        EXPECT_EQ(status, wanted) << output;
+        return output;
     }
 
     TemporaryFolder folder_;
@@ -53,16 +59,25 @@ class DesignYear : public testing::Test {
 };
 
 TEST_F(DesignYear, IsTheSameFromTomlAndFromAScatterDiagram) {
-    const std::string told = year("year.toml", "--format json");
-    EXPECT_EQ(told, year("year.csv", "--format json"));
+    const std::string told = year("year.toml", likely + "--format json");
+    EXPECT_EQ(told, year("year.csv", likely + "--format json"));
     const auto loads = nlohmann::json::parse(told).at("year").at("loads");
     EXPECT_EQ(loads.size(), 2u);
     EXPECT_GT(loads.at(1).at("load").get<double>(), loads.at(0).at("load").get<double>());
 }
 
+// The exit status says so, and no file has what the screen leaves out.
+TEST_F(DesignYear, HasNoLoadWhereTheTailsCannotSay) {
+    const std::string told = year("year.toml", "--format csv -o " + (folder_ / "y.xlsx").string(), 1);
+    EXPECT_THAT(told, HasSubstr("\n0.01,0.4,1,,"));
+    EXPECT_THAT(year("year.toml", "", 1), HasSubstr("10^-2: the tail cannot say"));
+}
+
 TEST_F(DesignYear, IsAlsoAPageAPictureAndAWorkbook) {
-    for (const char* name : {"y.html", "y.svg", "y.xlsx"}) year("year.toml", "-o " + (folder_ / name).string());
+    for (const char* name : {"y.html", "y.svg", "y.xlsx"})
+        year("year.toml", likely + "-o " + (folder_ / name).string());
     EXPECT_THAT(got("y.html"), HasSubstr("probability of exceedance in a year"));
+    EXPECT_THAT(got("y.html"), HasSubstr("--per-year 0.5,0.45"));
     EXPECT_THAT(got("y.svg"), testing::StartsWith("<svg xmlns="));
     EXPECT_THAT(got("y.svg"), testing::Not(HasSubstr("var(")));  // Word and librsvg know no names of colours
     EXPECT_THAT(got("y.xlsx"), testing::StartsWith("PK"));
@@ -70,7 +85,7 @@ TEST_F(DesignYear, IsAlsoAPageAPictureAndAWorkbook) {
 }
 
 TEST_F(DesignYear, NamesTheCommandThatHelps) {
-    const std::string told = year("year.toml", "--next --per-year 0.1");
+    const std::string told = year("year.toml", "--next --per-year 0.5,0.1");
     EXPECT_THAT(told, HasSubstr("10^-1"));
     EXPECT_THAT(told, HasSubstr("--set campaign.arrangements=48 --resume"));
 }

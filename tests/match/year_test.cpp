@@ -98,6 +98,7 @@ TEST(Year, OfTwoCasesIsTheRootOfTheSumOfTheirRates) {
         EXPECT_GT(level.shares[1].value, 0.8);  // the thick ice, few hours as it has
         EXPECT_NEAR(level.shares[0].value + level.shares[1].value, 1, 1e-9);
     }
+    EXPECT_TRUE(says_some_load(year));
     EXPECT_EQ(year.sources.size(), 2u);
     EXPECT_EQ(year.sources[0].time_run, 60 * window);
     EXPECT_LE(year.curve.back().per_year, 1.01e-4);
@@ -169,6 +170,11 @@ TEST(Year, SaysWhereTheTailCannotSay) {
     EXPECT_THAT(told, HasSubstr("10^-4: the tail cannot say: its interval is from"));
     EXPECT_THAT(told, HasSubstr("h of thin, and 0.167 h were run; run more members"));
     EXPECT_THAT(told, HasSubstr("! The load of 10^-4 a year is farther from what was run"));
+    const Evidence evidence = evidence_of(wave.campaign, wave.table);
+    const auto records = nlohmann::json::parse(json(year_sections(evidence, year, {}))).at("year");
+    EXPECT_TRUE(records.at("loads").at(1).at("load").is_null());
+    EXPECT_TRUE(records.at("loads").at(1).at("load_high").is_number());
+    EXPECT_TRUE(records.at("curve").back().at("load").is_null());
 }
 
 TEST(Year, RefusesRegimesThatNothingWasRunFor) {
