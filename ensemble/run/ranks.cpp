@@ -84,6 +84,7 @@ Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const 
             result.stop_requested = true;
             continue;
         }
+        if (message->tag == Tag::alive) continue;  // it has said hello, and waits for slower ones
         if (message->tag != Tag::hello) throw RunError(fmt::format("Rank {} did not begin with hello.", message->from));
         const Hello hello = decode_hello(message->bytes);
         check_hello(message->from, hello, own.fingerprint);

@@ -416,6 +416,22 @@ TEST(MasterConversation, StopsEverybodyWhenAWorkerGetsASignal) {
     EXPECT_FALSE(run.results()[1].empty());
 }
 
+TEST(MasterConversation, WaitsForSlowRanksWhileOthersShowThatTheyAreAlive) {
+    const TemporaryFolder folder;
+    fake::Run run(folder / "a.h5", two_members());
+    FakeLink link(0, 3);
+    for (const int rank : {1, 2}) link.expect(rank, Tag::campaign);
+    link.deliver(1, Tag::hello, hello_of(run.campaign));
+    link.deliver(1, Tag::alive);
+    link.deliver(2, Tag::hello, hello_of(run.campaign));
+    link.expect(1, Tag::assign);
+    link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
+    for (const int rank : {1, 2}) link.expect(rank, Tag::dismiss);
+    for (const int rank : {1, 2}) link.deliver(rank, Tag::farewell);
+    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
+    link.finish();
+}
+
 TEST(MasterConversation, EndsTheRunWhenRanksDisagreeOrAreInTrouble) {
     const TemporaryFolder folder;
     fake::Run run(folder / "a.h5", two_members());
