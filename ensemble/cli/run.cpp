@@ -140,7 +140,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
         Evidence evidence = read_evidence(options.places.campaign_file);
         std::fputs(written({overview_section(evidence, sensitivity_of(evidence)),
                             next_commands(evidence, typed_program(program))},
-                           "table")
+                           "table", evidence.units)
                        .c_str(),
                    stdout);
     }

@@ -29,8 +29,7 @@ constexpr std::size_t most_changes = 3;        // of an answer
 constexpr std::size_t most_changes_shown = 6;  // on the screen
 constexpr std::size_t most_cases = 7;          // the first and those compared with it
 constexpr std::string_view apart_words =
-    "Difference of means: the cases begin from other floes, so they are not compared arrangement by arrangement; the "
-    "interval is Welch's.";
+    "Cases begin from other floes: differences are of means (Welch), not by arrangement.";
 
 /// "29.6 N (28.8 to 30.3)"; 95 % is said once, before. Limits that say nothing are left out.
 std::string load(const Estimate& mean, const Units& units) {

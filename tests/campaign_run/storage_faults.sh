@@ -29,7 +29,7 @@ expect 2 nowhere "$FLOES" run campaign.toml -o /proc/a.h5
 said nowhere "/proc/a.journal cannot be"
 
 expect 2 no_folder "$FLOES" run campaign.toml -o no/such/a.h5
-said no_folder "no/such/a.journal cannot be written: No such file or directory. The folder must exist and permit it."
+said no_folder "no/such/a.h5 cannot be written: there is no folder no/such; make the folder, or name another"
 expect 1 no_replay "$FLOES" replay whole.h5 0 -o no/such/a.html
 said no_replay "cannot be written: No such file or directory. The folder must exist and permit it."
 

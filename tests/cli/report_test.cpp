@@ -107,9 +107,10 @@ TEST_F(Report, SaysWhatItCannotReadOrWrite) {
     const Campaign campaign = synthetic::campaign();
     const std::vector<Session> sessions{synthetic::session()};
     publish(file_, campaign, synthetic::records(campaign), sessions);
-    EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + (folder_ / "no/such/folder.html").string()), RunError);
+    EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + (folder_ / "no/such/folder.html").string()),
+                 CommandLineEnd);
     std::filesystem::create_directories(page_ / "with something in it");
-    EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + page_.string()), RunError);
+    EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + page_.string()), CommandLineEnd);
     EXPECT_FALSE(std::filesystem::exists(page_.string() + ".tmp"));
 }
 
