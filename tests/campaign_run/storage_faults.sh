@@ -30,8 +30,8 @@ said nowhere "/proc/a.journal cannot be"
 
 expect 2 no_folder "$FLOES" run campaign.toml -o no/such/a.h5
 said no_folder "no/such/a.h5 cannot be written: there is no folder no/such; make the folder, or name another"
-expect 1 no_replay "$FLOES" replay whole.h5 0 -o no/such/a.html
-said no_replay "cannot be written: No such file or directory. The folder must exist and permit it."
+expect 2 no_replay "$FLOES" replay whole.h5 0 -o no/such/a.html
+said no_replay "no/such/a.html cannot be written: there is no folder no/such; make the folder, or name another"
 
 # Two runs into one file; and what a second terminal sees of the first.
 "$FLOES" run campaign.toml -o two.h5 --threads 1 --set campaign.arrangements=12 > two.log 2>&1 &
