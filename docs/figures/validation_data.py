@@ -11,7 +11,7 @@ SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "validation"
 WAYS = {"table3": "paper's contacts, scattered", "crystalline": "paper's contacts, crystalline"}
 # The tank test with the default physics on three walls: case of tank_walls -> wall below the waterline.
 WALLS = {"r_0.432": "67.7°", "r_0.445": "69.1°", "r_0.464": "71.3°"}
-CAMPAIGNS = [*WAYS, "readings"]
+CAMPAIGNS = [*WAYS, "readings", "tank_walls"]
 CONFIGS = SUMMARIES.parent.parent / "configs" / "validation"
 MODULI = {"E30": 30, "E60": 60, "E200": 200}
 
@@ -57,6 +57,19 @@ def largest(name):
     return pd.read_csv(SUMMARIES / f"{name}.largest.csv")
 
 
+def of_tank(quantity):
+    """Wall -> one figure of each run, in the unit of the page; "maximum_load_1s": the largest load averaged over 1 s."""
+    name, _, time = quantity.partition("_load_")
+    if time:
+        table_ = largest("tank_walls")
+        table_ = table_[np.isclose(table_.averaged_over_s, float(time.removesuffix("s")))]
+        table_ = table_.assign(**{quantity: table_.maximum_load})
+    else:
+        table_ = members("tank_walls")
+    scale = 100 if quantity == "split_ratio" else 1  # members() has percent for failure_ratio
+    return {case: scale * table_[table_.case == case].sort_values("arrangement")[quantity].to_numpy() for case in WALLS}
+
+
 def hybrid():
     return pd.DataFrame(json.loads((SUMMARIES / "hybrid.json").read_text())["rows"])
 
@@ -100,6 +113,20 @@ def pooled(samples, one_run=False, positive=False):
         bounds = np.array([values.mean() - half, values.mean() + half])
         found[name] = (np.mean(samples[name]), *(np.exp(bounds) if positive else np.maximum(bounds, 0.0)))
     return found
+
+
+def common_scatter(samples):
+    """Covariance that some samples, each an array (run, quantity), have in common, and its degrees of freedom."""
+    freedom = sum(len(values) - 1 for values in samples)
+    return sum((values - values.mean(axis=0)).T @ (values - values.mean(axis=0)) for values in samples) / freedom, freedom
+
+
+def as_far_off(figures, mean, share, scatter, freedom):
+    """How often one further run lies as far from `mean` as `figures` do, or farther, in all quantities at once, by Hotelling's
+    T². `share`: variance of the mean over that of a run; `scatter`: covariance of runs, of `freedom`."""
+    off, count = figures - mean, len(figures)
+    squared = off @ np.linalg.solve(scatter, off) / (1 + share)
+    return stats.f.sf(squared * (freedom - count + 1) / (freedom * count), count, freedom - count + 1)
 
 
 def change(table, quantity, case, base):

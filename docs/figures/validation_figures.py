@@ -7,8 +7,8 @@ matplotlib.rcParams["font.size"] = 10
 import matplotlib.pyplot as plt
 import numpy as np
 
-from validation_data import (EXPERIMENT, LABELS, MODULI, WALLS, WAYS, hybrid, interval, is_maximum, members, paper,
-                             pooled)
+from validation_data import (EXPERIMENT, LABELS, MODULI, WALLS, WAYS, hybrid, interval, is_maximum, members, of_tank,
+                             paper, pooled)
 
 COLOURS = {"E30": "#0072B2", "E60": "#D55E00", "E200": "#009E73"}  # Okabe and Ito
 PANELS = ["mean_load", "mean_maximum", "failure_ratio"]
@@ -54,10 +54,9 @@ def answer(path):
                                f"mean, {modulus} MPa" if first else None))
                 axes.plot(at + 0.34, paper(case, quantity), "D", color="black", markersize=5,
                           label="the paper's run" if first and place == 0 else None)
-        shown = "split_ratio" if quantity == "failure_ratio" else quantity  # of the tank: floes cracked through
-        scale = 100 if shown == "split_ratio" else 1
-        table = members("tank_walls")
-        walls = {case: scale * table[table.case == case][shown].to_numpy() for case in WALLS}
+        # Of the tank the largest load over 1 s, and floes cracked through.
+        shown = {"mean_maximum": "maximum_load_1s", "failure_ratio": "split_ratio"}.get(quantity, quantity)
+        walls = of_tank(shown)
         means, runs = pooled(walls), pooled(walls, one_run=True, positive=is_maximum(quantity))
         for place, (case, values) in enumerate(walls.items()):
             at = 7.2 + place
@@ -69,7 +68,7 @@ def answer(path):
         name = "maximum_load" if quantity == "mean_maximum" else quantity
         level = EXPERIMENT[name] * (100 if quantity == "failure_ratio" else 1)
         axes.hlines(level, 6.8, 9.6, color="black", linestyle=":", linewidth=1,
-                    label="tank test (its largest load)" if axes is panels[0] else None)
+                    label="tank test" if axes is panels[0] else None)
         names = [name.replace(" contacts", "").replace(", ", ",\n") for name in WAYS.values()]
         angles = ", ".join(f"{float(wall[:-1]):.0f}°" for wall in WALLS.values())
         axes.set_xticks([1, 4.6, 8.2], names + [f"physics, wall\n{angles}"], fontsize=9)

@@ -1,14 +1,19 @@
 """The tables of docs/validation.md, each a function that gives Markdown."""
+import functools
 import itertools
+import re
+import textwrap
 import tomllib
 
 import numpy as np
 from scipy import stats
 
-from validation_data import (CONFIGS, EXPERIMENT, FITTED_TO, LABELS, MODULI, PAPER, WALLS, WAYS, WINDOW_START, across,
-                             half_width, hybrid, interval, is_maximum, largest, members, pairs, paper, pooled, variations,
-                             windows)
+from validation_data import (CONFIGS, EXPERIMENT, FITTED_TO, LABELS, MODULI, PAPER, SUMMARIES, WALLS, WAYS, WINDOW_START,
+                             across, as_far_off, common_scatter, half_width, hybrid, interval, is_maximum, members, of_tank,
+                             pairs, paper, pooled, variations, windows)
 
+FITTED_WALL = "r_0.445"  # the case of tank_walls with the wall that is fitted
+STARTS_SHOWN = [80, 100, 110, WINDOW_START]  # s
 SHOWN = ["mean_load", "sd_load", "mean_maximum", "failure_ratio"]
 COMPARED = SHOWN + ["mean_maximum_1s"]
 
@@ -18,10 +23,13 @@ def table(heading, rows):
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows])
 
 
+def digits(value):
+    """Decimals that give three significant digits, as many as any figure here deserves."""
+    return 0 if abs(value) >= 99.95 else 1 if abs(value) >= 9.995 else 2
+
+
 def number(value):
-    """Three significant digits, as many as any figure here deserves."""
-    digits = 0 if abs(value) >= 99.95 else 1 if abs(value) >= 9.995 else 2
-    return f"{value:.{digits}f}"
+    return f"{value:.{digits(value)}f}"
 
 
 def bracketed(mean, low, high):
@@ -32,13 +40,27 @@ def with_interval(values):
     return bracketed(*interval(values))
 
 
+def plus_minus(mean, half):
+    return f"{number(mean)} ± {half:.{digits(mean)}f}"
+
+
+def beside_runs(mean, half, low, high, reference):
+    """A mean with half of its 95 % interval, and what 95 % of single runs give, in brackets: bold without the reference."""
+    mark = "" if low <= reference <= high else "**"
+    return f"{plus_minus(mean, half)} {mark}({number(low)} to {number(high)}){mark}"
+
+
 def difference(mean, half):
     mark = "**" if abs(mean) > half else ""
     return f"{mark}{mean:+.1f} ± {half:.1f}{mark}"
 
 
-def steady(rows):
-    return f"{np.sum(rows.trend_p > 0.05)} of {len(rows)}"
+def listed(values, form=str):
+    return ", ".join(form(value) for value in values)
+
+
+def off(computed, reference):
+    return listed([100 * (one / other - 1) for one, other in zip(computed, reference)], "{:+.0f}".format) + " %"
 
 
 # -- the one unknown that is fitted
@@ -62,42 +84,62 @@ def fit_radius(means, radii, target):
     return np.nan
 
 
-def fitted(means, target):
+def fitted(means, target, scatter=0.0):
     """Bottom radius in m: estimate, and the 95 % interval over arrangements (percentile bootstrap, 10,000 draws).
-    `means`: a row for each arrangement, a column for each case."""
+    `means`: a row for each arrangement, a column for each case. `scatter`: SD of the target, which is of one run."""
     radii = np.array([bottom_radius(case) for case in means.columns])
-    draws = np.random.default_rng(1).integers(len(means), size=(10000, len(means)))
-    fits = [fit_radius(means.values[rows].mean(axis=0), radii, target) for rows in draws]
+    generator = np.random.default_rng(1)
+    draws = generator.integers(len(means), size=(10000, len(means)))
+    targets = target + scatter * generator.standard_normal(len(draws))
+    fits = [fit_radius(means.values[rows].mean(axis=0), radii, one) for rows, one in zip(draws, targets)]
     low, high = np.nanquantile(fits, [0.025, 0.975])
     return fit_radius(means.values.mean(axis=0), radii, target), low, high
 
 
-def fit_row(radius, target):
+def fit_row(radius, words):
     best, low, high = radius
     return [f"**{best:.3f} [{low:.3f}, {high:.3f}]**",
-            f"**{wall_angle(best):.1f}° [{wall_angle(low):.1f}°, {wall_angle(high):.1f}°]**", f"**{target} N, fitted to**"]
+            f"**{wall_angle(best):.1f}° [{wall_angle(low):.1f}°, {wall_angle(high):.1f}°]**", words, "", ""]
+
+
+def loads_of_fit():
+    own = windows("fit_paper")
+    return own[own.start_s == WINDOW_START]
+
+
+def scatter_of_a_run():
+    """SD over arrangements of the mean load to which the wall is fitted, N."""
+    return members("table3").query("case == 'E60'").mean_load.std()
+
+
+@functools.cache
+def fitted_to_paper(one_run=False):
+    """As fitted(); `one_run`: with the scatter of the paper's run."""
+    return fitted(across(loads_of_fit(), "mean_load"), FITTED_TO["fit_paper"], scatter_of_a_run() if one_run else 0.0)
+
+
+def wall_radius(case):
+    """Radius at the bottom, m, of a case of tank_walls."""
+    return float(case.removeprefix("r_"))
 
 
 def fit():
-    rows = []
-    own = windows("fit_paper")
-    own = own[own.start_s == WINDOW_START]
+    rows, own = [], loads_of_fit()
     for case in dict.fromkeys(own.case):
         values = own[own.case == case]
         rows.append([f"{bottom_radius(case):.4g}", f"{wall_angle(bottom_radius(case)):.1f}°"]
                     + [with_interval(values[quantity]) for quantity in SHOWN[:3]])
-    rows.append(fit_row(fitted(across(own, "mean_load"), FITTED_TO["fit_paper"]), FITTED_TO["fit_paper"]) + [""] * 2)
+    rows.append(fit_row(fitted_to_paper(), f"**{FITTED_TO['fit_paper']} N, fitted to**"))
+    rows.append(fit_row(fitted_to_paper(one_run=True), f"and this is of one run, ± {scatter_of_a_run():.1f} N (SD)"))
     return table(["radius at the bottom, m", "wall below the waterline"] + [LABELS[q] for q in SHOWN[:3]], rows)
 
 
 def window():
     """Trend of the load in windows that begin later and later, mean over the walls of each arrangement."""
-    rows = []
     own = windows("fit_paper")
-    for start in sorted(own.start_s.unique()):
-        trends = own[own.start_s == start].groupby("arrangement").trend_N_per_100s.mean()
-        rows.append([f"{start} to {start + 150}", difference(trends.mean(), half_width(trends))])
-    return table(["window, s", "trend of the load, N in 100 s"], rows)
+    trends = {start: own[own.start_s == start].groupby("arrangement").trend_N_per_100s.mean() for start in STARTS_SHOWN}
+    shown = "; ".join(f"from {start} s on {difference(values.mean(), half_width(values))}" for start, values in trends.items())
+    return textwrap.fill(f"Trend of the load in windows of 150 s, mean over the walls, N in 100 s: {shown}.", 125) + "\n"
 
 
 # -- Table 3
@@ -113,17 +155,16 @@ def count_within(campaign, cases=MODULI):
     return sum(within(campaign, case, quantity)[2] for quantity, case in itertools.product(PAPER.columns, cases))
 
 
-def table3(campaign):
-    table_ = members(campaign)
-    rows = []
-    for quantity, case in itertools.product(PAPER.columns, MODULI):
-        low, high, inside = within(campaign, case, quantity)
-        rows.append([LABELS[quantity], f"{MODULI[case]}", number(paper(case, quantity)),
-                     with_interval(table_[table_.case == case][quantity]), f"{number(low)} to {number(high)}",
-                     "yes" if inside else "**no**"])
-    return table(["", "E, MPa", "paper, one run", "mean over arrangements [95 %]", "95 % prediction interval of one run",
-                  "paper within"],
-                 rows)
+def table3():
+    own, rows = members("table3"), []
+    for quantity in PAPER.columns:
+        cells = [LABELS[quantity]]
+        for case in MODULI:
+            values, (low, high, _) = own[own.case == case][quantity], within("table3", case, quantity)
+            cells.append(f"{number(paper(case, quantity))}; "
+                         + beside_runs(values.mean(), half_width(values), low, high, paper(case, quantity)))
+        rows.append(cells)
+    return table(["the paper's run; mean ± (one run)", *[f"{modulus} MPa" for modulus in MODULI.values()]], rows)
 
 
 # -- the paper's question
@@ -135,14 +176,10 @@ def signed_difference(row):
 
 
 def differences():
-    found = {campaign: {(row.quantity, row.first, row.second): row for row in pairs(campaign).itertuples()}
-             for campaign in WAYS}
-    rows = []
-    for quantity in COMPARED:
-        for first, second in itertools.combinations(MODULI, 2):
-            cells = [found[campaign].get((quantity, first, second)) for campaign in WAYS]
-            rows.append([LABELS[quantity], f"{second} - {first}"] + ["" if row is None else signed_difference(row) for row in cells])
-    return table(["", "pair", *WAYS.values()], rows)
+    found = {(row.quantity, row.first, row.second): row for row in pairs("table3").itertuples()}
+    compared = list(itertools.combinations(MODULI, 2))
+    rows = [[LABELS[quantity]] + [signed_difference(found[quantity, *pair]) for pair in compared] for quantity in COMPARED]
+    return table([""] + [f"{second} - {first}" for first, second in compared], rows)
 
 
 def findings(mean, peak, broken):
@@ -157,56 +194,135 @@ def findings(mean, peak, broken):
             "all of these": lowest_mean & highest_mean & lowest_peak & most_broken}
 
 
-def found_in(campaign):
-    return findings(*[across(members(campaign), q, list(MODULI)).values
-                      for q in ["mean_load", "mean_maximum", "failure_ratio"]])
-
-
 def trend():
-    found = {campaign: found_in(campaign) for campaign in WAYS}
+    shown = ["mean_load", "mean_maximum", "failure_ratio"]
+    found = findings(*[across(members("table3"), quantity, list(MODULI)).values for quantity in shown])
     rows = []
-    for name in found["table3"]:
-        cells = []
-        for own in found.values():
-            share = stats.binomtest(int(own[name].sum()), len(own[name])).proportion_ci(method="exact")
-            cells.append(f"{own[name].sum()} of {len(own[name])} [{100 * share.low:.0f}, {100 * share.high:.0f} %]")
-        rows.append([name] + cells)
-    return table(["three runs on one arrangement show", *WAYS.values()], rows)
+    for name, holds in found.items():
+        share = stats.binomtest(int(holds.sum()), len(holds)).proportion_ci(method="exact")
+        rows.append([name, f"{holds.sum()} of {len(holds)} [{100 * share.low:.0f}, {100 * share.high:.0f} %]"])
+    return table(["three runs on one arrangement show", "in"], rows)
 
 
-def averaging():
-    """Maxima over increasing averaging times, with the paper's contacts."""
+# -- the tank test
+
+# Quantity -> what the table calls it, the measured figure. The first three are the test; the others say what it would be if
+# the load cell averaged over another time, or if every floe with a crack was counted.
+TANK = {"mean_load": ("mean load, N", EXPERIMENT["mean_load"]),
+        "maximum_load_1s": ("largest load over 1 s, N", EXPERIMENT["maximum_load"]),
+        "split_ratio": ("floes cracked through, %", 100 * EXPERIMENT["failure_ratio"]),
+        "maximum_load_2s": ("largest load over 2 s, N", EXPERIMENT["maximum_load"]),
+        "maximum_load_0.1s": ("largest load over 0.1 s, N", EXPERIMENT["maximum_load"]),
+        "maximum_load_0.02s": ("largest load of a step, 0.02 s, N", EXPERIMENT["maximum_load"]),
+        "failure_ratio": ("floes with any crack, %", 100 * EXPERIMENT["failure_ratio"])}
+TEST = list(TANK)[:3]
+TIMES = ["1 s", "2 s", "0.1 s"]  # over which the load cell may have averaged; the first is the test
+
+
+def tank_runs(quantity):
+    """Wall -> the interval of the mean, that of one run, and whether the measured figure lies in the latter."""
+    walls, measured = of_tank(quantity), TANK[quantity][1]
+    means, runs = pooled(walls), pooled(walls, one_run=True, positive=quantity.startswith("maximum"))
+    return {case: (means[case], runs[case], bool(runs[case][1] <= measured <= runs[case][2])) for case in WALLS}
+
+
+def experiment():
     rows = []
-    for time in ["", "_0.1s", "_0.5s", "_1s", "_2s"]:
-        row = [time.strip("_").replace("s", " s") or "one step, 0.02 s"]
-        own = members("table3")
-        row += [with_interval(own[own.case == case][f"mean_maximum{time}"]) for case in MODULI]
-        rows.append(row)
-    return table(["mean of the maxima, N, averaged over"] + [f"{modulus} MPa" for modulus in MODULI.values()], rows)
+    for quantity, (label, measured) in TANK.items():
+        rows.append([label, number(measured)] + [beside_runs(mean[0], mean[2] - mean[0], *run[1:], measured)
+                                                 for mean, run, _ in tank_runs(quantity).values()])
+    for time in TIMES:
+        row = [f"mean, largest over {time}, cracked through together", "", *map(of_runs, tank_together(time))]
+        rows.insert(len(TEST) if time == TIMES[0] else len(rows), row)
+    return table(["", "measured", *WALLS.values()], rows)
 
 
-def modes():
+def tank_samples(time):
+    """The test's three figures, and of each wall an array (run, quantity): largest loads, averaged over `time`, by their
+    logarithm."""
+    def scaled(quantity, values):
+        return np.log(values) if quantity.startswith("maximum") else values
+
+    test = [f"maximum_load_{time.replace(' ', '')}" if q.startswith("maximum") else q for q in TEST]
+    samples = {case: np.column_stack([scaled(q, of_tank(q)[case]) for q in test]) for case in WALLS}
+    return np.array([scaled(q, TANK[q][1]) for q in test]), samples
+
+
+def tank_together(time=TIMES[0], own_scatter=False):
+    """How often a run on each wall is as far off as the test's three figures together, with the scatter of all runs, or that of
+    the wall's own."""
+    figures, samples = tank_samples(time)
+    return [as_far_off(figures, values.mean(axis=0), 1 / len(values),
+                       *common_scatter([values] if own_scatter else samples.values())) for values in samples.values()]
+
+
+def best_wall():
+    """The angle of the wall on which a run is most often as far off as the test's three figures, and how often: by a straight
+    line over the radius through the walls, between the bounds that the scatter of the paper's run leaves."""
+    figures, samples = tank_samples(TIMES[0])
+    common = common_scatter(samples.values())
+    at = np.concatenate([np.full(len(values), wall_radius(case)) for case, values in samples.items()])
+    slope, level = np.polyfit(at, np.concatenate(list(samples.values())), 1)
+    line = {}
+    for radius in np.linspace(*fitted_to_paper(one_run=True)[1:], 100):
+        of_mean = 1 / len(at) + (radius - at.mean()) ** 2 / ((at - at.mean()) ** 2).sum()
+        line[radius] = as_far_off(figures, slope * radius + level, of_mean, *common)
+    best = max(line, key=line.get)
+    return wall_angle(best), line[best]
+
+
+def of_runs(chance):
+    return "below 1 %" if chance < 0.005 else f"{100 * chance:.0f} %"
+
+
+def tank_says():
+    low, high = (wall_angle(radius) for radius in fitted_to_paper(one_run=True)[1:])
+    angle, most = best_wall()
+    own = listed(tank_together(own_scatter=True), of_runs)
+    return (f"With the scatter of each wall's own eight runs it is {own}. A straight line through the walls,\n"
+            f"from {low:.1f} to {high:.1f}°, has at most {of_runs(most)}, at {angle:.1f}°.\n")
+
+
+# -- the first screen
+
+def at_full_scale():
+    """Simulated mean load and Lindqvist's formula, MN, as the tables of docs/validation.md below "Full scale" have them."""
+    page = (SUMMARIES.parent / "validation.md").read_text().partition("\n## Full scale\n")[2]
+    simulated = re.search(r"^\| mean \| ([\d.]+) \[", page, re.M)
+    formula = re.search(r"^\| 5 \|(?: [\d.]+ \|){3} ([\d.]+) \|", page, re.M)
+    if not simulated or not formula:
+        raise SystemExit("docs/validation.md has no mean load below its heading Full scale, or no line of the formula at 5 GPa")
+    return float(simulated[1]), float(formula[1])
+
+
+def score():
+    """What was fitted, computed and measured, and by how much the computed mean is off."""
     rows = []
-    table_ = members("table3")
-    for case, modulus in MODULI.items():
-        own = table_[table_.case == case]
-        rows.append([f"{modulus}"] + [with_interval(own[f"failures_{mode}"]) for mode in ["bending", "shear", "compression"]])
-    return table(["E, MPa", "joints failed in bending per run", "in shear", "in compression"], rows)
-
-
-def answer():
-    """What the campaigns say, in figures."""
-    lines = []
-    for campaign, name in WAYS.items():
-        own = members(campaign)
-        means = ", ".join(number(own[own.case == case].mean_load.mean()) for case in MODULI)
-        maxima = ", ".join(number(own[own.case == case].mean_maximum.mean()) for case in MODULI)
-        broken = ", ".join(number(own[own.case == case].failure_ratio.mean()) for case in MODULI)
-        lines.append([name, f"{own.arrangement.nunique()}", means, maxima, broken, f"{count_within(campaign)} of 24"])
-    lines.append(["*the paper, one run each*", "1"] + [", ".join(number(paper(case, q)) for case in MODULI)
-                                                   for q in ["mean_load", "mean_maximum", "failure_ratio"]] + [""])
-    return table(["at 30, 60, 200 MPa", "arrangements", "mean load, N", "mean of the maxima, N", "broken floes, %",
-                  "the paper's figures inside"], lines)
+    own = members("table3")
+    fitted_to = {"mean_load": "the wall, to the one at 60 MPa", "failure_ratio": "two readings, chosen knowing it"}
+    for quantity in ["mean_load", "mean_maximum", "failure_ratio"]:
+        means = [own[own.case == case][quantity].mean() for case in MODULI]
+        papers = [paper(case, quantity) for case in MODULI]
+        inside = sum(within("table3", case, quantity)[2] for case in MODULI)
+        rows.append([f"paper's Table 3: {LABELS[quantity]}", fitted_to.get(quantity, "nothing"), listed(means, number),
+                     listed(papers, number), off(means, papers), f"{inside} of {len(means)}"])
+    fields = [name.partition(", ")[2] for name in WAYS.values()]
+    rows.append([f"all its figures; on {fields[1]} fields", "", "", "", "",
+                 f"{count_within('table3')} of 24; {count_within('crystalline')}"])
+    for quantity in TEST:
+        label, measured = TANK[quantity]
+        found = tank_runs(quantity)
+        means = [mean[0] for mean, _, _ in found.values()]
+        agrees = [WALLS[case] for case, (_, _, inside) in found.items() if inside]
+        rows.append([f"tank test: {label}", "nothing", listed(means, number), number(measured),
+                     off(means, [measured] * len(means)),
+                     "on all three walls" if len(agrees) == len(WALLS) else f"at {', '.join(agrees)}" if agrees else "no"])
+    rows.append(["tank test: the three together", "nothing", "", "", "",
+                 f"as far off: {listed(tank_together(), of_runs)} of runs"])
+    simulated, formula = at_full_scale()
+    rows.append(["full scale: mean load, MN", "nothing", f"{simulated:.2f}", f"{formula:.2f}, a formula",
+                 off([simulated], [formula]), "–"])
+    return table(["", "fitted", "computed", "reference", "computed off by", "reference within one run"], rows)
 
 
 def hybrid_points():
@@ -222,21 +338,19 @@ def hybrid_points():
 
 
 def readings():
-    """What the paper leaves open besides the wall, on scattered fields; the paper's run for comparison."""
+    """What the paper leaves open besides the wall, on scattered fields; the paper's runs for comparison."""
     axes = {axis["key"]: axis["values"]
             for axis in tomllib.loads((CONFIGS / "readings.toml").read_text())["design"]["axis"]}
     words = {"pivot": "joint", "element_centre": "element's centre", "outline": "outline",
              "every_element": "every element"}
-    table_ = members("readings")
+    table_, moduli, shown = members("readings"), ["E60", "E200"], ["mean_load", "mean_maximum", "failure_ratio"]
     rows = []
-    for modulus in ["E60", "E200"]:
-        for point in range(len(axes["contact.erp"])):
-            own = table_[table_.case == f"{modulus}+p{point:03d}"]
-            rows.append([f"{MODULI[modulus]}", words[axes["paper.moment_about"][point]],
-                         words[axes["paper.form_drag_on"][point]], f"{axes['contact.erp'][point]:g}", f"{len(own)}"]
-                        + [with_interval(own[quantity]) for quantity in SHOWN])
-        rows.append([f"{MODULI[modulus]}", "*paper*", "", "", "1"] + [number(paper(modulus, q)) for q in SHOWN])
-    return table(["E, MPa", "moment about", "form drag on", "contact Γ", "n"] + [LABELS[q] for q in SHOWN], rows)
+    for point, erp in enumerate(axes["contact.erp"]):
+        own = [table_[table_.case == f"{modulus}+p{point:03d}"] for modulus in moduli]
+        rows.append([words[axes["paper.moment_about"][point]], words[axes["paper.form_drag_on"][point]], f"{erp:g}"]
+                    + [listed(plus_minus(one[q].mean(), half_width(one[q])) for one in own) for q in shown])
+    rows.append(["*paper*", "", ""] + [listed(number(paper(modulus, q)) for modulus in moduli) for q in shown])
+    return table(["moment about", "form drag on", "contact Γ"] + [LABELS[q] for q in shown], rows)
 
 
 # -- what the model leaves open
@@ -245,15 +359,23 @@ VARIED = {"mean_load": 1, "mean_maximum_1s": 1, "failure_ratio": 100}
 
 
 def vary():
+    """Cases that change something; vary_says() names the others."""
     own = variations("vary_channel")
     rows = [["*as it is*"] + [f"{scale * row.base:.1f} ± {scale * row.sampling:.1f}" for row, scale in varied(own, own.case[0])]]
     for case in own.case.unique():
         row = [f"`{case}`" + ("" if own[own.case == case].paired.iloc[0] else " (other floes)")]
         row += [difference(scale * one.change, scale * (one.change_high - one.change_low) / 2) for one, scale in varied(own, case)]
-        rows.append(row)
+        if case not in without_effect(own):
+            rows.append(row)
     rows.append(["all inputs together"]
                 + [f"{scale * one.all_down:+.1f} to {scale * one.all_up:+.1f}" for one, scale in varied(own, own.case[0])])
     return table(["case, then changes from it", "mean load, N", "largest over 1 s, N", "broken floes, %"], rows)
+
+
+def without_effect(own):
+    """Cases in which no quantity's interval excludes zero."""
+    return [case for case in own.case.unique()
+            if all(abs(one.change) <= (one.change_high - one.change_low) / 2 for one, _ in varied(own, case))]
 
 
 def varied(own, case):
@@ -266,10 +388,13 @@ def vary_says():
     own = variations("vary_channel")
     mean, _ = varied(own, own.case[0])[0]
     down, up = mean.all_down / mean.base, mean.all_up / mean.base
-    return (f"Sampling leaves the channel's {mean.base:.1f} N open by ± {mean.sampling:.1f} N, the {own.input.nunique()} inputs "
+    none = without_effect(own)
+    names = textwrap.fill(", ".join(f"`{case}`" for case in none) + ".", 120)
+    return (f"Nothing beyond chance changes in {len(none)} cases:\n{names}\n\n"
+            f"Sampling leaves the channel's {mean.base:.1f} N open by ± {mean.sampling:.1f} N, the {own.input.nunique()} inputs "
             f"together by {mean.all_down:+.1f} to {mean.all_up:+.1f} N, which is\n{100 * down:+.0f} to {100 * up:+.0f} %.\n")
 
 
-BLOCKS = {"answer": answer, "vary": vary, "vary_says": vary_says, "table3": lambda: table3("table3"),
-          "averaging": averaging, "modes": modes, "differences": differences,
-          "trend": trend, "readings": readings, "window": window, "fit": fit, "hybrid": hybrid_points}
+BLOCKS = {"score": score, "experiment": experiment, "tank_says": tank_says, "vary": vary, "vary_says": vary_says,
+          "table3": table3, "differences": differences, "trend": trend, "readings": readings, "window": window, "fit": fit,
+          "hybrid": hybrid_points}
