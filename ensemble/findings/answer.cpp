@@ -352,6 +352,7 @@ Section overview_section(const Evidence& evidence, const Sensitivity& sensitivit
     Section section{.before = heading(evidence) + warning_lines(warnings_of(evidence.table, summary)) + "\n"};
     const bool design = evidence.campaign.design.active();
     const bool many = summary.cases.size() > most_overview_rows;
+    std::string compared;  // how, if not arrangement by arrangement
     if (design) {
         if (many) {
             add_extreme_points(summary, loads, section);
@@ -371,9 +372,9 @@ Section overview_section(const Evidence& evidence, const Sensitivity& sensitivit
         const std::vector<ApartRow> apart =
             compare_apart(evidence, evidence.reference.value_or(0), loads.front().quantity, most_overview_rows);
         section.results.push_back(case_rows(evidence, loads, apart));
-        if (!apart.empty()) section.notes.emplace_back(apart_words);
+        if (!apart.empty()) compared = " " + std::string{apart_words};
     }
-    section.after = "\n" + load_columns_text(summary) + "\n";
+    section.after = "\n" + load_columns_text(summary) + compared + "\n";
     if (many && !design)
         section.notes.push_back(fmt::format("{} more cases: --full.", summary.cases.size() - most_overview_rows));
     return section;
