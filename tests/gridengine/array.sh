@@ -1,6 +1,7 @@
 # floes array under Grid Engine: 32 parts on two slots, some of them rescheduled, asked to stop and killed, one on a full
 # disk. What is merged meanwhile and at the end is the file of one undisturbed run.
-export ARRANGEMENTS=32 WINDOW=21.0  # members of some tenths of a second, so that a part falls asleep before its last one
+# Members of some tenths of a second on an idle core, so that a part falls asleep before its last one.
+export ARRANGEMENTS=32 WINDOW=21.0 STEP=0.002
 source "$(dirname "$0")/cell.sh"
 source "$(dirname "$0")/../slurm/disturbed_array.sh"
 

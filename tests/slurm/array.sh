@@ -1,7 +1,8 @@
 # floes array under Slurm: 32 parts on two nodes, of which one comes late and goes again; some parts are put back into the
 # queue, asked to stop and killed, one finds a full disk. What is merged meanwhile and at the end is the file of one
 # undisturbed run.
-export ARRANGEMENTS=32 WINDOW=21.0  # members of some tenths of a second, so that a part falls asleep before its last one
+# Members of some tenths of a second on an idle core, so that a part falls asleep before its last one.
+export ARRANGEMENTS=32 WINDOW=21.0 STEP=0.002
 source "$(dirname "$0")/cluster.sh"
 source "$(dirname "$0")/disturbed_array.sh"
 

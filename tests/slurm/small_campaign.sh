@@ -7,6 +7,9 @@ cat > campaign.toml <<TOML
 seed = 1
 arrangements = ${ARRANGEMENTS:-6}
 
+[general]
+time_step_s = ${STEP:-0.02}
+
 [field]
 floes = 2
 concentration_percent = 40.0
