@@ -216,7 +216,8 @@ MemberRecord Parts::read(std::size_t record) const {
     const Part& part = parts_[place.part];
     const JournalContents::Place& at = part.contents.places[place.record];
     const fs::path path = piece_path(part.journal, at.piece);
-    return journal_format::read_member(open_file(path, O_RDONLY), path, at);
+    if (latest_.path != path) latest_ = {path, open_file(path, O_RDONLY)};
+    return journal_format::read_member(latest_.file, path, at);
 }
 
 StoredMembers Parts::members() const {

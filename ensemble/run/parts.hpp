@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "core/descriptor.hpp"
 #include "inference/precision_stop.hpp"
 #include "run/inventory.hpp"
 #include "store/journal.hpp"
@@ -97,6 +98,12 @@ class Parts {
     void add_unfinished(std::vector<std::string>& sentences) const;
     MemberRecord read(std::size_t record) const;
 
+    /// A journal, or a piece of one.
+    struct OpenFile {
+        std::filesystem::path path;
+        Descriptor file;
+    };
+
     std::vector<Part> parts_;
     bool merged_before_;
     std::size_t largest_ = 0;
@@ -106,6 +113,7 @@ class Parts {
     std::optional<PrecisionStop> rule_;
     Campaign published_;
     std::vector<std::optional<std::size_t>> matched_;
+    mutable OpenFile latest_;  ///< that a record was read from: opening costs a network file system more than reading
 };
 
 /// Whether a run writes the journal: by its lock, or where a lock cannot be seen by a fresh heartbeat.
