@@ -12,39 +12,13 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 unset FLOES_LAUNCHER
 
+# shellcheck source=SCRIPTDIR/../support/channel.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../support/channel.sh"
 FOLDER=$(mktemp -d)
 trap 'rm -rf "$FOLDER"' EXIT
 cd "$FOLDER"
 
-# campaign.toml: 2 cases x 4 arrangements of four floes, some tenths of a second each.
-cat > campaign.toml <<'TOML'
-[campaign]
-seed = 1
-arrangements = 4
-
-[field]
-floes = 4
-concentration_percent = 40.0
-begin_m = 2.0
-half_width_m = 1.25
-
-[structure]
-profile_m = [[-0.443, 0.43], [0.0, 0.614], [0.122, 0.736]]
-start_m = 1.38
-speed_m_s = 0.03
-
-[analysis]
-steady_start_s = 2.0
-window_s = 24.0
-
-[[case]]
-name = "E30"
-elastic_modulus_MPa = 30.0
-
-[[case]]
-name = "E200"
-elastic_modulus_MPa = 200.0
-TOML
+channel 4 4 24.0 > campaign.toml
 
 fail() {
     echo "FAILED: $*" >&2
@@ -66,11 +40,6 @@ expect() {
 # said NAME TEXT: fails unless the output of NAME has the text.
 said() {
     grep -qF -- "$2" "$1.log" || fail "$1 did not say '$2'"
-}
-
-# same A.h5 B.h5: fails unless both files have the same values outside /provenance.
-same() {
-    h5diff --exclude-path /provenance "$1" "$2" > difference.log 2>&1 || fail "$1 and $2 differ"
 }
 
 # wait_for_a_member FILE.journal: until the journal has a member (or the campaign is over); a header takes less.
