@@ -52,8 +52,7 @@ Odd large_elements(const Case& one) {
     const double element = largest_element(scenario);
     if (one.pairing == Pairing::find_modulus || element < length) return {};
     return {fmt::format("{} is not below {:.3g} m, the characteristic length of ice of {:g} MPa; such elements are too "
-                        "large to show "
-                        "where the ice would bend and break",
+                        "large to show where the ice would bend and break",
                         element_words(scenario, element), length, scenario.ice.elastic_modulus / unit::megapascal),
             element / length};
 }
@@ -99,8 +98,7 @@ Odd few_sweeps(const Case& one) {
     constexpr int few = 10;
     if (one.scenario.general.iterations >= few) return {};
     return {fmt::format("{} leaves contacts unsolved, and the load depends on it; with solver direct steps end by "
-                        "themselves, and the "
-                        "default is only the most that one may take",
+                        "themselves, and the default is only the most that one may take",
                         given(one.scenario, "general.iterations")),
             static_cast<double>(-one.scenario.general.iterations)};
 }
@@ -111,8 +109,7 @@ Odd long_steps(const Case& one) {
     const double way = scenario.structure.speed * scenario.general.time_step;
     if (way <= most_of_thickness * scenario.floe.thickness) return {};
     return {fmt::format("{} and {} take the structure {:.3g} m on in each step, more than a tenth of the ice's "
-                        "thickness; a shorter "
-                        "step resolves how it meets the ice",
+                        "thickness; a shorter step resolves how it meets the ice",
                         given(scenario, "general.time_step_s"), given(scenario, "structure.speed_m_s"), way),
             way / scenario.floe.thickness};
 }
@@ -122,8 +119,7 @@ Odd narrow_gap(const Case& one) {
     const std::optional<BankGap> gap = one.scenario.gap();
     if (!gap || gap->floes >= few) return {};
     return {fmt::format("{} leaves {:.3g} m between the structure and the bank, {:.3g} sides of a floe; below two the "
-                        "load depends on "
-                        "the gap (docs/sea_ice.md), and floes vary has a wider channel",
+                        "load depends on the gap (docs/sea_ice.md), and floes vary has a wider channel",
                         given(one.scenario, "field.half_width_m"), gap->breadth, gap->floes),
             -gap->floes};
 }
@@ -179,7 +175,6 @@ Odd early_window(const Case& one) {
 
 /// As floes design refuses them after the run.
 Odd long_period(const Case& one) {
-    constexpr double fewest_periods = 3;
     const Scenario& scenario = one.scenario;
     if (!scenario.moorings.give_way()) return {};
     double longest = 0;

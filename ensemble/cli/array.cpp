@@ -45,6 +45,11 @@ struct ArrayOptions {
     std::vector<std::string> overrides;
 };
 
+/// Of a task, as far as they are known before it starts.
+int cores_of(const ArrayOptions& options) {
+    return options.cores == 0 ? usual_cores : options.cores;
+}
+
 /// How a campaign is divided.
 struct Division {
     int parts = 1;
@@ -94,7 +99,7 @@ void replace_all(std::string& text, std::string_view what, std::string_view by) 
 std::string options_of(const ArrayOptions& options) {
     std::string words = "--isolation process";
     const bool all_cores = options.system == "parallel" && options.cores == 0;
-    if (!all_cores) words += fmt::format(" --threads {}", options.cores == 0 ? usual_cores : options.cores);
+    if (!all_cores) words += fmt::format(" --threads {}", cores_of(options));
     for (const std::string& setting : options.overrides) words += " --set " + shell_word(setting);
     return words;
 }
@@ -107,7 +112,7 @@ std::string merge_words(const fs::path& output) {
 std::string script_of(const ArrayOptions& options, const Division& division, const fs::path& output,
                       const std::string& name) {
     const std::string stem = fs::path(output).replace_extension("").string();
-    const int cores = options.cores == 0 ? usual_cores : options.cores;
+    const int cores = cores_of(options);
     const int usual_hours = static_cast<int>(std::ceil(4 * division.longest / unit::hour));
     const int hours = options.hours > 0 ? options.hours : std::clamp(usual_hours, 1, 24);
     const std::string next = fmt::format(
@@ -153,15 +158,14 @@ int write_array(const ArrayOptions& options) {
     const Campaign campaign = load_campaign(options.config, options.overrides);
     const fs::path output =
         options.output.empty() ? fs::path(fs::path(options.config).stem().string() + ".h5") : fs::path(options.output);
-    const Division division = divide(options, campaign, options.cores == 0 ? usual_cores : options.cores);
+    const Division division = divide(options, campaign, cores_of(options));
     const std::string script = fmt::format("{}.{}.sh", output.stem().string(), options.system);
     write_new(script, script_of(options, division, output, script));
     std::printf("%s\n", script.c_str());
-    fmt::print(stderr,
-               "floes: {} of {}, about {} each on {}; run times: {}\nfloes: now {}, and when parts are done {}\n",
-               counted(division.parts, "part"), counted(member_count(campaign), "member"),
-               duration_text(division.longest), counted(options.cores == 0 ? usual_cores : options.cores, "core"),
-               division.source, submit_words(options.system, script), merge_words(output));
+    fmt::print(
+        stderr, "floes: {} of {}, about {} each on {}; run times: {}\nfloes: now {}, and when parts are done {}\n",
+        counted(division.parts, "part"), counted(member_count(campaign), "member"), duration_text(division.longest),
+        counted(cores_of(options), "core"), division.source, submit_words(options.system, script), merge_words(output));
     return 0;
 }
 

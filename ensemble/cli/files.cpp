@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign_file/publish.hpp"
+#include "core/descriptor.hpp"
 #include "core/error.hpp"
 #include "core/shell_word.hpp"
 #include "run/parts.hpp"
@@ -149,6 +151,22 @@ void expect_no_other_file(const fs::path& path) {
                                  : kind == GivenFile::journal ? "a journal"
                                                               : "no campaign file",
                                  other.string()));
+}
+
+void write_new(const fs::path& path, const std::string& text) {
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.get() < 0 && errno == EEXIST)
+        throw InputError(fmt::format("{} exists already and is left as it is; give another name.", path.string()));
+    if (file.get() < 0)
+        throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", path.string(),
+                                     std::strerror(errno)));
+    try {
+        write_all(file, path, std::as_bytes(std::span(text)));
+    } catch (const RunError&) {
+        std::error_code ignored;
+        fs::remove(path, ignored);
+        throw;
+    }
 }
 
 void expect_place(const fs::path& path) {

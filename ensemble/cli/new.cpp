@@ -1,12 +1,7 @@
-#include <fcntl.h>
-
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,10 +12,8 @@
 #include "cli/commands.hpp"
 #include "cli/config.hpp"
 #include "cli/files.hpp"
-#include "core/descriptor.hpp"
 #include "core/error.hpp"
 #include "core/shell_word.hpp"
-#include "store/file_calls.hpp"
 
 // floes new: the configuration that a first campaign begins with.
 
@@ -47,26 +40,6 @@ std::string text_of(const NewOptions& options, const std::string& name) {
     constexpr std::string_view placeholder = "CONFIG.toml";
     return text.replace(text.find(placeholder), placeholder.size(), name);
 }
-
-}  // namespace
-
-void write_new(const std::filesystem::path& path, const std::string& text) {
-    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (file.get() < 0 && errno == EEXIST)
-        throw InputError(fmt::format("{} exists already and is left as it is; give another name.", path.string()));
-    if (file.get() < 0)
-        throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", path.string(),
-                                     std::strerror(errno)));
-    try {
-        write_all(file, path, std::as_bytes(std::span(text)));
-    } catch (const RunError&) {
-        std::error_code ignored;
-        std::filesystem::remove(path, ignored);
-        throw;
-    }
-}
-
-namespace {
 
 int make(const NewOptions& options) {
     const std::filesystem::path path = options.file;

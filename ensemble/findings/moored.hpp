@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/advice.hpp"
 #include "inference/interval.hpp"
 #include "scenario/scenario.hpp"
 #include "statistics/averaged_load.hpp"
@@ -37,8 +38,6 @@ void check_hull(const Oscillator& hull);
 
 /// Fewest values of a history in a natural period: with fewer, the largest offset between two is missed by over 1.2 %.
 inline constexpr double fewest_values = 20;
-/// Fewest natural periods in a window: with fewer, its largest offset is one swing.
-inline constexpr double fewest_periods = 3;
 /// Most of the entry's swing that may be left when the window begins.
 inline constexpr double most_left = 0.05;
 
