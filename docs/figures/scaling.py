@@ -1,11 +1,10 @@
 #!/usr/bin/python3
-"""What `floes plan` foretells on 2 to 100,000 cores, ten members a core: a figure, and the same as a table. With
+"""What `floes plan` foretells on 2 to 1,000,000 cores, twenty members a core: a figure, and the same as a table. With
 --no-file, and how long one core writes the campaign file then.
 
-Usage: scaling.py FLOES CONFIGS OUTPUT.svg      (FLOES: the program, CONFIGS: the folder configs/)
+Usage: scaling.py FLOES CONFIGS OUTPUT.svg      (FLOES: the program, CONFIGS: the folder configs/; five minutes)
 """
-import csv
-import io
+import json
 import os
 import subprocess
 import sys
@@ -16,24 +15,31 @@ matplotlib.use("agg")
 import matplotlib.pyplot as plt
 
 CORES = [2, 8, 64, 512, 1000, 2000, 4000, 8000, 16000, 32000, 64000, 100000]
-IN_THE_TABLE = [2, 64, 1000, 8000, 32000, 100000]
-# title, configuration, bytes of a record (None: as it is), colour, line
+MANY = CORES + [300000, 1000000]
+IN_THE_TABLE = [2, 64, 1000, 8000, 32000, 100000, 1000000]
+MEMBERS_A_CORE = 20
+# what is added to the title, configuration, cores, bytes of a record (None: as it is), options, colour, line
 CURVES = [
-    ("31 s members with histories, 188 kB (Table 3)", "validation/crystalline.toml", None, "#0072B2", "-"),
-    ("31 s members without histories, 5 kB", "validation/crystalline.toml", 5000, "#0072B2", "--"),
-    ("0.4 s members with histories, 22 kB (smoke.toml)", "smoke.toml", None, "#D55E00", "-"),
-    ("0.4 s members without histories, 2 kB", "smoke.toml", 2000, "#D55E00", "--"),
+    ("with histories", "validation/crystalline.toml", CORES, None, [], "#0072B2", "-"),
+    ("thinned", "validation/crystalline.toml", MANY, 10000, [], "#0072B2", "--"),
+    ("with histories", "smoke.toml", CORES, None, ["--set", "analysis.window_s=8"], "#D55E00", "-"),
+    ("without histories", "smoke.toml", CORES, 2000, ["--set", "analysis.window_s=8"], "#D55E00", "--"),
 ]
 
 
-def plan(program, config, cores, record_bytes):
-    arrangements = -(-10 * cores // 3)
-    command = [program, "plan", config, "--cores", str(cores), "--format", "csv", "--no-file",
+def plan(program, config, cores, record_bytes, options):
+    """A row of the plan, and the mean member's run time (s) and bytes."""
+    arrangements = -(-MEMBERS_A_CORE * cores // 3)
+    if 3 * arrangements > 20_000_000:
+        arrangements -= 1
+    command = [program, "plan", config, "--cores", str(cores), "--format", "json", "--no-file", *options,
                "--set", f"campaign.arrangements={arrangements}"]
     if record_bytes:
         command += ["--record-bytes", str(record_bytes)]
-    text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    row = {key: float(value) for key, value in next(csv.DictReader(io.StringIO(text))).items()}
+    answer = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    row = answer["plans"][0]
+    row["member_s"] = answer["mean_run_time_s"]
+    row["member_bytes"] = answer["message_bytes"]
     row["busiest"] = max(row["master_busy"], row["writer_busy"])
     row["efficiency_with_file"] = row["efficiency"] * row["wall_time_s"] / (row["wall_time_s"] + row["file_s"])
     return row
@@ -56,8 +62,9 @@ def main(program, configs, output):
     print("| members | cores | ranks | writers | wall time, s | efficiency | master busy | busiest other writer "
           "| campaign file | written in, s | efficiency with it |")
     print("|---|---|---|---|---|---|---|---|---|---|---|")
-    for title, config, record_bytes, colour, line in CURVES:
-        rows = [plan(program, os.path.join(configs, config), cores, record_bytes) for cores in CORES]
+    for what, config, counts, record_bytes, options, colour, line in CURVES:
+        rows = [plan(program, os.path.join(configs, config), cores, record_bytes, options) for cores in counts]
+        title = f"{rows[-1]['member_s']:.2g} s members {what}, {rows[-1]['member_bytes'] / 1000:.0f} kB"
         for row in rows:
             if row["cores"] not in IN_THE_TABLE:
                 continue
@@ -65,8 +72,8 @@ def main(program, configs, output):
                   f"| {100 * row['efficiency']:.1f} % | {100 * row['master_busy']:.1f} % "
                   f"| {100 * row['writer_busy']:.1f} % | {size(row['file_bytes'])} | {figures(row['file_s'])} "
                   f"| {100 * row['efficiency_with_file']:.1f} % |")
-        efficiency.plot(CORES, [100 * row["efficiency"] for row in rows], line, color=colour, marker=".", label=title)
-        busy.plot(CORES, [100 * row["busiest"] for row in rows], line, color=colour, marker=".", label=title)
+        efficiency.plot(counts, [100 * row["efficiency"] for row in rows], line, color=colour, marker=".", label=title)
+        busy.plot(counts, [100 * row["busiest"] for row in rows], line, color=colour, marker=".", label=title)
     efficiency.set_ylabel("efficiency until all results are on the disk (%)")
     busy.set_ylabel("busiest of master and writers (%)")
     for axis in (efficiency, busy):

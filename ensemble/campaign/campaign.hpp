@@ -87,7 +87,7 @@ struct MemberKey {
 };
 
 /// The most members of a campaign: the master keeps some hundred bytes for each.
-inline constexpr std::int64_t most_members = 2'000'000;
+inline constexpr std::int64_t most_members = 20'000'000;
 
 int member_count(const Campaign& campaign);
 /// number in [0, member_count): arrangement * cases + case.

@@ -139,7 +139,7 @@ Keys describe(CampaignHead& head) {
                                  std::numeric_limits<std::int64_t>::max()},
                     "any number will do",
                     "Seed of all random numbers. Another seed gives another set of arrangements."});
-    keys.push_back(integer_key("campaign.arrangements", head.arrangements, 1, 1000000, "a quick look",
+    keys.push_back(integer_key("campaign.arrangements", head.arrangements, 1, most_members, "a quick look",
                                "Number of random arrangements; every case is run with each of them. A larger number "
                                "only adds members: finished members stay valid."));
     keys.push_back(switch_key(common_path, head.common_arrangements, "smaller uncertainty of differences",

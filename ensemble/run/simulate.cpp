@@ -22,8 +22,7 @@
 //
 // on two cores of an otherwise idle virtual machine (Intel Xeon, family 6 model 207; Open MPI 4.1.4, HDF5 1.10.8):
 // processor times, the smaller of two rounds. docs/performance.md compares the resulting plan with real runs.
-// Publishing, reading and `kept` are of a later build, on a crowded machine: packing took as long as before, so the
-// first two hold; `kept` is an upper bound. Not measured but taken from experience: start_up_per_rank, publish,
+// Publishing, reading and `kept` are of later builds. Not measured but taken from experience: start_up_per_rank, publish,
 // latency, transfer_per_byte, and the variation of members. Run times of members: configs/table3.toml, 94 s of
 // processor time for three members, 234 s for one with the stock solver. Bytes: the 90 members of that campaign.
 // Memory: what 200,001 members of tests/faults take more than 50,001, at most at any moment.
@@ -41,7 +40,7 @@ DriverCosts measured_costs() {
         .receive = 1.5e-6,
         .answer = 6.2e-6,
         .own_member = 17e-6,
-        .kept = 6.5e-6,
+        .kept = 2.8e-6,
         .receive_per_byte = 0.24e-9,
         .keep_per_byte = 1.3e-9,
         .sync = 0.6e-3,

@@ -26,10 +26,10 @@ std::string cases(int count) {
 
 // The number of members was an int that had overflowed.
 TEST(CampaignLimits, MoreMembersThanCanBeHeldAreRefused) {
-    EXPECT_EQ(refused("campaign.arrangements = 1000000\n" + cases(3)),
-              "a.toml: 3 cases with 1000000 arrangements make 3000000 members, more than the 2000000 that a campaign "
+    EXPECT_EQ(refused("campaign.arrangements = 10000000\n" + cases(3)),
+              "a.toml: 3 cases with 10000000 arrangements make 30000000 members, more than the 20000000 that a campaign "
               "can hold; take fewer of either, or run several campaigns");
-    EXPECT_NO_THROW(read_campaign({"campaign.arrangements = 1000000\n" + cases(2), "a.toml", {}, true}, nullptr));
+    EXPECT_NO_THROW(read_campaign({"campaign.arrangements = 10000000\n" + cases(2), "a.toml", {}, true}, nullptr));
 }
 
 // Each value was compared with all earlier ones.

@@ -201,7 +201,7 @@ TEST(ReadCampaign, EveryMessageIsOneSentence) {
         {"campaign.seed = -1\n",
          "configs/a.toml:1: campaign.seed = -1 is out of range; allowed: a whole number from 0"},
         {"campaign.arrangements = 0\n",
-         "configs/a.toml:1: campaign.arrangements = 0 is out of range; allowed: a whole number from 1 to 1000000"},
+         "configs/a.toml:1: campaign.arrangements = 0 is out of range; allowed: a whole number from 1 to 20000000"},
         {"field.floes = 0\n",
          "configs/a.toml:1: field.floes = 0 is out of range; allowed: a whole number from 1 to 1000000"},
         {"joint.cfm = 1.0\n",

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -68,7 +69,8 @@ TEST(Hybrid, PrintsATable) {
 }
 
 TEST(Hybrid, SaysWhichCaseItTookAndThatItsStrengthIsOfTheSea) {
-    const std::string table3 = hybrid(std::string(FLOES_SOURCE_DIR) + "/configs/table3.toml --modulus-MPa 60");
+    std::string table3 = hybrid(std::string(FLOES_SOURCE_DIR) + "/configs/table3.toml --modulus-MPa 60");
+    std::ranges::replace(table3, '\n', ' ');  // where a line ends depends on the folder
     EXPECT_NE(table3.find("the first of the 3 cases of "), std::string::npos) << table3;
     EXPECT_NE(table3.find("C_R is of sea ice at full scale, and ice.compressive_strength_kPa = "), std::string::npos);
     EXPECT_EQ(hybrid("--modulus-MPa 60 --crushing-MPa 0.2").find("at full scale, and"), std::string::npos);
