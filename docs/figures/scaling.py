@@ -22,8 +22,8 @@ MEMBERS_A_CORE = 20
 CURVES = [
     ("with histories", "validation/crystalline.toml", CORES, None, [], "#0072B2", "-"),
     ("thinned", "validation/crystalline.toml", MANY, 10000, [], "#0072B2", "--"),
-    ("with histories", "smoke.toml", CORES, None, ["--set", "analysis.window_s=8"], "#D55E00", "-"),
-    ("without histories", "smoke.toml", CORES, 2000, ["--set", "analysis.window_s=8"], "#D55E00", "--"),
+    ("with histories", "smoke.toml", CORES, None, ["--set", "analysis.window_s=9"], "#D55E00", "-"),
+    ("without histories", "smoke.toml", CORES, 2000, ["--set", "analysis.window_s=9"], "#D55E00", "--"),
 ]
 
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "core/text.hpp"
 #include "core/undefined.hpp"
 #include "core/units.hpp"
+#include "member/array_output.hpp"
 #include "run/simulate.hpp"
 #include "store/journal.hpp"
 #include "store/member_record.hpp"
@@ -33,23 +33,22 @@ double bytes_of(const std::filesystem::path& journal) {
 
 MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesystem::path& campaign_file) {
     const JournalContents contents = read_journal(journal);
-    MeasuredRun run{read_stored_campaign(contents, journal), {}, 0};
+    MeasuredRun run{read_stored_campaign(contents, journal), {}, bytes_of(journal)};
     for (const std::optional<std::size_t>& record : match_records(run.campaign, contents.members)) {
         const bool done = record && contents.members[*record].done();
         run.wall_time.push_back(done ? contents.members[*record].wall_time : undefined);
     }
     // During a run the file is older than the journal.
     const bool complete = !contents.sessions.empty() && !contents.sessions.back().ended.empty();
-    if (complete && std::filesystem::exists(campaign_file)) {
-        run.file_per_record_byte = static_cast<double>(std::filesystem::file_size(campaign_file)) / bytes_of(journal);
-    }
+    if (complete && std::filesystem::exists(campaign_file))
+        run.file_bytes = static_cast<double>(std::filesystem::file_size(campaign_file));
     return run;
 }
 
 MeasuredRun of_campaign_file(const std::filesystem::path& path) {
     const CampaignFile file(path);
     const CampaignTable table = read_campaign_file(file);
-    MeasuredRun run{file.campaign(), read_wall_times(file), 0};
+    MeasuredRun run{file.campaign(), read_wall_times(file), 0, static_cast<double>(std::filesystem::file_size(path))};
     for (std::size_t k = 0; k < run.wall_time.size(); ++k)
         if (table.members.at(k).status != RowStatus::done) run.wall_time[k] = undefined;
     return run;
@@ -99,16 +98,19 @@ double record_bytes(const Scenario& scenario) {
     return static_cast<double>(encode(record).size());
 }
 
-/// Sizes of its three rows of numbers, packed.
+/// Sizes of its rows of numbers, packed: three of loads, and those of the motions that the hull has.
 struct HistoryBytes {
     double all = 0;
     double deflated = 0;  ///< the compressed part; small sets are left uncompressed
 
-    HistoryBytes(const Analysis& analysis, int steps) {
-        if (!analysis.keep_history) return;
-        const int numbers = steps / analysis.history_stride;
-        all = 3.0 * numbers * measured_member_costs().history_bytes;
-        if (PackedNumbers{static_cast<std::uint64_t>(numbers), {}}.deflated()) deflated = all;
+    explicit HistoryBytes(const Scenario& scenario) {
+        for (const ArrayOutput& output : array_outputs) {
+            if (output.group() != "history" || !scenario.analysis.keep_history) continue;
+            const std::size_t numbers = output.axes[0]->places(scenario).size();
+            const double bytes = measured_member_costs().history_bytes * static_cast<double>(numbers);
+            all += bytes;
+            if (PackedNumbers{numbers, {}}.deflated()) deflated += bytes;
+        }
     }
 };
 
@@ -126,14 +128,12 @@ double scatter(const std::array<double, 2>& uniform, double variation) {
     return std::exp(sigma * normal - sigma * sigma / 2);
 }
 
-/// `file_of`: size of a record in the campaign file from the bytes of its history and its other bytes.
-std::vector<SimulatedMember> members_of(const Campaign& campaign,
-                                        const std::function<double(double history, double others)>& file_of) {
+std::vector<SimulatedMember> members_of(const Campaign& campaign) {
     std::vector<HistoryBytes> histories;
     std::vector<double> others;
     std::vector<double> costs;
     for (const Case& one : campaign.cases) {
-        histories.emplace_back(one.scenario.analysis, one.scenario.step_count());
+        histories.emplace_back(one.scenario);
         others.push_back(record_bytes(one.scenario));
         costs.push_back(expected_cost(campaign, static_cast<int>(costs.size())));  // of the case's first member
     }
@@ -143,15 +143,10 @@ std::vector<SimulatedMember> members_of(const Campaign& campaign,
         const auto k = static_cast<std::size_t>(member_key(campaign, number).case_index);
         members.push_back({.expected_cost = costs[k],
                            .record_bytes = histories[k].all + others[k],
-                           .file_bytes = file_of(histories[k].all, others[k]),
+                           .file_bytes = histories[k].all + measured_member_costs().file_per_record_byte * others[k],
                            .packed_bytes = histories[k].deflated});
     }
     return members;
-}
-
-/// Used without a measured run.
-double usual_file_bytes(double history, double others) {
-    return history + measured_member_costs().file_per_record_byte * others;
 }
 
 /// Measured seconds per unit of expected cost, for each case of the run and for all its members.
@@ -178,6 +173,25 @@ const std::vector<double>& rates_for(const Case& one, const MeasuredRun& run, co
     if (same == run.campaign.cases.end()) return rates.of_all;
     const auto& own = rates.of_case[static_cast<std::size_t>(same - run.campaign.cases.begin())];
     return own.empty() ? rates.of_all : own;
+}
+
+/// Makes sizes as much larger as those of the run are than they would have been planned.
+void scale_as_measured(std::vector<SimulatedMember>& members, const MeasuredRun& run) {
+    const std::vector<SimulatedMember> planned = members_of(run.campaign);
+    double journal = 0;
+    double file = measured_member_costs().file_bytes;
+    for (std::size_t k = 0; k < planned.size(); ++k) {
+        if (std::isnan(run.wall_time[k])) continue;
+        journal += planned[k].record_bytes;
+        file += planned[k].file_bytes;
+    }
+    const double of_journal = run.journal_bytes > 0 ? run.journal_bytes / journal : run.file_bytes / file;
+    const double of_file = run.file_bytes > 0 ? run.file_bytes / file : of_journal;
+    for (SimulatedMember& member : members) {
+        member.record_bytes *= of_journal;
+        member.packed_bytes *= of_journal;
+        member.file_bytes *= of_file;
+    }
 }
 
 }  // namespace
@@ -208,7 +222,7 @@ double time_per_unit(const Scenario& scenario, const MemberCosts& costs) {
 
 PlannedMembers expected_members(const Campaign& campaign) {
     const MemberCosts costs = measured_member_costs();
-    PlannedMembers planned{members_of(campaign, usual_file_bytes), costs.source};
+    PlannedMembers planned{members_of(campaign), costs.source};
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);
         const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
@@ -222,11 +236,10 @@ PlannedMembers expected_members(const Campaign& campaign) {
 PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run) {
     const MeasuredRates rates = rates_of(run);
     if (rates.of_all.empty()) throw InputError(fmt::format("no member of {} is done yet.", run.campaign.name));
-    const double ratio = run.file_per_record_byte;
-    const auto as_measured = [ratio](double history, double others) { return ratio * (history + others); };
     PlannedMembers planned{
-        ratio > 0 ? members_of(campaign, as_measured) : members_of(campaign, usual_file_bytes),
+        members_of(campaign),
         fmt::format("{} of {}", counted(std::ssize(rates.of_all), "measured member"), run.campaign.name)};
+    scale_as_measured(planned.members, run);
     std::vector<const std::vector<double>*> of_case;
     for (const Case& one : campaign.cases) of_case.push_back(&rates_for(one, run, rates));
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
@@ -253,9 +266,11 @@ int usual_ranks(int cores) {
 PlanRow plan_row(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs,
                  bool with_file) {
     const auto& cores = machine.cores_of_rank;
-    return {std::accumulate(cores.begin(), cores.end(), 0), static_cast<int>(cores.size()),
-            simulate(members, machine, costs, with_file),
-            costs.memory_per_member * static_cast<double>(members.size())};
+    PlanRow row{std::accumulate(cores.begin(), cores.end(), 0), static_cast<int>(cores.size()),
+                simulate(members, machine, costs, with_file),
+                costs.memory_per_member * static_cast<double>(members.size())};
+    row.forecast.file_bytes += measured_member_costs().file_bytes;
+    return row;
 }
 
 }  // namespace floes

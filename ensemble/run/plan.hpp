@@ -15,8 +15,9 @@ namespace floes {
 
 struct MeasuredRun {
     Campaign campaign;
-    std::vector<double> wall_time;    ///< s, of each member, in member order; NaN unless it is done
-    double file_per_record_byte = 0;  ///< size of the campaign file over that of the journal; 0: one of them is missing
+    std::vector<double> wall_time;  ///< s, of each member, in member order; NaN unless it is done
+    double journal_bytes = 0;       ///< 0: there is none
+    double file_bytes = 0;          ///< 0: there is none, or it is older than the journal
 };
 
 /// From the journal beside the campaign file, or from the campaign file alone. Throws InputError if neither can be

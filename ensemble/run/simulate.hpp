@@ -55,13 +55,15 @@ DriverCosts measured_costs();
 
 /// Costs of a member.
 struct MemberCosts {
-    double direct_per_unit = 0;       ///< s per unit of expected_cost(), an element in a step; beams solved exactly
-    double lanes_per_unit = 0;        ///< the same with sweeps over joints, as the paper has them
-    double stock_per_unit = 0;        ///< the same with Bullet's own solver
-    double jam = 0;                   ///< times this at an upright wall, where jams take many sweeps
-    double variation = 0;             ///< of the run times of a case: standard deviation over mean
-    double history_bytes = 0;         ///< per number of a load history, packed, in record and campaign file
+    double direct_per_unit = 0;  ///< s per unit of expected_cost(), an element in a step; beams solved exactly
+    double lanes_per_unit = 0;   ///< the same with sweeps over joints, as the paper has them
+    double stock_per_unit = 0;   ///< the same with Bullet's own solver
+    double jam = 0;              ///< times this at an upright wall, where jams take many sweeps
+    double variation = 0;        ///< of the run times of a case: standard deviation over mean
+    double history_bytes =
+        0;  ///< per number of a history, packed, in record and campaign file: of ice that leaves the hull less
     double file_per_record_byte = 0;  ///< of everything else: the file has rows that several records share only once
+    double file_bytes = 0;            ///< of a campaign file without members
     std::string source;               ///< a sentence: where and when
 };
 
