@@ -3,7 +3,7 @@
 
     bench/dispatch.py build/release/bench/floes_dispatch OUTPUT.json [--rounds 3] [--folder FOLDER]
 
-Members sleep, so a machine of two cores can host many ranks. Prints the costs for ensemble/run/simulate.cpp
+Members sleep, so a machine of two cores can host many ranks. Prints the costs for ensemble/run/plan.cpp
 (processor times, the least of all rounds) and a table of real and foretold wall time (the least of all rounds). The
 journal is written in FOLDER: its disk is the one that is measured.
 """

@@ -9,7 +9,7 @@
 #include "shapes/convex_solid.hpp"
 #include "simulation/sheets.hpp"
 #include "water/water_model.hpp"
-#include "world/material_friction.hpp"
+#include "world/engine.hpp"
 #include "world/state.hpp"
 
 namespace floes::bench {

@@ -39,21 +39,26 @@ function(floes_compile_options target)
 endfunction()
 floes_compile_options(floes_precompiled)
 
-# Each kernels_*.cpp of a module for its own instruction set; which one runs is decided at run time.
-function(floes_lane_kernels path)
-  set(kernels -fno-math-errno -Wno-psabi)
-  set(instructions_scalar)
-  set(instructions_sse2 -msse2)
-  set(instructions_avx2 -mavx2)
-  set(instructions_avx512 -mavx512f -mprefer-vector-width=512)
-  foreach(set scalar sse2 avx2 avx512)
-    set(source ${PROJECT_SOURCE_DIR}/${path}/kernels_${set}.cpp)
-    if(set STREQUAL "scalar" OR CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-      set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${kernels};${instructions_${set}}"
-                                  SKIP_PRECOMPILE_HEADERS ON)
-    else()
-      set_source_files_properties(${source} PROPERTIES HEADER_FILE_ONLY ON)
-    endif()
+# floes_lane_kernels(src/NAME FILE KERNELS): compiles NAME/FILE, all kernels of one lane width, for each instruction set
+# into an object that is called KERNELS_SET; which one runs is decided at run time.
+function(floes_lane_kernels path file kernels)
+  get_filename_component(name ${path} NAME)
+  set(sets scalar:1)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    list(APPEND sets sse2:2:-msse2 avx2:4:-mavx2 "avx512:8:-mavx512f -mprefer-vector-width=512")
+  endif()
+  foreach(entry ${sets})
+    string(REPLACE ":" ";" entry "${entry}:")
+    list(GET entry 0 set)
+    list(GET entry 1 lanes)
+    list(GET entry 2 options)
+    separate_arguments(options)
+    set(source ${PROJECT_BINARY_DIR}/generated/${name}/kernels_${set}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT
+         "#define FLOES_LANES ${lanes}\n#define FLOES_KERNELS ${kernels}_${set}\n#include \"${name}/${file}\"\n")
+    target_sources(floes_${name} PRIVATE ${source})
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "-fno-math-errno;-Wno-psabi;${options}"
+                                SKIP_PRECOMPILE_HEADERS ON)
   endforeach()
 endfunction()
 

@@ -82,16 +82,6 @@ constexpr double mebibyte = 1024.0 * 1024.0;
 constexpr std::pair<std::string_view, std::string_view> shorthands[]{
     {"cfm", "joint.cfm"}, {"elastic_modulus_MPa", "ice.elastic_modulus_MPa"}};
 
-/// Keys of a campaign's tables, [campaign] first.
-Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& rules, Scenario& scenario) {
-    Keys keys = describe(head);
-    for (Key& key : describe(design)) keys.push_back(std::move(key));
-    for (Key& key : describe(stop)) keys.push_back(std::move(key));
-    for (Key& key : describe(rules)) keys.push_back(std::move(key));
-    for (Key& key : describe(scenario)) keys.push_back(std::move(key));
-    return keys;
-}
-
 std::string about_stop_of() {
     std::vector<std::string_view> stoppable;
     for (const Quantity& one : quantities)
@@ -128,6 +118,16 @@ constexpr const char* about_cases =
     "# scale = \"linear\"\n";
 
 }  // namespace
+
+Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& rules, Scenario& scenario) {
+    Keys keys = describe(head);
+    keys.reserve(150);
+    for (Key& key : describe(design)) keys.push_back(std::move(key));
+    for (Key& key : describe(stop)) keys.push_back(std::move(key));
+    for (Key& key : describe(rules)) keys.push_back(std::move(key));
+    for (Key& key : describe(scenario)) keys.push_back(std::move(key));
+    return keys;
+}
 
 Keys describe(CampaignHead& head) {
     Keys keys;

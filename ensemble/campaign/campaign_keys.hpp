@@ -42,6 +42,9 @@ Key method_key(Design& design);
 /// The keys of [run], bound to `rules`.
 Keys describe(RunRules& rules);
 
+/// The keys of a campaign's tables, [campaign] first.
+Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& rules, Scenario& scenario);
+
 /// The keys that a [[case]] takes: name, design.base and design.point of a design written out, the shorthands cfm
 /// and elastic_modulus_MPa, and every key of a scenario.
 Keys describe(Case& one);

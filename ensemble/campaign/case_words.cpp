@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,6 +19,8 @@
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
 #include "shapes/hydrostatics.hpp"
+#include "shapes/moorings.hpp"
+#include "theory/plate.hpp"
 
 namespace floes {
 
@@ -31,32 +34,32 @@ double diameter_of(const FloeShape& shape) {
     return std::sqrt(area_of(shape));
 }
 
-std::string between(double low, double high) {
-    return high - low < 1e-9 * high ? fmt::format("{:.4g}", low) : fmt::format("{:.4g} to {:.4g}", low, high);
+Words between(double low, double high) {
+    return high - low < 1e-9 * high ? Words::of("{:.4g}", low) : Words::of("{:.4g} to {:.4g}", low, high);
 }
 
 /// "the field is 5.76 m long", or of one without end each part.
-std::string field_words(const Scenario& scenario) {
-    return fmt::format("{} {:.4g} m long", scenario.field.endless() ? "each part is" : "the field is",
-                       scenario.field_length());
+Words field_words(const Scenario& scenario) {
+    return Words::of("{} {:.4g} m long", scenario.field.endless() ? "each part is" : "the field is",
+                     scenario.field_length());
 }
 
 /// "0.6 m x 0.6 m: 40 % of the floes, 31 % of the area" for each entry of a list.
-std::string list_words(const Scenario& scenario, const std::vector<FloeShape>& shapes, double area) {
-    std::string words;
+Words list_words(const Scenario& scenario, const std::vector<FloeShape>& shapes, double area) {
+    Words words;
     std::size_t first = 0;
     for (const int count : listed_counts(scenario)) {
         if (count == 0) continue;
         const FloeShape& shape = shapes[first];
         first += static_cast<std::size_t>(count);
-        words += fmt::format("; {:.4g} m x {:.4g} m: {:.3g} % of the floes, {:.3g} % of the area", shape.length,
-                             shape.breadth, 100.0 * count / static_cast<double>(shapes.size()),
-                             100 * count * area_of(shape) / area);
+        words +=
+            Words::of("; {:.4g} m x {:.4g} m: {:.3g} % of the floes, {:.3g} % of the area", shape.length, shape.breadth,
+                      100.0 * count / static_cast<double>(shapes.size()), 100 * count * area_of(shape) / area);
     }
     return words;
 }
 
-std::string size_words(const Scenario& scenario) {
+Words size_words(const Scenario& scenario) {
     std::vector<FloeShape> shapes = floe_sizes(scenario);
     double area = 0;
     double diameters = 0;
@@ -64,22 +67,22 @@ std::string size_words(const Scenario& scenario) {
         area += area_of(shape);
         diameters += diameter_of(shape);
     }
-    const std::string list = scenario.sizes.law == SizeLaw::list ? list_words(scenario, shapes, area) : "";
+    const Words list = scenario.sizes.law == SizeLaw::list ? list_words(scenario, shapes, area) : Words();
     std::ranges::sort(shapes, {}, diameter_of);
     double below = 0;
     auto half = shapes.begin();
     while (below + area_of(*half) < 0.5 * area) below += area_of(*half++);
     const auto [least, most] = std::ranges::minmax(shapes, {}, &FloeShape::element);
-    return fmt::format(
+    return Words::of(
         "{}, sides of their squares {} m, mean {:.4g} m, half of the area in floes of {:.4g} m and more{}; {:.0f} "
         "elements of {} m; {}",
-        counted(std::ssize(shapes), "floe"), between(diameter_of(shapes.front()), diameter_of(shapes.back())),
+        Words::counted(std::ssize(shapes), "floe"), between(diameter_of(shapes.front()), diameter_of(shapes.back())),
         diameters / static_cast<double>(shapes.size()), diameter_of(*half), list, element_count(floes_of(scenario)),
         between(least.element, most.element), field_words(scenario));
 }
 
 /// What was traced, what became of it, and how many floes have each outline.
-std::string traced_words(const Scenario& scenario) {
+Words traced_words(const Scenario& scenario) {
     const TracedOutlines& traced = scenario.shapes.traced;
     std::vector<double> areas;
     double sum = 0;
@@ -88,8 +91,8 @@ std::string traced_words(const Scenario& scenario) {
         sum += areas.back();
     }
     const auto [least, most] = std::ranges::minmax(areas);
-    std::string words = fmt::format("{} of {} m², {:.4g} m² together", counted(std::ssize(areas), "outline"),
-                                    between(least, most), sum);
+    Words words = Words::of("{} of {} m², {:.4g} m² together", Words::counted(std::ssize(areas), "outline"),
+                            between(least, most), sum);
     if (!traced.areas.empty()) {
         const double in_file =
             std::pow(traced.scale, 2) * std::accumulate(traced.areas.begin(), traced.areas.end(), 0.0);
@@ -97,7 +100,7 @@ std::string traced_words(const Scenario& scenario) {
         const auto worst = std::ranges::max_element(added);
         // To a thousandth of a percent: what is less is rounding of the coordinates.
         const auto percent = [](double share) { return 1e-3 * std::round(1e5 * std::max(0.0, share)); };
-        words += fmt::format(
+        words += Words::of(
             "; with their holes filled they cover {:.2g} % more than as they were traced, at most {:.2g} % ({})",
             percent(sum / in_file - 1), percent(*worst),
             outline_name(traced, static_cast<std::size_t>(worst - added.begin())));
@@ -105,13 +108,14 @@ std::string traced_words(const Scenario& scenario) {
     if (scenario.arrangement.given()) return words + "; they lie as they were traced, so every arrangement is the same";
     const std::size_t floes = static_cast<std::size_t>(scenario.field.floes);
     const std::size_t fewest = floes / areas.size();
-    if (fewest == 0) return words + fmt::format("; {} of them are taken, spread over their areas", floes);
-    return words + fmt::format("; each is that of {}{}", floes % areas.size() == 0 ? "" : fmt::format("{} or ", fewest),
-                               counted(static_cast<std::ptrdiff_t>((floes + areas.size() - 1) / areas.size()), "floe"));
+    if (fewest == 0) return words + Words::of("; {} of them are taken, spread over their areas", floes);
+    return words +
+           Words::of("; each is that of {}{}", floes % areas.size() == 0 ? Words() : Words::of("{} or ", fewest),
+                     Words::counted(static_cast<std::ptrdiff_t>((floes + areas.size() - 1) / areas.size()), "floe"));
 }
 
 /// What the polygons of the first arrangement are.
-std::string shape_words(const Scenario& scenario, std::uint64_t seed) {
+Words shape_words(const Scenario& scenario, std::uint64_t seed) {
     const FloeSet floes = floes_of(scenario, {seed, 0});
     std::vector<double> diameters;
     double corners = 0;
@@ -123,17 +127,18 @@ std::string shape_words(const Scenario& scenario, std::uint64_t seed) {
     const std::string_view kind = scenario.shapes.kind == ShapeKind::voronoi ? "Voronoi cell"
                                   : scenario.shapes.from_file()              ? "traced floe"
                                                                              : "polygon";
-    return fmt::format(
+    return Words::of(
         "{}in arrangement 0 {} of {:.3g} corners on average, sides of their squares {} m, {:.0f} elements of about "
         "{:g} m; {}",
-        scenario.shapes.from_file() ? traced_words(scenario) + "; " : "", counted(std::ssize(diameters), kind), corners,
-        between(least, most), element_count(floes), floes.shape(0).element, field_words(scenario));
+        scenario.shapes.from_file() ? traced_words(scenario) + "; " : Words(),
+        Words::counted(std::ssize(diameters), kind), corners, between(least, most), element_count(floes),
+        floes.shape(0).element, field_words(scenario));
 }
 
 using Of = double (*)(const FloeShape&, const Material&);
 
 /// "thickness 0.0331 m (SD 0.006)", with what is the same for all floes left out.
-std::string property_words(const FloeSet& floes, const char* name, const char* unit, double scale, Of of) {
+Words property_words(const FloeSet& floes, const char* name, const char* unit, double scale, Of of) {
     double sum = 0;
     double squares = 0;
     for (std::size_t i = 0; i < floes.size(); ++i) sum += of(floes.shape(i), floes.material(i)) / scale;
@@ -141,30 +146,31 @@ std::string property_words(const FloeSet& floes, const char* name, const char* u
     for (std::size_t i = 0; i < floes.size(); ++i)
         squares += std::pow(of(floes.shape(i), floes.material(i)) / scale - mean, 2);
     const double sd = std::sqrt(squares / static_cast<double>(floes.size()));
-    return sd < 1e-9 * mean ? "" : fmt::format(", {} {:.4g} {} (SD {:.2g})", name, mean, unit, sd);
+    return sd < 1e-9 * mean ? Words() : Words::of("{} {:.4g} {} (SD {:.2g})", name, mean, unit, sd);
 }
 
-std::string ice_words(const Scenario& scenario, std::uint64_t seed) {
+Words ice_words(const Scenario& scenario, std::uint64_t seed) {
     const FloeSet floes = floes_of(scenario, {seed, 0});
-    std::string words =
-        property_words(floes, "thickness", "m", unit::one, [](auto& shape, auto&) { return shape.thickness; }) +
+    std::vector<Words> words{
+        property_words(floes, "thickness", "m", unit::one, [](auto& shape, auto&) { return shape.thickness; }),
         property_words(floes, "bending strength", "kPa", unit::kilopascal,
-                       [](auto&, auto& of) { return of.ice.bending_strength; }) +
+                       [](auto&, auto& of) { return of.ice.bending_strength; }),
         property_words(floes, "modulus", "MPa", unit::megapascal,
-                       [](auto&, auto& of) { return of.ice.elastic_modulus; }) +
-        property_words(floes, "density", "kg/m³", unit::one, [](auto&, auto& of) { return of.ice.density; });
+                       [](auto&, auto& of) { return of.ice.elastic_modulus; }),
+        property_words(floes, "density", "kg/m³", unit::one, [](auto&, auto& of) { return of.ice.density; })};
+    std::erase_if(words, [](const Words& one) { return one.empty(); });
     if (words.empty()) {
         const Ice& ice = floes.material(0).ice;
-        return fmt::format("all floes have {:.4g} kPa in bending and {:.4g} MPa",
-                           ice.bending_strength / unit::kilopascal, ice.elastic_modulus / unit::megapascal);
+        return Words::of("all floes have {:.4g} kPa in bending and {:.4g} MPa", ice.bending_strength / unit::kilopascal,
+                         ice.elastic_modulus / unit::megapascal);
     }
-    return "in arrangement 0 the floes have on average" + words.substr(1);
+    return Words("in arrangement 0 the floes have on average ") + Words::joined(words, ", ");
 }
 
-std::string endless_words(const Scenario& scenario) {
+Words endless_words(const Scenario& scenario) {
     const double duration = scenario.analysis.steady_start + scenario.analysis.window;
     const double reach = scenario.reach();
-    return fmt::format(
+    return Words::of(
         "the field has no end: it is laid in parts of {} floes, {:.4g} m long each, ahead of a tow of {:.4g} m in "
         "{:.4g} s; computed are floes up to {:.4g} m ahead of the structure's axis and {:.4g} m behind it, about "
         "{:.0f} at a time",
@@ -173,7 +179,7 @@ std::string endless_words(const Scenario& scenario) {
 }
 
 /// What the hull is, as its solids have it.
-std::string hull_words(const Scenario& scenario) {
+Words hull_words(const Scenario& scenario) {
     const Shape& shape = scenario.structure.shape;
     const Hydrostatics at_rest = hydrostatics(shape);
     Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
@@ -184,7 +190,7 @@ std::string hull_words(const Scenario& scenario) {
             high = high.cwiseMax(point);
         }
     }
-    return fmt::format(
+    return Words::of(
         "the hull is {:.4g} m long and {:.4g} m wide at the waterline with a draught of {:.4g} m; it displaces {:.5g} "
         "m³, {:.5g} t, with the centre of buoyancy {:.4g} m below the water, and its waterplane of {:.4g} m² puts the "
         "metacentre {:.4g} m above that in roll and {:.4g} m in pitch",
@@ -194,82 +200,34 @@ std::string hull_words(const Scenario& scenario) {
 }
 
 /// How a moored hull swings, of one that floats with the height of its metacentres over its centre.
-std::string swing_words(const Scenario& scenario) {
+Words swing_words(const Scenario& scenario) {
     const Moorings& moorings = scenario.moorings;
     const Mat6 water = scenario.water_stiffness();
-    std::vector<std::string> periods;
+    std::vector<Words> periods;
     for (const NaturalMode& mode : natural_modes(moorings, water))
-        periods.push_back(fmt::format("{:.4g} s in {}", mode.period, motion_names.at(at(mode.motion))));
-    std::string words =
-        fmt::format("without damping the moored hull swings with natural periods of {}", fmt::join(periods, ", "));
+        periods.push_back(Words::of("{:.4g} s in {}", mode.period, motion_names.at(at(mode.motion))));
+    Words words =
+        Words::of("without damping the moored hull swings with natural periods of {}", Words::joined(periods, ", "));
     if (!moorings.floats()) return words;
     const double weight = moorings.mass * scenario.general.gravity;
     const auto metacentre = [&](Motion motion) {
         const auto k = static_cast<int>(motion);
         return water(k, k) / weight;
     };
-    return words + fmt::format("; its metacentre is {:.3g} m above its centre in roll and {:.3g} m in pitch",
-                               metacentre(Motion::roll), metacentre(Motion::pitch));
+    return words + Words::of("; its metacentre is {:.3g} m above its centre in roll and {:.3g} m in pitch",
+                             metacentre(Motion::roll), metacentre(Motion::pitch));
 }
 
 }  // namespace
-
-namespace {
-
-/// Texts and the numbers between them: one text more than numbers. A digit in a word or behind a sign is no number.
-struct NumberedText {
-    std::vector<std::string> texts{""};
-    std::vector<std::string> numbers;
-};
-
-NumberedText taken_apart(const std::string& sentence) {
-    const auto digit = [&](std::size_t k) { return k < sentence.size() && sentence[k] >= '0' && sentence[k] <= '9'; };
-    NumberedText made;
-    for (std::size_t k = 0; k < sentence.size();) {
-        const bool alone = k == 0 || sentence[k - 1] == ' ' || sentence[k - 1] == '(';
-        if (!digit(k) || !alone) {
-            made.texts.back() += sentence[k++];
-            continue;
-        }
-        std::size_t end = k;
-        while (digit(end) || (end < sentence.size() && sentence[end] == '.' && digit(end + 1))) ++end;
-        made.numbers.push_back(sentence.substr(k, end - k));
-        made.texts.emplace_back();
-        k = end;
-    }
-    return made;
-}
-
-}  // namespace
-
-std::optional<std::string> with_ranges(const std::vector<std::string>& sentences) {
-    if (sentences.empty()) return {};
-    const NumberedText first = taken_apart(sentences.front());
-    std::vector<std::string> least = first.numbers;
-    std::vector<std::string> most = first.numbers;
-    const auto value = [](const std::string& number) { return std::stod(number); };
-    for (const std::string& sentence : sentences) {
-        const NumberedText other = taken_apart(sentence);
-        if (other.texts != first.texts) return {};
-        for (std::size_t k = 0; k < least.size(); ++k) {
-            least[k] = std::ranges::min(least[k], other.numbers[k], {}, value);
-            most[k] = std::ranges::max(most[k], other.numbers[k], {}, value);
-        }
-    }
-    std::string made = first.texts.front();
-    for (std::size_t k = 0; k < least.size(); ++k)
-        made += (least[k] == most[k] ? least[k] : least[k] + " to " + most[k]) + first.texts[k + 1];
-    return made;
-}
 
 std::vector<std::string> case_words(const Campaign& campaign) {
     std::vector<std::string> sentences;
-    std::vector<std::string> of_points;
+    std::vector<Words> of_points;
     std::set<std::string> said;
     for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
         const Scenario& scenario = campaign.cases[k].scenario;
         const std::uint64_t seed = arrangement_seed(campaign, static_cast<int>(k));
-        std::vector<std::string> parts;
+        std::vector<Words> parts;
         if (scenario.sizes.law != SizeLaw::one) parts.push_back(size_words(scenario));
         if (scenario.shapes.any()) parts.push_back(shape_words(scenario, seed));
         if (scenario.spread.any() || scenario.brine.salinity > 0) parts.push_back(ice_words(scenario, seed));
@@ -277,15 +235,15 @@ std::vector<std::string> case_words(const Campaign& campaign) {
         if (scenario.moorings.give_way() || scenario.structure.shape.kind() != HullKind::profile)
             parts.push_back(hull_words(scenario));
         if (scenario.moorings.give_way()) parts.push_back(swing_words(scenario));
-        std::erase_if(parts, [&](const std::string& part) { return !said.insert(part).second; });
+        std::erase_if(parts, [&](const Words& part) { return !said.insert(part.text()).second; });
         if (parts.empty()) continue;
-        const std::string words = fmt::format("{}", fmt::join(parts, "; "));
+        const Words words = Words::joined(parts, "; ");
         if (campaign.design.active()) of_points.push_back(words);
-        sentences.push_back(fmt::format("case {}: {}.", campaign.cases[k].name, words));
+        sentences.push_back(fmt::format("case {}: {}.", campaign.cases[k].name, words.text()));
     }
     if (of_points.size() > 1)
-        if (const std::optional<std::string> all = with_ranges(of_points))
-            return {fmt::format("points of the design: {}.", *all)};
+        if (const std::optional<Words> all = Words::with_ranges(of_points))
+            return {fmt::format("points of the design: {}.", all->text())};
     return sentences;
 }
 
@@ -308,7 +266,7 @@ const char* placing_words(ArrangementMethod method) {
 }
 
 /// "with sides of 10.4 to 37.4 m, mean 20 m (squares of their area)"
-std::string side_words(const Scenario& scenario) {
+Words side_words(const Scenario& scenario) {
     std::vector<double> sides;
     double sum = 0;
     if (scenario.shapes.from_file()) {
@@ -319,34 +277,34 @@ std::string side_words(const Scenario& scenario) {
     }
     for (const double side : sides) sum += side / static_cast<double>(sides.size());
     const auto [least, most] = std::ranges::minmax(sides);
-    return fmt::format("with sides of {} m, mean {:.4g} m (squares of their area)", between(least, most), sum);
+    return Words::of("with sides of {} m, mean {:.4g} m (squares of their area)", between(least, most), sum);
 }
 
-std::string kind_words(const Scenario& scenario) {
+Words kind_words(const Scenario& scenario) {
     const Shapes& shapes = scenario.shapes;
-    if (shapes.kind == ShapeKind::polygon) return fmt::format("polygons of {} corners", shapes.corners);
+    if (shapes.kind == ShapeKind::polygon) return Words::of("polygons of {} corners", shapes.corners);
     if (shapes.kind == ShapeKind::voronoi) return "Voronoi cells";
-    if (shapes.from_file()) return fmt::format("floes of {}", counted(std::ssize(shapes.traced.outlines), "outline"));
+    if (shapes.from_file())
+        return Words::of("floes of {}", Words::counted(std::ssize(shapes.traced.outlines), "outline"));
     if (sizes_may_differ(scenario)) return "rectangles";
     return scenario.field.floes == 1 ? "floe" : "floes";
 }
 
 }  // namespace
 
-std::string floe_words(const Scenario& scenario) {
+Words floe_words(const Scenario& scenario) {
     const FloeShape& floe = scenario.floe;
     const bool sized = sizes_may_differ(scenario);
-    const std::string size = sized ? side_words(scenario)
-                             : scenario.shapes.any()
-                                 ? fmt::format("of {:.4g} m² each on average", floe.length * floe.breadth)
-                                 : fmt::format("of {:.4g} m x {:.4g} m", floe.length, floe.breadth);
+    const Words size = sized                   ? side_words(scenario)
+                       : scenario.shapes.any() ? Words::of("of {:.4g} m² each on average", floe.length * floe.breadth)
+                                               : Words::of("of {:.4g} m x {:.4g} m", floe.length, floe.breadth);
     const bool own_elements = sized && scenario.sizes.element != ElementSide::given;
-    return fmt::format("{}{} {} {}, {:.4g} m thick{}, in {} of {}, at {:.4g} %, {}",
-                       scenario.field.endless() ? "parts of " : "", scenario.field.floes, kind_words(scenario), size,
-                       floe.thickness, scenario.spread.thickness.any() ? " on average" : "",
-                       scenario.has_cells() ? "cells" : "squares",
-                       own_elements ? "a size that follows the floe" : fmt::format("{:.4g} m", floe.element),
-                       scenario.field.concentration / unit::percent, placing_words(scenario.arrangement.method));
+    return Words::of("{}{} {} {}, {:.4g} m thick{}, in {} of {}, at {:.4g} %, {}",
+                     scenario.field.endless() ? "parts of " : "", scenario.field.floes, kind_words(scenario), size,
+                     floe.thickness, scenario.spread.thickness.any() ? " on average" : "",
+                     scenario.has_cells() ? "cells" : "squares",
+                     own_elements ? "a size that follows the floe" : Words::of("{:.4g} m", floe.element),
+                     scenario.field.concentration / unit::percent, placing_words(scenario.arrangement.method));
 }
 
 namespace {
@@ -358,23 +316,231 @@ std::string enumerated(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::string motion_words(const Scenario& scenario) {
+Words motion_words(const Scenario& scenario) {
     const Moorings& moorings = scenario.moorings;
     if (!moorings.give_way()) {
         if (scenario.path.any()) return "led along a path";
-        return fmt::format("towed at {:.4g} m/s", scenario.structure.speed);
+        return Words::of("towed at {:.4g} m/s", scenario.structure.speed);
     }
     std::vector<std::string> free;
     for (const int k : moorings.directions()) free.emplace_back(motion_names.at(static_cast<std::size_t>(k)));
-    std::vector<std::string> holds;
+    std::vector<Words> holds;
     if (moorings.surge + moorings.sway + moorings.yaw > 0)
-        holds.push_back(fmt::format("springs of {:.4g} kN/m in surge and {:.4g} in sway",
-                                    moorings.surge / unit::kilonewton, moorings.sway / unit::kilonewton));
-    if (moorings.line_count() > 0) holds.push_back(counted(static_cast<std::ptrdiff_t>(moorings.line_count()), "line"));
+        holds.push_back(Words::of("springs of {:.4g} kN/m in surge and {:.4g} in sway",
+                                  moorings.surge / unit::kilonewton, moorings.sway / unit::kilonewton));
+    if (moorings.line_count() > 0)
+        holds.push_back(Words::counted(static_cast<std::ptrdiff_t>(moorings.line_count()), "line"));
     if (!moorings.turret_curve.empty()) holds.emplace_back("a turret");
     if (moorings.thrusters.any()) holds.emplace_back("thrusters");
-    return fmt::format("{:.4g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
-                       enumerated(free), fmt::join(holds, ", "), scenario.closing_speed());
+    return Words::of("{:.4g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
+                     enumerated(free), Words::joined(holds, ", "), scenario.closing_speed());
+}
+
+namespace {
+
+/// What is odd about a case, as a sentence without its end; empty where nothing is.
+struct Odd {
+    std::string told = {};
+    double grade = 0;  ///< how odd, beside other cases: the oddest one is quoted
+};
+using Oddity = Odd (*)(const Case& one);
+
+double largest_element(const Scenario& scenario) {
+    if (scenario.sizes.law == SizeLaw::one) return scenario.floe.element;
+    return std::ranges::max(floe_sizes(scenario), {}, &FloeShape::element).element;
+}
+
+double least_element(const Scenario& scenario) {
+    if (scenario.sizes.law == SizeLaw::one) return scenario.floe.element;
+    return std::ranges::min(floe_sizes(scenario), {}, &FloeShape::element).element;
+}
+
+std::string element_words(const Scenario& scenario, double element) {
+    const bool own = scenario.sizes.law != SizeLaw::one && scenario.sizes.element != ElementSide::given;
+    return own ? fmt::format("an element of {:.4g} m", element) : given(scenario, "floe.element_m");
+}
+
+Odd large_elements(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    const FloatingPlate plate{.thickness = scenario.floe.thickness,
+                              .water_density = scenario.water.density,
+                              .gravity = scenario.general.gravity};
+    const double length = plate.characteristic_length(scenario.ice.elastic_modulus);
+    const double element = largest_element(scenario);
+    if (one.pairing == Pairing::find_modulus || element < length) return {};
+    return {fmt::format("{} is not below {:.3g} m, the characteristic length of ice of {:g} MPa; such elements are too "
+                        "large to show where the ice would bend and break",
+                        element_words(scenario, element), length, scenario.ice.elastic_modulus / unit::megapascal),
+            element / length};
+}
+
+Odd thick_elements(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    const double element = least_element(scenario);
+    if (scenario.floe.thickness <= element) return {};
+    return {fmt::format("{} is more than {}; elements that are thicker than wide do not bend as a plate does",
+                        given(scenario, "ice.thickness_m"), element_words(scenario, element)),
+            scenario.floe.thickness / element};
+}
+
+Odd little_ice(const Case& one) {
+    constexpr double little = 0.05;
+    const Scenario& scenario = one.scenario;
+    if (scenario.field.concentration >= little || scenario.arrangement.given()) return {};
+    return {fmt::format("{} leaves the field of {:.4g} m almost without ice; 75 is three quarters",
+                        given(scenario, "field.concentration_percent"), scenario.field_length()),
+            -scenario.field.concentration};
+}
+
+Odd odd_strength(const Case& one) {
+    constexpr double weakest = 1 * unit::kilopascal;
+    constexpr double strongest = 5000 * unit::kilopascal;
+    const double strength = one.scenario.ice.bending_strength;
+    if (strength >= weakest && strength <= strongest) return {};
+    return {fmt::format("{} is unlike any ice; sea ice has some 500, model ice some 40",
+                        given(one.scenario, "ice.bending_strength_kPa")),
+            std::abs(std::log(strength / (500 * unit::kilopascal)))};
+}
+
+Odd soft_in_compression(const Case& one) {
+    const Ice& ice = one.scenario.ice;
+    if (ice.compressive_strength >= ice.bending_strength) return {};
+    return {fmt::format("{} is below {}; ice is several times stronger in compression than in bending",
+                        given(one.scenario, "ice.compressive_strength_kPa"),
+                        given(one.scenario, "ice.bending_strength_kPa")),
+            -ice.compressive_strength / ice.bending_strength};
+}
+
+Odd few_sweeps(const Case& one) {
+    constexpr int few = 10;
+    if (one.scenario.general.iterations >= few) return {};
+    return {fmt::format("{} leaves contacts unsolved, and the load depends on it; with solver direct steps end by "
+                        "themselves, and the default is only the most that one may take",
+                        given(one.scenario, "general.iterations")),
+            static_cast<double>(-one.scenario.general.iterations)};
+}
+
+Odd long_steps(const Case& one) {
+    constexpr double most_of_thickness = 0.1;  // in the tank it is 0.04
+    const Scenario& scenario = one.scenario;
+    const double way = scenario.structure.speed * scenario.general.time_step;
+    if (way <= most_of_thickness * scenario.floe.thickness) return {};
+    return {fmt::format("{} and {} take the structure {:.3g} m on in each step, more than a tenth of the ice's "
+                        "thickness; a shorter step resolves how it meets the ice",
+                        given(scenario, "general.time_step_s"), given(scenario, "structure.speed_m_s"), way),
+            way / scenario.floe.thickness};
+}
+
+Odd narrow_gap(const Case& one) {
+    constexpr double few = 2;
+    const std::optional<BankGap> gap = one.scenario.gap();
+    if (!gap || gap->floes >= few) return {};
+    return {fmt::format("{} leaves {:.3g} m between the structure and the bank, {:.3g} sides of a floe; below two the "
+                        "load depends on the gap (docs/sea_ice.md), and floes vary has a wider channel",
+                        given(one.scenario, "field.half_width_m"), gap->breadth, gap->floes),
+            -gap->floes};
+}
+
+Odd light_structure(const Case& one) {
+    constexpr double many = 100;
+    const Scenario& scenario = one.scenario;
+    if (!scenario.moorings.give_way()) return {};
+    const double ratio = structure_over_floe(scenario);
+    if (ratio >= many) return {};
+    return {
+        fmt::format(
+            "{} and the water that moves with it are {:.3g} times the heaviest floe: a floe that strikes it pushes it "
+            "{:.2g} % too hard, as docs/moorings.md says",
+            given(scenario, "moorings.mass_t"), ratio, 100 / ratio),
+        -ratio};
+}
+
+Odd other_mass(const Case& one) {
+    constexpr double much = 0.1;
+    constexpr double in_kilograms = 300;  // and more, and less than 3000 times as much, where 1000 times were meant
+    const Scenario& scenario = one.scenario;
+    if (!scenario.moorings.give_way()) return {};
+    const double water = scenario.water.density * hydrostatics(scenario.structure.shape).volume;
+    const double share = scenario.moorings.mass / water;
+    if (std::abs(share - 1) <= much) return {};
+    const bool kilograms = share > in_kilograms && share < 10 * in_kilograms;
+    return {
+        fmt::format("{} is {} the {:.4g} t of water that the hull displaces, and a hull that floats weighs as "
+                    "much; {}",
+                    given(scenario, "moorings.mass_t"),
+                    share < 10 ? fmt::format("{:.3g} % of", share / unit::percent) : fmt::format("{:.4g} times", share),
+                    water / unit::tonne,
+                    kilograms ? "moorings.mass_t is in tonnes, and this looks like kilograms"
+                              : "look at its draught and its size"),
+        std::abs(std::log(share))};
+}
+
+/// Of a straight way, past ice that does not come by itself.
+Odd early_window(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    if (scenario.path.any()) return {};
+    const double way = scenario.field.begin - scenario.structure.start - scenario.structure.shape.waterline_ahead();
+    const double meets = way / scenario.structure.speed;
+    const double early = meets - scenario.analysis.steady_start;
+    if (early <= scenario.general.time_step) return {};
+    return {fmt::format("{} begins to measure before the hull meets the ice, after {:.4g} s: {:.3g} % of the window "
+                        "is open water; begin later, or start the hull nearer (structure.start_m)",
+                        given(scenario, "analysis.steady_start_s"), meets,
+                        100 * std::min(1.0, early / scenario.analysis.window)),
+            early / scenario.analysis.window};
+}
+
+/// As floes design refuses them after the run.
+Odd long_period(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    if (!scenario.moorings.give_way()) return {};
+    double longest = 0;
+    Motion of = Motion::surge;
+    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
+        if (!std::isfinite(mode.period) || mode.period <= longest) continue;
+        longest = mode.period;
+        of = mode.motion;
+    }
+    if (longest <= scenario.analysis.window / fewest_periods) return {};
+    return {
+        fmt::format("{} is shorter than three natural periods of {:.4g} s in {}, so floes design would give no "
+                    "design value of it; take a window of {:.4g} s or more",
+                    given(scenario, "analysis.window_s"), longest, motion_names.at(at(of)), fewest_periods * longest),
+        longest / scenario.analysis.window};
+}
+
+constexpr std::array<Oddity, 12> oddities{large_elements,      thick_elements, little_ice,   odd_strength,
+                                          soft_in_compression, few_sweeps,     long_steps,   narrow_gap,
+                                          light_structure,     other_mass,     early_window, long_period};
+
+double least_grade(const std::vector<std::pair<const Case*, Odd>>& found) {
+    return std::ranges::min(found, {}, [](const auto& one) { return one.second.grade; }).second.grade;
+}
+
+}  // namespace
+
+std::vector<std::string> advice(const Campaign& campaign) {
+    std::vector<std::string> sentences;
+    for (const Oddity oddity : oddities) {
+        std::vector<std::pair<const Case*, Odd>> found;
+        for (const Case& one : campaign.cases)
+            if (Odd odd = oddity(one); !odd.told.empty()) found.emplace_back(&one, std::move(odd));
+        if (found.empty()) continue;
+        const auto oddest = std::ranges::max_element(found, {}, [](const auto& one) { return one.second.grade; });
+        std::vector<std::string> others;
+        for (const auto& one : found)
+            if (one.first != oddest->first) others.push_back(one.first->name);
+        constexpr std::size_t few = 3;  // names that are read; of more, if it is all of them, that says it
+        const bool all = others.size() + 1 == campaign.cases.size() && others.size() > few;
+        const std::string told = fmt::format("case {}: {}.", oddest->first->name, oddest->second.told);
+        sentences.push_back(others.empty()
+                                ? told
+                                : fmt::format("{} {} {}.", told,
+                                              oddest->second.grade > least_grade(found) ? "Less so, the same holds for"
+                                                                                        : "The same holds for",
+                                              all ? fmt::format("all {} others", others.size()) : name_list(others)));
+    }
+    return sentences;
 }
 
 }  // namespace floes

@@ -18,8 +18,8 @@
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
-#include "keys/edit_distance.hpp"
 #include "keys/key.hpp"
+#include "keys/meant.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
 

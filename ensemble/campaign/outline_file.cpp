@@ -201,8 +201,10 @@ void refuse_other_systems(const Json& object, const std::string& file) {
                         file, system));
 }
 
-}  // namespace
-
+/// Floes of a GeoJSON text: polygons, multipolygons (each polygon a floe), and features or collections of such. A
+/// floe's name is its feature's id, or else the property "floe" or "name". Throws InputError, beginning with `file`:
+/// what is no such text, other geometries, rings that are not closed, and coordinates that are degrees or no lengths by
+/// the file's own reference system.
 std::vector<TracedFloe> read_geojson(const std::string& text, const std::string& file) {
     // What lies deeper would take a hundred bytes of memory for each bracket.
     const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
@@ -223,8 +225,6 @@ std::vector<TracedFloe> read_geojson(const std::string& text, const std::string&
     return std::move(reader).floes();
 }
 
-namespace {
-
 double finite_number(const std::string& cell, const std::string& where) {
     const std::optional<double> number = number_in(cell);
     if (!number || !std::isfinite(*number))
@@ -232,8 +232,8 @@ double finite_number(const std::string& cell, const std::string& where) {
     return *number;
 }
 
-}  // namespace
-
+/// Floes of a CSV text: the header floe,x,y, and a line for each corner; lines of a floe follow one another. Throws
+/// InputError, beginning with file and line.
 std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::string& file) {
     if (!is_utf8(text)) throw InputError(fmt::format("{}: this is no text in UTF-8; save it as such", file));
     const std::vector<CsvLine> lines = csv_lines(text, file);
@@ -273,8 +273,6 @@ std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::str
     }
     return floes;
 }
-
-namespace {
 
 constexpr double smallest_map = 0.01;  // m, of all outlines together
 constexpr double largest_map = 1e5;

@@ -22,16 +22,6 @@ inline constexpr std::size_t most_outlines = 10'000;
 inline constexpr std::size_t most_ring_corners = 5'000;
 inline constexpr std::size_t most_file_corners = 200'000;
 
-/// Floes of a GeoJSON text: polygons, multipolygons (each polygon a floe), and features or collections of such. A
-/// floe's name is its feature's id, or else the property "floe" or "name". Throws InputError, beginning with `file`:
-/// what is no such text, other geometries, rings that are not closed, and coordinates that are degrees or no lengths by
-/// the file's own reference system.
-std::vector<TracedFloe> read_geojson(const std::string& text, const std::string& file);
-
-/// Floes of a CSV text: the header floe,x,y, and a line for each corner; lines of a floe follow one another. Throws
-/// InputError, beginning with file and line.
-std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::string& file);
-
 // From a file of traced floes to the outlines of a campaign.
 
 /// The longest file of outlines, bytes.
@@ -39,8 +29,8 @@ inline constexpr std::size_t longest_outline_file = 32 << 20;
 
 /// Gives `traced` the outlines of the file that its path and unit describe: of at most 16 corners, or 32 where they
 /// have bays, with their areas in the file and their names; and empties its path. `text`: of the file; `file`, ending
-/// in .geojson, .json or .csv, begins the messages. Throws InputError, a sentence each: as read_geojson() and
-/// read_outline_csv() do, and for outlines that enclose no area or cross themselves, names that are there twice, and
+/// in .geojson, .json or .csv, begins the messages. Throws InputError, a sentence each: for what is no such
+/// file, for outlines that enclose no area or cross themselves, names that are there twice, and
 /// sizes that are those of degrees.
 void take_outlines(TracedOutlines& traced, const std::string& text, const std::string& file);
 

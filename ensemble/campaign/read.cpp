@@ -5,20 +5,26 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "arrangement/arrangement.hpp"
+#include "arrangement/check.hpp"
 #include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "campaign/design.hpp"
-#include "campaign/given.hpp"
-#include "campaign/identity.hpp"
+#include "campaign/hull_file.hpp"
+#include "campaign/outline_file.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "keys/edit_distance.hpp"
+#include "keys/csv.hpp"
 #include "keys/key.hpp"
+#include "keys/meant.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
@@ -26,6 +32,231 @@
 namespace floes {
 
 namespace {
+
+constexpr std::string_view header = "x_m,z_m,yaw_deg";
+
+/// Its numbers; empty when a cell is anything else.
+std::vector<Value> numbers_of(const CsvLine& line) {
+    std::vector<Value> numbers;
+    for (const std::string& cell : line.cells) {
+        const std::optional<double> number = number_in(cell);
+        if (!number) return {};
+        numbers.emplace_back(*number);
+    }
+    return numbers;
+}
+
+}  // namespace
+
+PoseFile read_poses(const std::string& text, const std::string& file) {
+    const std::vector<CsvLine> lines = csv_lines(text, file);
+    const std::string columns = lines.empty() ? "" : joined(lines.front());
+    if (!lines.empty() && columns != header && !columns.starts_with(std::string{header} + ","))
+        throw InputError(
+            fmt::format("{}:{}: {} is not the header of a pose file; write {}, and behind it keys of which "
+                        "each floe has a value of its own, such as ice.thickness_m",
+                        file, lines.front().number, text_literal(columns), header));
+    if (lines.size() < 2)
+        throw InputError(fmt::format("{}: there are no poses; write {} and a line for each floe", file, header));
+    std::vector<Value> poses;
+    std::vector<int> places;
+    for (const CsvLine& line : std::span(lines).subspan(1)) {
+        std::vector<Value> numbers = numbers_of(line);
+        if (numbers.size() != lines.front().cells.size())
+            throw InputError(fmt::format("{}:{}: {} is not a pose; write {} numbers, {}", file, line.number,
+                                         text_literal(joined(line)), lines.front().cells.size(), columns));
+        if (poses.size() == std::size_t{most_floes})
+            throw InputError(fmt::format("{}:{}: there are more than {} poses, the most floes of a field", file,
+                                         line.number, most_floes));
+        poses.emplace_back(std::move(numbers));
+        places.push_back(line.number);
+    }
+    return {file, columns.substr(std::min(columns.size(), header.size() + 1)), {std::move(poses)}, std::move(places)};
+}
+
+namespace {
+
+/// The axes of a design that a CSV file lists: keys in its first line, a point in each other one. As [[design.axis]]
+/// blocks with a value for each point. `file` names the text in messages. Throws InputError with file and line.
+std::vector<Block> read_points(const std::string& text, const std::string& file) {
+    const std::vector<CsvLine> lines = csv_lines(text, file);
+    if (lines.size() < 2)
+        throw InputError(
+            fmt::format("{}: there are no points; write keys, such as ice.thickness_m, in the first line "
+                        "and a line for each point",
+                        file));
+    const CsvLine& keys = lines.front();
+    Scenario scratch;
+    const Keys known = describe(scratch);
+    std::vector<Block> axes;
+    for (std::size_t k = 0; k < keys.cells.size(); ++k) {
+        const std::string where = fmt::format("{}:{}", file, keys.number);
+        const Key* key = find_key(known, full_path(keys.cells[k]));  // none: refused as that of any axis
+        std::vector<Value> values;
+        for (const CsvLine& line : std::span(lines).subspan(1)) {
+            if (line.cells.size() != keys.cells.size())
+                throw InputError(fmt::format("{}:{}: {} is not a point; write {} values, of {}", file, line.number,
+                                             text_literal(joined(line)), keys.cells.size(), joined(keys)));
+            if (line.cells[k].empty())
+                throw InputError(fmt::format("{}:{}: {} has no value", file, line.number, keys.cells[k]));
+            values.push_back(parse_override(keys.cells[k] + "=" + line.cells[k], where).value);
+            if (key != nullptr)
+                assign(*key, {std::string(key->path), values.back(), fmt::format("{}:{}", file, line.number)});
+        }
+        axes.push_back({axis_block, where, {{"key", {keys.cells[k]}, where}, {"values", {std::move(values)}, where}}});
+    }
+    return axes;
+}
+
+// What a configuration gives in files beside it.
+
+auto as_given(const HullFile& file) {
+    return std::tie(file.path, file.unit, file.up, file.forward, file.waterline);
+}
+
+/// What a field has to be for outlines that lie as they were traced.
+std::string room_for_traced(const Scenario& scenario) {
+    const TracedOutlines& traced = scenario.shapes.traced;
+    Outline corners;
+    for (const Outline& one : traced.outlines) corners.insert(corners.end(), one.begin(), one.end());
+    const Corner size = traced.scale * size_of(corners);
+    const double clearance = scenario.arrangement.clearance;
+    const double covered = scenario.field.concentration * scenario.field_length();  // per width of the field
+    return fmt::format(
+        "; the outlines reach over {:.4g} m x {:.4g} m, for which field.concentration_percent is at most {:.3g} and "
+        "field.half_width_m at least {:.4g}",
+        size.x, size.z, 100 * covered / (size.x + 2 * clearance), size.z / 2 + clearance);
+}
+
+class GivenFiles {
+  public:
+    /// `configuration`: the file beside which they lie. `load_file`: nullptr where none can be read.
+    GivenFiles(std::string configuration, LoadFile load_file)
+        : configuration_(std::move(configuration)), load_file_(load_file) {}
+
+    // Each loads the file that a key names, where there is one, into the values of another key. `label` names the case
+    // in messages. They throw InputError.
+
+    /// hull.file, a CAD file, into the shape's convex pieces.
+    void resolve_hull(Scenario& scenario, const Origins& origins, const std::string& label) {
+        Structure& structure = scenario.structure;
+        if (structure.hull_file.path.empty()) return;
+        const std::string path =
+            path_of(structure.hull_file.path, {"hull.file", "hull.pieces"}, !structure.shape.piece_rows().empty(),
+                    scenario, origins, label, structure.shape.kind() == HullKind::file ? "" : "hull.shape");
+        if (!cut_ || as_given(*cut_) != as_given(structure.hull_file)) {
+            Structure fresh;
+            fresh.hull_file = structure.hull_file;
+            take_hull(fresh, load_file_(path), path);
+            cut_ = structure.hull_file;
+            pieces_ = fresh;
+        }
+        structure.shape.set_pieces(pieces_.shape.piece_rows());
+        structure.shape.set_faces(pieces_.shape.face_rows());
+        structure.shape.part_list() = pieces_.shape.part_list();
+        structure.hull_file = {
+            .path = "", .most_added = structure.hull_file.most_added, .volume = pieces_.hull_file.volume};
+    }
+
+    /// shapes.file into the outlines of floes.
+    void resolve_outlines(Scenario& scenario, const Origins& origins, const std::string& label) {
+        TracedOutlines& traced = scenario.shapes.traced;
+        if (traced.path.empty()) return;
+        if (!scenario.shapes.from_file()) return traced.path.clear();  // of another case; KeyEffects sees one of none
+        const std::string path = path_of(traced.path, {"shapes.file", "shapes.outlines"}, !traced.outlines.empty(),
+                                         scenario, origins, label);
+        if (!read_ || read_path_ != traced.path || read_unit_ != traced.unit) {
+            read_path_ = traced.path;
+            read_unit_ = traced.unit;
+            TracedOutlines fresh = traced;
+            take_outlines(fresh, load_file_(path), path);
+            read_ = std::move(fresh);
+        }
+        const double scale = traced.scale;
+        const double most_added = traced.most_added;
+        traced = *read_;
+        traced.scale = scale;
+        traced.most_added = most_added;
+    }
+
+    /// arrangement.file, CSV, into the poses.
+    std::optional<PoseFile> resolve_poses(Scenario& scenario, const Origins& origins, const std::string& label) const {
+        ArrangementRule& arrangement = scenario.arrangement;
+        if (arrangement.file.empty()) return {};
+        const Named named{"arrangement.file", "arrangement.poses"};
+        const std::string path = path_of(arrangement.file, named, !arrangement.poses.empty(), scenario, origins, label,
+                                         arrangement.method == ArrangementMethod::file ? "" : "arrangement.method");
+        PoseFile read = read_poses(load_file_(path), path);
+        if (!arrangement.columns.empty() && arrangement.columns != read.columns)
+            throw refusal(named, scenario, origins, label,
+                          "has its columns in its header; leave arrangement.columns out");
+        arrangement.columns = read.columns;
+        assign(*find_key(describe(scenario), "arrangement.poses"), {"arrangement.poses", read.poses, path});
+        arrangement.file.clear();
+        return read;
+    }
+
+    /// Given poses are input: what make_arrangement() would refuse in every member is refused here, with its place.
+    void refuse_faults(const Scenario& scenario, const std::optional<PoseFile>& file, const Origins& origins,
+                       const std::string& label) {
+        if (!scenario.arrangement.given()) return;
+        if (!looked_at_.insert(geometry_key(scenario)).second) return;  // of an earlier case
+        const std::optional<Fault> fault = find_fault(scenario, floes_of(scenario));
+        if (!fault) return;
+        const bool traced = scenario.arrangement.method == ArrangementMethod::traced;
+        std::string where = file ? file->path : origins.at(traced ? "arrangement.method" : "arrangement.poses");
+        if (file && !fault->floes.empty()) {
+            std::vector<int> lines;
+            for (const std::size_t floe : fault->floes) lines.push_back(file->lines[floe]);
+            where += fmt::format(", line{} {}", lines.size() == 1 ? "" : "s", fmt::join(lines, " and "));
+        }
+        const std::string instead = traced && fault->floes.size() == 1 ? room_for_traced(scenario) : "";
+        throw InputError(fmt::format("{}: {}{}{}", where, label, fault->sentence, instead));
+    }
+
+  private:
+    /// The key that names a file, and the key of the values that it has.
+    struct Named {
+        const char* file;
+        const char* values;
+    };
+
+    static InputError refusal(const Named& named, const Scenario& scenario, const Origins& origins,
+                              const std::string& label, const std::string& what) {
+        return InputError(fmt::format("{}: {}{} {}", origins.at(named.file), label, given(scenario, named.file), what));
+    }
+
+    /// Where the file lies. `both`: the values are given, too. `unused_by`: the key that would have to be "file"; "":
+    /// it is.
+    std::string path_of(const std::string& file, const Named& named, bool both, const Scenario& scenario,
+                        const Origins& origins, const std::string& label, const std::string& unused_by = "") const {
+        const auto refuse = [&](const std::string& what) { return refusal(named, scenario, origins, label, what); };
+        if (!unused_by.empty())
+            throw refuse(fmt::format("is not used by {}; write {} = \"file\"", given(scenario, unused_by), unused_by));
+        if (both) throw refuse(fmt::format("and {} are both given; keep one", named.values));
+        if (load_file_ == nullptr) throw refuse(fmt::format("cannot be read here; give {}", named.values));
+        return (std::filesystem::path(configuration_).parent_path() / file).string();
+    }
+
+    std::string configuration_;
+    LoadFile load_file_;
+    std::optional<HullFile> cut_;  ///< the last hull, as it was given
+    Structure pieces_;             ///< of it
+    std::string read_path_;        ///< of the last outlines, as it was given
+    LengthUnit read_unit_ = LengthUnit::m;
+    std::optional<TracedOutlines> read_;  ///< of it
+    std::set<std::uint64_t> looked_at_;   ///< geometries of poses
+};
+
+// From the [[case]] blocks of a document to one block for each case, the points of a design put in.
+
+struct CaseBlock {
+    Block block;            ///< entries of the [[case]], and those of the axes at the point
+    std::string name;       ///< of the case; empty where a design without a [[case]] gives the names
+    std::size_t given = 0;  ///< number of the [[case]] that it comes from
+    std::string base = {};  ///< name of that [[case]], where a point was added to it
+    int point = -1;
+};
 
 constexpr const char* case_block = "case";
 constexpr std::size_t longest_name = 200;
@@ -88,8 +319,8 @@ bool written_out(const std::vector<CaseBlock>& cases) {
     });
 }
 
-}  // namespace
-
+/// The [[case]] blocks; without any, an empty one named `fallback`, or "" in a design. Throws InputError for blocks
+/// that a configuration does not have, and for names that are missing, not plain or given twice.
 std::vector<CaseBlock> given_cases(const Document& document, const std::string& fallback, const std::string& file,
                                    const Design& design) {
     std::vector<CaseBlock> cases;
@@ -102,6 +333,17 @@ std::vector<CaseBlock> given_cases(const Document& document, const std::string& 
     return cases;
 }
 
+/// Throws InputError when `entry`, which sets `path`, sets an axis.
+void refuse_axis(const Entry& entry, const Origins& axes) {
+    const auto axis = axes.find(full_path(entry.path));
+    if (axis == axes.end()) return;
+    throw InputError(fmt::format("{}: {} = {} is hidden by the axis of the design at {}; keep one of them", entry.where,
+                                 entry.path, to_text(entry.value), axis->second));
+}
+
+/// Each case at each point of the design; the cases as they are without a design, and where they say their
+/// design.point. `axes`: where each axis is given. Throws InputError for a case that sets an axis itself, and for more
+/// cases than most_cases, or more values of axes than can be held.
 std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& design, const Origins& axes,
                                  std::uint64_t seed, const std::string& file) {
     if (!design.active() || written_out(given)) return given;
@@ -139,6 +381,7 @@ std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& des
     return cases;
 }
 
+/// Throws InputError for more members than the master of a campaign can hold.
 void refuse_members(std::size_t cases, int arrangements, const std::string& file) {
     const auto members = static_cast<std::int64_t>(cases) * arrangements;
     if (members > most_members)
@@ -149,13 +392,8 @@ void refuse_members(std::size_t cases, int arrangements, const std::string& file
                         members, most_members));
 }
 
-void refuse_axis(const Entry& entry, const Origins& axes) {
-    const auto axis = axes.find(full_path(entry.path));
-    if (axis == axes.end()) return;
-    throw InputError(fmt::format("{}: {} = {} is hidden by the axis of the design at {}; keep one of them", entry.where,
-                                 entry.path, to_text(entry.value), axis->second));
-}
-
+/// Throws InputError when two cases of a design have one name or are one point, some case is at no point, or some
+/// point has no case.
 void check_points(const Campaign& campaign, const std::string& file) {
     std::set<std::string> names;
     std::set<std::string> bases;
@@ -184,8 +422,6 @@ void check_points(const Campaign& campaign, const std::string& file) {
                         file, wanted - points.size(), wanted));
 }
 
-namespace {
-
 constexpr std::string_view case_prefix = "case.";
 constexpr std::string_view axis_prefix = "design.axis.";
 
@@ -199,9 +435,7 @@ class CampaignReader {
         : source_(source),
           document_(parse_document(source.text, source.file)),
           load_file_(load_file),
-          poses_(source.file, load_file),
-          hull_(source.file, load_file),
-          outlines_(source.file, load_file) {
+          files_(source.file, load_file) {
         if (!source.from_user) base_ = paper_scenario();  // where it is silent
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
@@ -247,12 +481,7 @@ class CampaignReader {
   private:
     /// The tables and the overrides that are not for one case.
     void read_tables() {
-        Keys keys = describe(head_);
-        keys.reserve(150);
-        for (Key& key : describe(design_)) keys.push_back(std::move(key));
-        for (Key& key : describe(stop_)) keys.push_back(std::move(key));
-        for (Key& key : describe(rules_)) keys.push_back(std::move(key));
-        for (Key& key : describe(base_)) keys.push_back(std::move(key));
+        const Keys keys = describe_all(head_, design_, stop_, rules_, base_);
         for (const Entry& entry : in_order_of_reading(keys, document_.entries)) {
             if (is_case_path(entry.path)) {
                 throw InputError(
@@ -419,11 +648,11 @@ class CampaignReader {
         one.pairing = pairing(one.scenario, own);
         if (source_.from_user) effects_.note(keys, own);
         const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
-        const std::optional<PoseFile> file = poses_.resolve(one.scenario, own, label);
-        hull_.resolve(one.scenario, own, label);
-        outlines_.resolve(one.scenario, own, label);
+        const std::optional<PoseFile> file = files_.resolve_poses(one.scenario, own, label);
+        files_.resolve_hull(one.scenario, own, label);
+        files_.resolve_outlines(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
-        if (source_.from_user) poses_.refuse_faults(one.scenario, file, own, label);
+        if (source_.from_user) files_.refuse_faults(one.scenario, file, own, label);
     }
 
     /// For joints that follow Σ. Stored texts leave out what is to be found; where they have both, both are settled.
@@ -465,9 +694,7 @@ class CampaignReader {
     Origins origins_;
     Origins axes_;                                               ///< where each axis of the design is given
     std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
-    GivenPoses poses_;
-    GivenHull hull_;
-    GivenOutlines outlines_;
+    GivenFiles files_;
     KeyEffects effects_;
 };
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
+#include <ranges>
 #include <set>
 #include <string>
 
@@ -208,6 +210,14 @@ struct Row {
     const CurvePoint* point;
 };
 
+/// A column of what `of` says of each of the rows.
+template <class Rows, class Of>
+void write_column(hid_t group, const Label& label, const Scale& scale, const Rows& rows, Of of) {
+    std::vector<std::decay_t<std::invoke_result_t<Of, const std::ranges::range_value_t<Rows>&>>> values;
+    for (const auto& row : rows) values.push_back(std::invoke(of, row));
+    hdf5::write_values(group, label, {scale}, values);
+}
+
 std::vector<Row> calibration_rows(const CampaignContent& content, std::span<const CalibrationRecord> calibrations) {
     std::vector<Row> rows;
     const std::vector<const Calibration*> of_case = match_calibrations(content.campaign, calibrations);
@@ -226,40 +236,27 @@ void write_calibration(hid_t file, const CampaignContent& content, std::span<con
     const hdf5::Scale scale =
         hdf5::write_index_scale(file, "calibration_point", "plate test, a row of /calibration", rows.size());
     const hdf5::Handle group = hdf5::create_group(file, "calibration");
-    const auto integers = [&](const char* name, const char* long_name, auto function) {
-        std::vector<std::int32_t> values;
-        for (const Row& row : rows) values.push_back(function(row));
-        hdf5::write_values(group.id(), {name, "1", long_name}, {scale}, values);
+    const auto column = [&](const char* name, const char* unit, const char* long_name, auto of) {
+        write_column(group.id(), {name, unit, long_name}, scale, rows,
+                     [&](const Row& row) { return std::invoke(of, *row.point); });
     };
-    const auto reals = [&](const char* name, const char* unit, const char* long_name, double CurvePoint::*field) {
-        std::vector<double> values;
-        for (const Row& row : rows) values.push_back(row.point->*field);
-        hdf5::write_values(group.id(), {name, unit, long_name}, {scale}, values);
-    };
-    integers("case", "case that the test calibrated", [](const Row& row) { return row.case_index; });
-    reals("sheet", "m", "side of the square sheet", &CurvePoint::sheet);
-    reals("element", "m", "side of its elements", &CurvePoint::element);
-    reals("thickness", "m", "thickness of the sheet", &CurvePoint::thickness);
-    reals("time_step", "s", "time step", &CurvePoint::time_step);
-    reals("erp", "1", "error reduction parameter of the joints (Gamma)", &CurvePoint::erp);
-    integers("iterations", "iterations of the solver a step", [](const Row& row) { return row.point->iterations; });
-    reals("cfm", "1", "constraint force mixing of the joints (Sigma)", &CurvePoint::cfm);
-    reals("slope", "N m-1", "load over deflection at the centre", &CurvePoint::slope);
-    reals("elastic_modulus", "Pa", "elastic modulus shown, load on a patch", &CurvePoint::elastic_modulus);
-    reals("elastic_modulus_point", "Pa", "elastic modulus shown, as if the load were a point",
-          &CurvePoint::elastic_modulus_point);
+    write_column(group.id(), {"case", "1", "case that the test calibrated"}, scale, rows, &Row::case_index);
+    column("sheet", "m", "side of the square sheet", &CurvePoint::sheet);
+    column("element", "m", "side of its elements", &CurvePoint::element);
+    column("thickness", "m", "thickness of the sheet", &CurvePoint::thickness);
+    column("time_step", "s", "time step", &CurvePoint::time_step);
+    column("erp", "1", "error reduction parameter of the joints (Gamma)", &CurvePoint::erp);
+    column("iterations", "1", "iterations of the solver a step", &CurvePoint::iterations);
+    column("cfm", "1", "constraint force mixing of the joints (Sigma)", &CurvePoint::cfm);
+    column("slope", "N m-1", "load over deflection at the centre", &CurvePoint::slope);
+    column("elastic_modulus", "Pa", "elastic modulus shown, load on a patch", &CurvePoint::elastic_modulus);
+    column("elastic_modulus_point", "Pa", "elastic modulus shown, as if the load were a point",
+           &CurvePoint::elastic_modulus_point);
 }
 
 namespace {
 
 using hdf5::Handle;
-
-template <class Value, class Function>
-std::vector<Value> of_cases(const CampaignContent& content, Function function) {
-    std::vector<Value> values;
-    for (const Case& one : content.campaign.cases) values.push_back(function(one.scenario));
-    return values;
-}
 
 /// A column each of the rows of the cases' shapes, filled up with NaN.
 void write_shapes(hid_t group, const CampaignContent& content, const CampaignScales& scales) {
@@ -281,33 +278,29 @@ void write_shapes(hid_t group, const CampaignContent& content, const CampaignSca
 void write_cases(hid_t file, const CampaignContent& content, const CampaignScales& scales) {
     const Handle group = hdf5::create_group(file, "cases");
     const hid_t id = group.id();
-    const hdf5::Dimensions one{scales.case_};
-    std::vector<std::string> names;
-    for (const CaseRow& row : content.table().cases) names.push_back(row.name);
-    hdf5::write_values(id, {"name", "1", "name of the case"}, one, names);
-    hdf5::write_values(id, {"hull", "1", "shape of the structure, in words"}, one,
-                       of_cases<std::string>(content, [](const Scenario& s) { return s.structure.shape.words(); }));
-    hdf5::write_values(id, {"parts", "1", "parts of the structure in the order of /parts, divided by commas"}, one,
-                       of_cases<std::string>(content, [](const Scenario& s) {
-                           return fmt::format("{}", fmt::join(s.structure.shape.parts(), ","));
-                       }));
-    const auto real = [&](const char* name, const char* unit, const char* long_name, auto function) {
-        hdf5::write_values(id, {name, unit, long_name}, one, of_cases<double>(content, function));
+    const auto column = [&](const char* name, const char* unit, const char* long_name, auto of) {
+        write_column(id, {name, unit, long_name}, scales.case_, content.campaign.cases,
+                     [&](const Case& one) { return of(one.scenario); });
     };
-    real("cfm", "1", "constraint force mixing of the joints (Sigma); NaN for beam joints",
-         [](const Scenario& s) { return followed_cfm(s.joint); });
-    real("elastic_modulus", "Pa", "elastic modulus that the case stands for",
-         [](const Scenario& s) { return s.ice.elastic_modulus; });
-    real("contact_erp", "1", "error reduction parameter of contacts (Gamma)",
-         [](const Scenario& s) { return s.contact.erp; });
-    real("crushing_pressure", "Pa", "pressure at which edges crush, where they do",
-         [](const Scenario& s) { return s.contact_law().crushing_pressure; });
-    const auto choice = [&](const char* name, const char* long_name, const std::string& words, auto function) {
-        const auto number = [&](const Scenario& s) { return static_cast<std::int8_t>(function(s)); };
+    write_column(id, {"name", "1", "name of the case"}, scales.case_, content.table().cases, &CaseRow::name);
+    column("hull", "1", "shape of the structure, in words",
+           [](const Scenario& s) { return s.structure.shape.words().text(); });
+    column("parts", "1", "parts of the structure in the order of /parts, divided by commas",
+           [](const Scenario& s) { return fmt::format("{}", fmt::join(s.structure.shape.parts(), ",")); });
+    column("cfm", "1", "constraint force mixing of the joints (Sigma); NaN for beam joints",
+           [](const Scenario& s) { return followed_cfm(s.joint); });
+    column("elastic_modulus", "Pa", "elastic modulus that the case stands for",
+           [](const Scenario& s) { return s.ice.elastic_modulus; });
+    column("contact_erp", "1", "error reduction parameter of contacts (Gamma)",
+           [](const Scenario& s) { return s.contact.erp; });
+    column("crushing_pressure", "Pa", "pressure at which edges crush, where they do",
+           [](const Scenario& s) { return s.contact_law().crushing_pressure; });
+    const auto choice = [&](const char* name, const char* long_name, const std::string& words, auto of) {
         std::vector<std::int8_t> values(1 + static_cast<std::size_t>(std::ranges::count(words, ' ')));
         std::iota(values.begin(), values.end(), std::int8_t{0});
-        hdf5::write_values(id, {name, "1", long_name}, one, of_cases<std::int8_t>(content, number),
-                           hdf5::Flags{values, words});
+        std::vector<std::int8_t> numbers;
+        for (const Case& one : content.campaign.cases) numbers.push_back(static_cast<std::int8_t>(of(one.scenario)));
+        hdf5::write_values(id, {name, "1", long_name}, {scales.case_}, numbers, hdf5::Flags{values, words});
     };
     choice("friction", "where friction points", fmt::format("{}", fmt::join(friction_words, " ")),
            [](const Scenario& s) { return s.contact.friction; });
@@ -315,16 +308,16 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
            [](const Scenario& s) { return s.contact.normal; });
     choice("internal_edges", "whether edges inside a body act", "do_not_act act",
            [](const Scenario& s) { return s.contact.internal_edges; });
-    real("time_step", "s", "time step", [](const Scenario& s) { return s.general.time_step; });
-    real("steady_start", "s", "begin of the analysis window",
-         [](const Scenario& s) { return s.analysis.steady_start; });
-    real("window", "s", "length of the analysis window", [](const Scenario& s) { return s.analysis.window; });
-    real("peak_separation", "s", "time between peaks of the averaged load that count as two",
-         [](const Scenario& s) { return s.analysis.peak_separation; });
-    hdf5::write_values(id, {"segments", "1", "equal parts of the analysis window"}, one,
-                       of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.segments; }));
-    hdf5::write_values(id, {"history_stride", "1", "successive steps whose mean is one value of /history"}, one,
-                       of_cases<std::int32_t>(content, [](const Scenario& s) { return s.analysis.history_stride; }));
+    column("time_step", "s", "time step", [](const Scenario& s) { return s.general.time_step; });
+    column("steady_start", "s", "begin of the analysis window",
+           [](const Scenario& s) { return s.analysis.steady_start; });
+    column("window", "s", "length of the analysis window", [](const Scenario& s) { return s.analysis.window; });
+    column("peak_separation", "s", "time between peaks of the averaged load that count as two",
+           [](const Scenario& s) { return s.analysis.peak_separation; });
+    column("segments", "1", "equal parts of the analysis window",
+           [](const Scenario& s) { return s.analysis.segments; });
+    column("history_stride", "1", "successive steps whose mean is one value of /history",
+           [](const Scenario& s) { return s.analysis.history_stride; });
     choice("far_end", "what stands behind the ice field", "ice_sheet open never",
            [](const Scenario& s) { return s.field.far_end; });
     write_shapes(id, content, scales);
@@ -401,35 +394,27 @@ void add_members(hid_t group, const CampaignContent& content, MemberTables& tabl
 void write_sessions(hid_t group, std::span<const Session> sessions) {
     const Scale scale =
         hdf5::write_index_scale(group, "session", "start of the program on the campaign", sessions.size());
-    const auto texts = [&](const char* name, const char* long_name, auto function) {
-        std::vector<std::string> values;
-        for (const Session& session : sessions) values.push_back(function(session));
-        hdf5::write_values(group, {name, "1", long_name}, {scale}, values);
+    const auto column = [&](const char* name, const char* long_name, auto of) {
+        write_column(group, {name, "1", long_name}, scale, sessions, of);
     };
-    const auto counts = [&](const char* name, const char* long_name, int Session::*field) {
-        std::vector<std::int32_t> values;
-        for (const Session& session : sessions) values.push_back(session.*field);
-        hdf5::write_values(group, {name, "1", long_name}, {scale}, values);
-    };
-    texts("session_started", "begin of the session, UTC", [](const Session& s) { return s.started; });
-    texts("session_ended", "end of the session, UTC; empty when killed or at work",
-          [](const Session& s) { return s.ended; });
-    texts("session_outcome", "how the session ended", [](const Session& s) { return s.outcome; });
-    texts("session_host", "host of rank 0", [](const Session& s) { return s.host; });
-    texts("session_machine", "system and processor of rank 0", [](const Session& s) { return s.machine; });
-    texts("session_job", "batch job", [](const Session& s) { return s.job; });
-    texts("session_software", "software and versions", [](const Session& s) {
+    column("session_started", "begin of the session, UTC", &Session::started);
+    column("session_ended", "end of the session, UTC; empty when killed or at work", &Session::ended);
+    column("session_outcome", "how the session ended", &Session::outcome);
+    column("session_host", "host of rank 0", &Session::host);
+    column("session_machine", "system and processor of rank 0", &Session::machine);
+    column("session_job", "batch job", &Session::job);
+    column("session_software", "software and versions", [](const Session& s) {
         std::string text;
         for (const Software& software : s.software)
             text += fmt::format("{}{} {}", text.empty() ? "" : "; ", software.name, software.version);
         return text;
     });
-    counts("session_ranks", "ranks of the session", &Session::ranks);
-    counts("session_threads", "threads over all ranks of the session", &Session::threads);
-    counts("session_reused", "members that had their result, or stood aside, before the session", &Session::reused);
-    counts("session_retried", "members that failed or were lost before and were tried again", &Session::retried);
-    counts("session_computed", "members done in the session", &Session::computed);
-    counts("session_set_aside", "members given up in the session", &Session::set_aside);
+    column("session_ranks", "ranks of the session", &Session::ranks);
+    column("session_threads", "threads over all ranks of the session", &Session::threads);
+    column("session_reused", "members that had their result, or stood aside, before the session", &Session::reused);
+    column("session_retried", "members that failed or were lost before and were tried again", &Session::retried);
+    column("session_computed", "members done in the session", &Session::computed);
+    column("session_set_aside", "members given up in the session", &Session::set_aside);
 }
 
 std::string lower_case(std::string text) {

@@ -4,23 +4,19 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "campaign/campaign.hpp"
 #include "campaign_file/campaign_table.hpp"
-#include "core/undefined.hpp"
+#include "core/units.hpp"
 #include "hdf5/columns.hpp"
-#include "hdf5/write.hpp"
+#include "hdf5/dataset.hpp"
 #include "member/array_output.hpp"
 #include "store/member_record.hpp"
 #include "store/session.hpp"

@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "campaign/identity.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign_file/content.hpp"
 #include "campaign_file/publish.hpp"
+#include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "hdf5/handle.hpp"
 #include "hdf5/pages.hpp"

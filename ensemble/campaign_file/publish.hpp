@@ -7,7 +7,6 @@
 #include "campaign/campaign.hpp"
 #include "store/member_record.hpp"
 #include "store/session.hpp"
-#include "store/stored_members.hpp"
 
 namespace floes {
 

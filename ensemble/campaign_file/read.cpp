@@ -8,37 +8,96 @@
 
 #include <fmt/format.h>
 
+#include "campaign/read.hpp"
 #include "campaign_file/campaign_table.hpp"
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
+#include "hdf5/handle.hpp"
 #include "member/member_outputs.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
 
-ArrayReader::ArrayReader(const CampaignFile& file, const ArrayOutput& array, const ArrayPlaces& places)
-    : array_(&array), places_(&places) {
-    const std::string name(array.path);
-    if (!hdf5::exists(file.id(), name)) return;
-    rows_.emplace(file.id(), name);
-    std::size_t known = 1;
-    for (const ArrayAxis* axis : array.axes)
-        if (axis != nullptr && axis->kind != AxisKind::longest) known *= places.axis(*axis).places.size();
-    for (const ArrayAxis* axis : array.axes) {
-        if (axis == nullptr) break;
-        const bool longest = axis->kind == AxisKind::longest;
-        sizes_.push_back(longest ? rows_->width() / std::max<std::size_t>(known, 1) : places.axis(*axis).places.size());
+struct CampaignFile::Opened {
+    hdf5::Handle file;
+    Campaign campaign;
+};
+
+namespace {
+
+hdf5::Handle open_campaign(const std::filesystem::path& path) {
+    hdf5::Handle file = hdf5::open_for_reading(path);
+    hdf5::check_kind(file.id(), campaign_kind, path);
+    return file;
+}
+
+Campaign read_configured(hid_t file, const std::filesystem::path& path) {
+    return read_campaign({hdf5::read_text(file, "provenance/configuration"), path.stem().string() + ".toml", {}},
+                         nullptr);
+}
+
+}  // namespace
+
+CampaignFile::CampaignFile(const std::filesystem::path& path) : path_(path) {
+    const hdf5::QuietErrors quiet;
+    hdf5::Handle file = open_campaign(path);
+    Campaign campaign = read_configured(file.id(), path);
+    opened_ = std::make_unique<const Opened>(std::move(file), std::move(campaign));
+}
+
+CampaignFile::~CampaignFile() = default;
+
+const Campaign& CampaignFile::campaign() const {
+    return opened_->campaign;
+}
+
+std::int64_t CampaignFile::id() const {
+    return opened_->file.id();
+}
+
+namespace {
+
+// The arrays of members in a campaign file, by their list.
+
+/// An array with a row for each member, or for each arrangement, read row by row.
+class ArrayReader {
+  public:
+    /// `places`: of the file's campaign. Of an array that the file does not have every read is empty. Throws RunError
+    /// where its rows do not fit the campaign.
+    ArrayReader(const CampaignFile& file, const ArrayOutput& array, const ArrayPlaces& places)
+        : array_(&array), places_(&places) {
+        const std::string name(array.path);
+        if (!hdf5::exists(file.id(), name)) return;
+        rows_.emplace(file.id(), name);
+        std::size_t known = 1;
+        for (const ArrayAxis* axis : array.axes)
+            if (axis != nullptr && axis->kind != AxisKind::longest) known *= places.axis(*axis).places.size();
+        for (const ArrayAxis* axis : array.axes) {
+            if (axis == nullptr) break;
+            const bool longest = axis->kind == AxisKind::longest;
+            sizes_.push_back(longest ? rows_->width() / std::max<std::size_t>(known, 1)
+                                     : places.axis(*axis).places.size());
+        }
+        std::size_t width = 1;
+        for (const std::size_t size : sizes_) width *= size;
+        hdf5::check_count(file.id(), name, rows_->width(), width);
     }
-    std::size_t width = 1;
-    for (const std::size_t size : sizes_) width *= size;
-    hdf5::check_count(file.id(), name, rows_->width(), width);
-}
 
-ArrayValues ArrayReader::read(std::size_t row, int case_index) {
-    if (!rows_) return {std::vector<std::size_t>(2, 0), {}};
-    return places_->own(*array_, case_index, rows_->read(row), sizes_);
-}
+    ArrayValues read(std::size_t row, int case_index) {
+        if (!rows_) return {std::vector<std::size_t>(2, 0), {}};
+        return places_->own(*array_, case_index, rows_->read(row), sizes_);
+    }
 
+    void read(std::size_t row, int case_index, MemberResult& into) { array_->access.set(into, read(row, case_index)); }
+
+  private:
+    const ArrayOutput* array_;
+    const ArrayPlaces* places_;
+    std::vector<std::size_t> sizes_;
+    std::optional<hdf5::RowReader<double>> rows_;
+};
+
+/// Readers of the arrays of one group, or of one array.
 std::vector<ArrayReader> array_readers(const CampaignFile& file, std::string_view group_or_path,
                                        const ArrayPlaces& places) {
     std::vector<ArrayReader> readers;
@@ -46,6 +105,8 @@ std::vector<ArrayReader> array_readers(const CampaignFile& file, std::string_vie
         if (array.path == group_or_path || array.group() == group_or_path) readers.emplace_back(file, array, places);
     return readers;
 }
+
+}  // namespace
 
 std::vector<RowStatus> read_states(const CampaignFile& file) {
     const auto count = static_cast<std::size_t>(member_count(file.campaign()));

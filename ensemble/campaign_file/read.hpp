@@ -1,46 +1,50 @@
 #pragma once
-// The arrays of members in a campaign file, by their list. For this module only.
+// A campaign file as it is read.
 
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "campaign_file/campaign_file.hpp"
 #include "campaign_file/campaign_table.hpp"
 #include "campaign_file/content.hpp"
 #include "core/vector.hpp"
+#include "hdf5/handle.hpp"
 #include "hdf5/read.hpp"
 #include "statistics/load_map.hpp"
 
 namespace floes {
 
-/// An array with a row for each member, or for each arrangement, read row by row.
-class ArrayReader {
-  public:
-    /// `places`: of the file's campaign. Of an array that the file does not have every read is empty. Throws RunError
-    /// where its rows do not fit the campaign.
-    ArrayReader(const CampaignFile& file, const ArrayOutput& array, const ArrayPlaces& places);
+/// What says that an HDF5 file is a campaign file.
+inline constexpr hdf5::FileKind campaign_kind{"floes campaign", {1, 15}, 14, "campaign of floes"};
 
-    ArrayValues read(std::size_t row, int case_index);
-    void read(std::size_t row, int case_index, MemberResult& into) { array_->access.set(into, read(row, case_index)); }
+// A campaign file, open for reading. To open it costs: its digests of pages are read, or without them a process of its
+// own tries whether HDF5 survives it. So who reads several things of a file opens it once.
+
+class CampaignFile {
+  public:
+    /// Also implicitly, for who reads one thing only. Throws InputError when there is no such file, it is no campaign
+    /// file, or its major version is not this program's.
+    CampaignFile(const std::filesystem::path& path);
+    ~CampaignFile();
+
+    const std::filesystem::path& path() const { return path_; }
+    /// That the file's own configuration describes.
+    const Campaign& campaign() const;
+    /// Its identifier in HDF5. For this module only.
+    std::int64_t id() const;
 
   private:
-    const ArrayOutput* array_;
-    const ArrayPlaces* places_;
-    std::vector<std::size_t> sizes_;
-    std::optional<hdf5::RowReader<double>> rows_;
-};
+    struct Opened;
 
-/// Readers of the arrays of one group, or of one array.
-std::vector<ArrayReader> array_readers(const CampaignFile& file, std::string_view group_or_path,
-                                       const ArrayPlaces& places);
+    std::filesystem::path path_;
+    std::unique_ptr<const Opened> opened_;
+};
 
 /// For each member, in member order.
 std::vector<RowStatus> read_states(const CampaignFile& file);

@@ -7,15 +7,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <sstream>
 #include <type_traits>
 #include <utility>
 
-#include "cli/files.hpp"
+#include "cli/answer.hpp"
 #include "core/error.hpp"
-#include "keys/decimal_comma.hpp"
-#include "keys/edit_distance.hpp"
+#include "keys/meant.hpp"
 
 namespace floes {
 namespace {
@@ -349,6 +349,13 @@ void Verb::runs(std::function<int()> action) {
     app_->callback([action = std::move(action), status = exit_status_] { *status = action(); });
 }
 
+void Verb::prints(std::function<std::string()> answer) {
+    runs([answer = std::move(answer)] {
+        std::fputs(answer().c_str(), stdout);
+        return 0;
+    });
+}
+
 Verb Verb::inner(const std::string& name, const std::string& description) {
     app_->require_subcommand(1);
     return {app_->add_subcommand(name, description), exit_status_};
@@ -423,10 +430,17 @@ void CommandLine::footer(const std::string& text) {
     app_->footer(text);
 }
 
-template <class Parse>
-int CommandLine::run_parsed(const Parse& parse) {
+int CommandLine::run(std::span<char* const> words) {
+    if (!words.empty()) app_->name(words.front());
+    if (words.size() == 1) throw CommandLineEnd(0, app_->help(), {});
+    return run(std::vector<std::string>(words.begin() + (words.empty() ? 0 : 1), words.end()));
+}
+
+int CommandLine::run(const std::vector<std::string>& words) {
+    if (!words.empty()) refuse_unknown(words.front());
+    whole_help_ = app_->help();
     try {
-        parse();
+        app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));
     } catch (const CLI::ParseError& error) {
         const CLI::App* asked = app_.get();
         while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().front();
@@ -444,59 +458,8 @@ int CommandLine::run_parsed(const Parse& parse) {
     return *exit_status_;
 }
 
-int CommandLine::run(std::span<char* const> words) {
-    if (!words.empty()) app_->name(words[0]);
-    whole_help_ = app_->help();
-    if (words.size() == 1) throw CommandLineEnd(0, whole_help_, {});
-    if (words.size() > 1) refuse_unknown(words[1]);
-    return run_parsed([&] { app_->parse(static_cast<int>(words.size()), words.data()); });
-}
-
-int CommandLine::run(const std::vector<std::string>& words) {
-    if (!words.empty()) refuse_unknown(words.front());
-    whole_help_ = app_->help();
-    return run_parsed([&] { app_->parse(std::vector<std::string>(words.rbegin(), words.rend())); });
-}
-
 std::string CommandLine::program_name() const {
     return app_->get_name();
-}
-
-Option add_overrides(OptionList& verb, std::vector<std::string>& overrides) {
-    // One value for each --set: the next word is an argument of the verb.
-    return verb.option("--set", overrides, "key=value: override a key of the file; may be repeated").one_each();
-}
-
-void add_format(OptionList& verb, std::string& format) {
-    verb.option("--format", format, "table, json or csv").one_of({"table", "json", "csv"}).shows_default();
-}
-
-void add_window(OptionList& verb, std::string& window) {
-    verb.option("--window", window,
-                "Analysis window: given (as configured), or auto (from the start of the steady state, found in "
-                "the histories)")
-        .one_of({"given", "auto"})
-        .shows_default();
-}
-
-Option add_exposure(OptionList& verb, double& hours) {
-    return verb.option("--exposure-h", hours, "Exposure, h at full scale").within(1e-3, 1e6).shows_default();
-}
-
-Option add_quantiles(OptionList& verb, std::vector<double>& quantiles) {
-    return verb
-        .option("--quantile", quantiles, "Probabilities that the load is not exceeded in the exposure, comma-separated")
-        .comma_separated()
-        .within(0.001, 0.99999)
-        .shows_default();
-}
-
-Option add_averaging(OptionList& verb, double& seconds) {
-    return verb
-        .option("--averaging-s", seconds,
-                "Time that the load is averaged over, s at full scale: one of the campaign's analysis.averaging_s")
-        .positive()
-        .shows_default();
 }
 
 }  // namespace floes

@@ -92,27 +92,15 @@ class Verb : public OptionList {
     /// The function that carries out the verb after its options are read; it returns the exit status.
     void runs(std::function<int()> action);
 
+    /// The function that gives the verb's answer, for standard output; the exit status is 0.
+    void prints(std::function<std::string()> answer);
+
     /// A verb below this one, as in "floes laboratory plate"; the user has to choose one.
     Verb inner(const std::string& name, const std::string& description);
 
   private:
     std::shared_ptr<int> exit_status_;
 };
-
-/// The option --set of a verb that reads a configuration: key=value, repeatable, into `overrides`.
-Option add_overrides(OptionList& verb, std::vector<std::string>& overrides);
-
-/// The option --format of a verb whose answer is a table: "table", "json" or "csv", as written() takes it.
-void add_format(OptionList& verb, std::string& format);
-
-/// The option --window of a verb that measures loads: "given" or "auto".
-void add_window(OptionList& verb, std::string& window);
-
-/// The options of a verb that extrapolates to an exposure: its length, h, and the probabilities of not being exceeded.
-Option add_exposure(OptionList& verb, double& hours);
-Option add_quantiles(OptionList& verb, std::vector<double>& quantiles);
-/// And the time, s, that its loads are averaged over.
-Option add_averaging(OptionList& verb, double& seconds);
 
 class CommandLine {
   public:
@@ -142,9 +130,6 @@ class CommandLine {
   private:
     CLI::App* find(const std::vector<std::string>& verb) const;
     void refuse_unknown(const std::string& word) const;
-
-    template <class Parse>
-    int run_parsed(const Parse& parse);
 
     std::unique_ptr<CLI::App> app_;
     std::shared_ptr<int> exit_status_;

@@ -1,14 +1,29 @@
 #pragma once
-// The verbs of the command. Each adds itself to the command line and, when chosen, returns the exit status:
-// 0 every member done, 1 a member was set aside or the run failed, 2 bad input or usage, 85 stopped and resumable.
+// The verbs of the command, with what every verb is made of. Each adds itself to the command line and, when chosen,
+// returns the exit status: 0 every member done, 1 a member was set aside or the run failed, 2 bad input or usage, 85
+// stopped and resumable.
 
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/answer.hpp"
 #include "cli/command_line.hpp"
+#include "cli/given.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
 
 namespace floes {
+
+struct CampaignStatus;
 
 inline constexpr const char* program_description =
     "floes: the load of managed ice floes on a structure, over many random arrangements";
@@ -37,9 +52,15 @@ void add_serve(CommandLine& line);
 void add_vary(CommandLine& line);
 void add_verify(CommandLine& line);
 
-/// The tests of `floes laboratory`.
-void add_plate(Verb& laboratory);
-void add_cantilever(Verb& laboratory);
+// What `floes status` prints.
+
+/// For people: a sentence, the active run, a line for each case, and the failures with their reasons.
+std::string status_table(const CampaignStatus& status);
+
+/// For programs: one JSON object with `title`, `done`, `failed`, `missing`, `total`, `at_work`, `seconds_left` and
+/// `members_per_second` (null when unknown), `heartbeat`, `parts` and `stop` (null where there is none), `cases`,
+/// `failures`, `remarks`, `under_way`, `slowest`, `sessions`.
+std::string status_json(const CampaignStatus& status);
 
 /// What --version prints: a line each for name and version, git revision, compiler, libraries, lanes.
 std::string version_text();

@@ -1,114 +1,106 @@
-// floes config: print the defaults or the reference, check a configuration, print it resolved.
+// Configurations: floes new, vary and config.
 
-#include "cli/config.hpp"
-
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
-#include <memory>
-#include <string>
 #include <string_view>
-#include <vector>
 
-#include <fmt/format.h>
 #include <tbb/info.h>
 
-#include "campaign/advice.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_words.hpp"
-#include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
-#include "cli/terminal.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
 #include "run/calibrate.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
 
-std::string read_bytes(const std::string& path) {
-    if (std::filesystem::is_directory(path)) {
-        throw InputError(fmt::format("{}: this is a folder; name a file in it", path));
-    }
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw InputError(fmt::format("{}: this file cannot be read ({})", path, std::strerror(errno)));
-    std::string text;
-    for (std::vector<char> some(1 << 16); file; text.append(some.data(), static_cast<std::size_t>(file.gcount()))) {
-        if (text.size() > longest_configuration)
-            throw InputError(fmt::format("{}: this file is longer than {} bytes, the most that are read", path,
-                                         longest_configuration));
-        file.read(some.data(), std::ssize(some));
-    }
-    return text;
-}
-
-std::string read_text(const std::string& path) {
-    if (const GivenFile kind = given_file(path); kind == GivenFile::hdf5 || kind == GivenFile::journal)
-        throw InputError(fmt::format("{}: this is {}, not a configuration; give the CONFIG.toml", path,
-                                     kind == GivenFile::hdf5 ? "an HDF5 file" : "the journal of a campaign"));
-    return read_bytes(path);
-}
-
-std::string find_config(const std::string& name) {
-    const bool word = !name.empty() && name.find_first_of("/.") == std::string::npos;
-    if (!word || std::filesystem::exists(name)) return name;
-    std::error_code unknown;
-    std::vector<std::filesystem::path> folders;
-    if (const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown); !unknown)
-        folders.push_back((program.parent_path() / FLOES_SHARE_FROM_PROGRAM).lexically_normal());
-    if (const char* launcher = std::getenv("FLOES_LAUNCHER"))  // of a clone
-        folders.push_back(std::filesystem::path(launcher).parent_path());
-    for (const std::filesystem::path& folder : folders)
-        if (const auto known = folder / "configs" / (name + ".toml"); std::filesystem::exists(known, unknown))
-            return known.string();
-    return name;
-}
+// floes new: the configuration that a first campaign begins with.
 
 namespace {
 
-/// Whether a configuration has nothing but blanks and comments.
-bool states_nothing(std::string_view text) {
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::size_t first = text.find_first_not_of(" \t\r");
-        if (first < end && text[first] != '#') return false;
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return true;
+struct NewOptions {
+    std::string file;
+    bool full_scale = false;
+    bool moored = false;
+    bool design = false;
+    bool paper = false;
+};
+
+/// The text of the configuration `name`, which floes config --check accepts.
+std::string text_of(const NewOptions& options, const std::string& name) {
+    const char* file = options.full_scale ? "full_scale.toml"
+                       : options.moored   ? "moored.toml"
+                       : options.design   ? "design.toml"
+                       : options.paper    ? "paper.toml"
+                                          : "tank.toml";
+    std::string text{starter(file).value()};
+    constexpr std::string_view placeholder = "CONFIG.toml";
+    return text.replace(text.find(placeholder), placeholder.size(), name);
+}
+
+int make(const NewOptions& options) {
+    const std::filesystem::path path = options.file;
+    if (path.extension() != ".toml")
+        throw InputError(fmt::format("{} is to be a configuration, whose name ends with .toml.", options.file));
+    write_new(path, text_of(options, path.filename().string()));
+    std::printf("%s\n", options.file.c_str());
+    const std::string result = std::filesystem::path(path).replace_extension(".h5").filename().string();
+    note("edit it, then floes run {0}, and floes summarize {1}", shell_word(options.file), shell_word(result));
+    return 0;
 }
 
 }  // namespace
 
-Campaign load_campaign(const std::string& name, const std::vector<std::string>& overrides) {
-    const std::string path = find_config(name);
-    const std::string text = read_text(path);
-    Campaign campaign = read_campaign({text, path, overrides, true}, read_text);
-    if (states_nothing(text))
-        std::fprintf(stderr,
-                     "floes: %s states no key, so everything %shas its default; floes config --defaults prints them\n",
-                     path.c_str(), overrides.empty() ? "" : "but --set ");
-    return campaign;
+void add_new(CommandLine& line) {
+    auto options = std::make_shared<NewOptions>();
+    Verb verb = line.verb("new", "Write a configuration to begin with: the keys that everybody sets");
+    verb.option("config", options->file, "The configuration to make (CONFIG.toml)").required();
+    Option full_scale =
+        verb.flag("--full-scale", options->full_scale, "A floater of 70 m in floes of 20 m, instead of model ice");
+    Option design = verb.flag("--design", options->design, "A design over two keys: how the load depends on them");
+    Option paper = verb.flag("--paper", options->paper, "The paper's Table 3, with few arrangements");
+    Option moored =
+        verb.flag("--moored", options->moored, "A moored hull that floats among floes of mixed shapes, at full scale");
+    design.excludes(full_scale);
+    paper.excludes(full_scale).excludes(design);
+    moored.excludes(full_scale).excludes(design).excludes(paper);
+    verb.runs([options] { return make(*options); });
 }
 
-const Case& chosen_case(const Campaign& campaign, const std::string& name) {
-    if (campaign.cases.size() == 1 && name.empty()) return campaign.cases.front();
-    const auto found = std::ranges::find(campaign.cases, name, &Case::name);
-    if (found != campaign.cases.end()) return *found;
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
-    throw InputError(
-        name.empty()
-            ? fmt::format("one case is taken, and this campaign has several; name it with --case: {}", name_list(names))
-            : fmt::format("there is no case {}; the cases are {}", name, name_list(names)));
+// floes vary: the configuration of a study that varies what the model leaves open, one input at a time.
+
+namespace {
+
+struct VaryOptions {
+    std::string file;
+    std::string case_name;
+    std::vector<std::string> overrides;
+};
+
+std::string vary(const VaryOptions& options) {
+    const Campaign campaign = load_campaign(options.file, options.overrides);
+    return variations_text(campaign, chosen_case(campaign, options.case_name));
 }
+
+}  // namespace
+
+void add_vary(CommandLine& line) {
+    auto options = std::make_shared<VaryOptions>();
+    Verb verb = line.verb("vary", "Write a study of what the model leaves open: friction, strength, water, channel");
+    verb.option("config", options->file, "The configuration (CONFIG.toml)").required();
+    verb.option("--case", options->case_name, "The case to vary, if there are several");
+    add_overrides(verb, options->overrides);
+    verb.footer(
+        "The study goes to standard output. It has the case as it is and some twenty others, each with one input\n"
+        "changed as far as it is usually unknown; edit it as you know better. Eight arrangements and more say "
+        "something.\n\n"
+        "  floes vary my.toml --set campaign.arrangements=12 > varied.toml\n"
+        "  floes run varied.toml\n"
+        "  floes summarize varied.h5 --parts model");
+    verb.prints([options] { return vary(*options); });
+}
+
+// floes config: print the defaults or the reference, check a configuration, print it resolved.
 
 namespace {
 
@@ -173,12 +165,8 @@ void add_config(CommandLine& line) {
     verb.option("--format", options->format, "Format of the reference: text (Markdown) or json")
         .one_of({"text", "json"})
         .needs(reference_flag);
-    verb.option("--set", options->overrides, "key=value: override a key of the file; may be repeated")
-        .excludes(reference_flag);
-    verb.runs([options] {
-        std::fputs(answer(*options).c_str(), stdout);
-        return 0;
-    });
+    add_overrides(verb, options->overrides).excludes(reference_flag);
+    verb.prints([options] { return answer(*options); });
 }
 
 }  // namespace floes

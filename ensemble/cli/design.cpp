@@ -1,73 +1,36 @@
-// floes design --regimes: the loads of a year, and how all of floes design is written to files.
+// floes design and contour: design loads, the loads of a year, and environmental contours.
 
 #include <algorithm>
-#include <cstdio>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <ranges>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "campaign/read.hpp"
-#include "campaign/variations.hpp"
+#include "campaign/write.hpp"
 #include "cli/commands.hpp"
-#include "cli/config.hpp"
-#include "cli/files.hpp"
-#include "cli/mooring_options.hpp"
-#include "cli/terminal.hpp"
-#include "core/error.hpp"
-#include "core/shell_word.hpp"
-#include "core/text.hpp"
-#include "core/units.hpp"
 #include "findings/design_load.hpp"
 #include "findings/evidence.hpp"
-#include "findings/moored_cases.hpp"
-#include "findings/warnings.hpp"
+#include "findings/moored.hpp"
 #include "keys/key.hpp"
 #include "match/contour_section.hpp"
-#include "match/year_section.hpp"
+#include "match/year.hpp"
 #include "page/section_html.hpp"
 #include "store/file_calls.hpp"
 #include "tables/workbook.hpp"
 
 namespace floes {
 
-struct YearOptions {
-    std::filesystem::path file;  ///< the campaign file
-    std::string words;           ///< as it was given, for commands
-    std::string regimes;         ///< TOML, or CSV by its name
-    DesignLoadRequest load;
-    std::vector<double> per_year{1e-2, 1e-4};
-    std::string format = "table";
-    std::string output;  ///< .html, .svg or .xlsx by its name; empty: none
-    bool automatic_window = false;
-    bool next = false;
-    std::string program;
-};
-
-/// Prints the answer and writes the output, and whether some load is known. Throws InputError as find_year() and
-/// read_regimes() do.
-bool tell_year(const YearOptions& options);
-
 namespace {
 
-/// `asked`: what the answer is of, "--regimes year.toml".
-std::string command_of(const std::string& program, const std::string& words, const std::string& asked,
-                       const DesignLoadRequest& load, bool automatic_window, const std::string& output) {
-    std::string command = fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}",
-                                      typed_program(program), words, asked, load.averaging, load.scale, load.share);
-    if (load.rising) command += " --rising";
-    if (automatic_window) command += " --window auto";
-    return command + " -o " + shell_word(output);
+Option add_per_year(Verb& verb, std::vector<double>& per_year) {
+    return verb.option("--per-year", per_year, "Probabilities of exceedance in a year, comma-separated")
+        .comma_separated()
+        .within(1e-7, 0.5)
+        .shows_default();
 }
 
 /// The sentences of the answer, which are lost among numbers: what they are of, warnings, and what to know.
 DataRows about_rows(const std::vector<Section>& sections, const std::string& command) {
-    Results lines{.columns = program_columns("about"), .view = Results::View::none};
+    Results lines{.columns = program_columns("about")};
     const auto add = [&](const std::string& text) {
         for (const auto line : std::views::split(text, '\n'))
             if (!line.empty()) lines.add({std::string(line.begin(), line.end())});
@@ -91,67 +54,39 @@ void write_sheets(const std::string& output, const std::vector<Section>& section
     rename_into_place(aside, output);
 }
 
-/// A workbook or a page, by its name.
-void write_output(const std::string& output, const char* title, const std::vector<Section>& sections,
-                  const std::string& command, const Units& units) {
-    if (output.ends_with(".xlsx"))
-        write_sheets(output, sections, command);
-    else
-        write_page(output, sections_page(title, sections, command, units));
-    std::fprintf(stderr, "floes: %s is written\n", output.c_str());
-}
+/// A file that a verb writes beside its answer, of the kind that the ending of its name says.
+struct Output {
+    const std::string& file;                    ///< empty: none
+    const char* title;                          ///< of a page
+    const std::vector<Section>& sections;       ///< of a page (.html, .pdf) or a workbook (.xlsx)
+    std::string command;                        ///< that makes it
+    Units units = {};                           ///< of a page
+    std::function<std::string()> picture = {};  ///< .svg
+    std::function<std::string()> cases = {};    ///< .toml
+};
 
-void write_year(const YearOptions& options, const std::vector<Section>& sections, const Year& year,
-                const YearRequest& request) {
-    const Units units = year_units(year, request);
-    if (!options.output.ends_with(".svg")) {
-        write_output(options.output, "Loads of a year", sections,
-                     command_of(options.program, options.words,
-                                fmt::format("--regimes {} --per-year {:g}", shell_word(options.regimes),
-                                            fmt::join(request.per_year, ",")),
-                                options.load, options.automatic_window, options.output),
-                     units);
+/// Throws InputError, before any work, for a file with none of the `endings`. `what`: what it would be.
+void expect_ending(const std::string& file, const char* what, const std::vector<std::string>& endings,
+                   const char* besides = "") {
+    if (file.empty() || std::ranges::any_of(endings, [&](const std::string& one) { return file.ends_with(one); }))
         return;
-    }
-    const std::optional<Figure> figure = year_figure(year, request);
-    if (!figure)
-        throw InputError(fmt::format(
-            "{} is not written: it would have no line, because the tails say no load of a year.", options.output));
-    write_page(options.output, figure_file(*figure, units));
-    std::fprintf(stderr, "floes: %s is written\n", options.output.c_str());
+    throw InputError(fmt::format("{} would be {}: give a name that ends with {} or {}{}.", file, what,
+                                 fmt::join(endings.begin(), endings.end() - 1, ", "), endings.back(), besides));
 }
 
-}  // namespace
-
-bool tell_year(const YearOptions& options) {
-    const bool known = options.output.empty() || options.output.ends_with(".html") ||
-                       options.output.ends_with(".pdf") || options.output.ends_with(".svg") ||
-                       options.output.ends_with(".xlsx");
-    if (!known)
-        throw InputError(
-            fmt::format("{} would be a page, a picture or a workbook: give a name that ends with .html, .pdf, "
-                        ".svg or .xlsx.",
-                        options.output));
-    const bool table = options.regimes.ends_with(".csv");
-    const std::string text = read_text(options.regimes);
-    const std::vector<Regime> regimes =
-        table ? read_regime_table(text, options.regimes) : read_regimes(text, options.regimes);
-    YearRequest request{options.load, options.per_year};
-    std::ranges::sort(request.per_year, std::ranges::greater{});
-    Evidence evidence = read_evidence(CampaignFile(options.file), options.automatic_window);
-    const Year year = find_year({options.file, evidence.campaign, evidence.table}, regimes, request);
-    std::vector<Section> sections = year_sections(evidence, year, request);
-    sections.front().before = warning_lines(warnings_of(evidence.table, evidence.summary)) + sections.front().before;
-    if (options.next) sections.push_back(year_next(evidence, year, typed_program(options.program)));
-    std::fputs(written(sections, options.format, year_units(year, request)).c_str(), stdout);
-    if (options.next && options.format != "table") std::fputs(sections.back().before.c_str(), stderr);
-    if (!options.output.empty()) write_year(options, sections, year, request);
-    return says_some_load(year);
+void write(const Output& output) {
+    if (output.file.empty()) return;
+    if (output.file.ends_with(".xlsx"))
+        write_sheets(output.file, output.sections, output.command);
+    else
+        write_page(output.file, output.file.ends_with(".svg") ? output.picture()
+                                : output.file.ends_with(".toml")
+                                    ? output.cases()
+                                    : sections_page(output.title, output.sections, output.command, output.units));
+    note("{} is written", output.file);
 }
 
 // floes contour: environmental contours of two inputs, as a table, a picture, or cases to run.
-
-namespace {
 
 struct ContourOptions {
     std::string ice;
@@ -214,9 +149,8 @@ std::string study_of(const ContourOptions& options, const ContourInputs& inputs,
     if (cases.empty())
         throw InputError(fmt::format("no point of the contour can be run with {}. {}", options.config, first_fault));
     if (!left_out.empty())
-        std::fprintf(stderr, "floes: %s cannot be run and %s left out: %s. The first: %s\n",
-                     counted(static_cast<int>(left_out.size()), "point").c_str(), left_out.size() == 1 ? "is" : "are",
-                     name_list(left_out).c_str(), first_fault.c_str());
+        note("{} cannot be run and {} left out: {}. The first: {}", counted(std::ssize(left_out), "point"),
+             left_out.size() == 1 ? "is" : "are", name_list(left_out), first_fault);
     return fmt::format(
                "# Short-term cases on the environmental contours of {}. Run it, then floes design "
                "--exposure-h {:g}:\n# the largest of a contour's cases is its load (docs/year.md).\n"
@@ -225,39 +159,24 @@ std::string study_of(const ContourOptions& options, const ContourInputs& inputs,
            study_text(campaign, of, cases);
 }
 
-void write_output(const ContourOptions& options, const ContourInputs& inputs, const std::vector<ContourOf>& contours,
-                  const std::vector<Section>& sections, const std::string& command) {
-    if (options.output.ends_with(".toml"))
-        write_page(options.output, study_of(options, inputs, contours));
-    else if (options.output.ends_with(".svg"))
-        write_page(options.output, figure_file(contour_figure(inputs, contours)));
-    else
-        write_page(options.output, sections_page("Environmental contours", sections, command));
-    std::fprintf(stderr, "floes: %s is written\n", options.output.c_str());
-}
-
-void refuse_output(const ContourOptions& options) {
-    const std::string& output = options.output;
-    if (output.empty()) return;
-    if (!output.ends_with(".toml") && !output.ends_with(".svg") && !output.ends_with(".html"))
-        throw InputError(fmt::format(
-            "{} would be cases, a picture or a page: give a name that ends with .toml, .svg or .html.", output));
-    if (output.ends_with(".toml") && options.config.empty())
-        throw InputError(fmt::format("{} would have cases of a configuration; say which with --config", output));
-}
-
 int tell(const ContourOptions& options, const std::string& program) {
-    refuse_output(options);
+    expect_ending(options.output, "cases, a picture or a page", {".toml", ".svg", ".html"});
+    if (options.output.ends_with(".toml") && options.config.empty())
+        throw InputError(
+            fmt::format("{} would have cases of a configuration; say which with --config", options.output));
     ContourRequest request = options.request;
     request.state = options.exposure_h * unit::hour;
     std::ranges::sort(request.per_year, std::ranges::greater{});
     const ContourInputs inputs = read_contour_inputs(read_text(options.ice), options.ice);
     const std::vector<ContourOf> contours = find_contours(inputs, request);
     const std::vector<Section> sections = contour_sections(inputs, request, contours);
-    std::fputs(written(sections, options.format).c_str(), stdout);
-    if (!options.output.empty())
-        write_output(options, inputs, contours, sections,
-                     fmt::format("{} contour {} -o {}", program, options.ice, options.output));
+    print(sections, options.format);
+    write({.file = options.output,
+           .title = "Environmental contours",
+           .sections = sections,
+           .command = fmt::format("{} contour {} -o {}", program, options.ice, options.output),
+           .picture = [&] { return figure_file(contour_figure(inputs, contours)); },
+           .cases = [&] { return study_of(options, inputs, contours); }});
     return 0;
 }
 
@@ -269,10 +188,7 @@ void add_contour(CommandLine& line) {
     verb.option("ice", options->ice,
                 "A scatter diagram as for design --regimes (.csv, .toml), or TOML with two [[input]] distributions")
         .required();
-    verb.option("--per-year", options->request.per_year, "Probabilities of exceedance in a year, comma-separated")
-        .comma_separated()
-        .within(1e-7, 0.5)
-        .shows_default();
+    add_per_year(verb, options->request.per_year);
     verb.option("--exposure-h", options->exposure_h, "Length of a state, h: as the exposure of floes design")
         .within(1e-3, 1e4)
         .shows_default();
@@ -306,8 +222,12 @@ struct DesignOptions {
     std::string of = "load";
     std::string output;
     std::string program;
-    YearOptions year;
     MooringOptions mooring;
+    std::string regimes;  ///< TOML, or CSV by its name; empty: loads in an exposure
+    std::vector<double> per_year{1e-2, 1e-4};
+    bool next = false;
+
+    bool automatic_window() const { return window == "auto"; }
 };
 
 struct Answer {
@@ -347,68 +267,90 @@ Answer sections_of(const DesignOptions& options, const Evidence& evidence, const
     return {design_load_sections(evidence.summary, designs, request), designs, request, evidence};
 }
 
-/// What the answer is of, as options.
-std::string asked(const DesignOptions& options) {
-    std::string text =
-        fmt::format("--exposure-h {:g} --quantile {:g}", options.exposure_h, fmt::join(options.request.quantiles, ","));
-    if (options.of != "load") text += " --of " + options.of;
-    return text + options.mooring.text();
+/// The command that repeats the answer. `asked`: what it is of, "--regimes year.toml".
+std::string command_of(const DesignOptions& options, const GivenCampaign& given, const std::string& asked) {
+    const DesignLoadRequest& load = options.request;
+    return fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}{}{} -o {}",
+                       typed_program(options.program), given.words(), asked, load.averaging, load.scale, load.share,
+                       load.rising ? " --rising" : "", options.automatic_window() ? " --window auto" : "",
+                       shell_word(options.output));
+}
+
+void add_warnings(const Evidence& evidence, std::vector<Section>& sections) {
+    std::string& before = sections.front().before;
+    before = warning_lines(warnings_of(evidence.table, evidence.summary)) + before;
 }
 
 int answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
     request.of = *std::ranges::find(design_ofs, options.of, &DesignOf::word);
-    if (!options.output.empty() && !options.output.ends_with(".html") && !options.output.ends_with(".pdf") &&
-        !options.output.ends_with(".xlsx"))
-        throw InputError(
-            fmt::format("{} would be a page or a workbook: give a name that ends with .html, .pdf or .xlsx; the "
-                        "curve (.svg) is of a year, with --regimes.",
-                        options.output));
+    expect_ending(options.output, "a page or a workbook", {".html", ".pdf", ".xlsx"},
+                  "; the curve (.svg) is of a year, with --regimes");
     const GivenCampaign given(options.files);
-    const Evidence evidence = read_evidence(CampaignFile(given.path()), options.window == "auto");
+    const Evidence evidence = read_evidence(CampaignFile(given.path()), options.automatic_window());
     Answer found = sections_of(options, evidence, request);
-    std::string& before = found.sections.front().before;
-    before = warning_lines(warnings_of(evidence.table, evidence.summary)) + before;
-    std::fputs(written(found.sections, options.format, found.units).c_str(), stdout);
-    if (!options.output.empty())
-        write_output(options.output, "Design values", found.sections,
-                     command_of(options.program, given.words(), asked(options), request, options.window == "auto",
-                                options.output),
-                     found.units);
+    add_warnings(evidence, found.sections);
+    print(found.sections, options.format, found.units);
+    const std::string asked =
+        fmt::format("--exposure-h {:g} --quantile {:g}{}{}", options.exposure_h, fmt::join(request.quantiles, ","),
+                    options.of == "load" ? "" : " --of " + options.of, options.mooring.text());
+    write({.file = options.output,
+           .title = "Design values",
+           .sections = found.sections,
+           .command = command_of(options, given, asked),
+           .units = found.units});
     return found.given ? 0 : 1;
 }
 
-/// Whether some load is known.
-bool answer_of_year(const DesignOptions& options) {
+std::string picture_of(const DesignOptions& options, const Year& year, const YearRequest& request) {
+    if (const std::optional<Figure> figure = year_figure(year, request))
+        return figure_file(*figure, year_units(year, request));
+    throw InputError(fmt::format("{} is not written: it would have no line, because the tails say no load of a year.",
+                                 options.output));
+}
+
+/// The loads of a year. Throws InputError as find_year() and read_regimes() do.
+int answer_of_year(const DesignOptions& options) {
     if (options.of != "load")
         throw InputError(fmt::format(
             "The loads of a year (--regimes) are of the ice load alone, and --of {0} is not. Leave out --regimes for "
             "the largest {0} in an exposure (--exposure-h), or leave out --of.",
             options.of));
     const GivenCampaign given(options.files);
-    YearOptions year = options.year;
-    year.file = given.path();
-    year.words = given.words();
-    year.load = options.request;
-    year.format = options.format;
-    year.automatic_window = options.window == "auto";
-    year.program = options.program;
-    year.output = options.output;
-    return tell_year(year);
+    expect_ending(options.output, "a page, a picture or a workbook", {".html", ".pdf", ".svg", ".xlsx"});
+    const bool table = options.regimes.ends_with(".csv");
+    const std::string text = read_text(options.regimes);
+    const std::vector<Regime> regimes =
+        table ? read_regime_table(text, options.regimes) : read_regimes(text, options.regimes);
+    YearRequest request{options.request, options.per_year};
+    std::ranges::sort(request.per_year, std::ranges::greater{});
+    Evidence evidence = read_evidence(CampaignFile(given.path()), options.automatic_window());
+    const Year year = find_year({given.path(), evidence.campaign, evidence.table}, regimes, request);
+    std::vector<Section> sections = year_sections(evidence, year, request);
+    add_warnings(evidence, sections);
+    if (options.next) sections.push_back(year_next(evidence, year, typed_program(options.program)));
+    const Units units = year_units(year, request);
+    print(sections, options.format, units);
+    if (options.next && options.format != "table") std::fputs(sections.back().before.c_str(), stderr);
+    write({.file = options.output,
+           .title = "Loads of a year",
+           .sections = sections,
+           .command = command_of(options, given,
+                                 fmt::format("--regimes {} --per-year {:g}", shell_word(options.regimes),
+                                             fmt::join(request.per_year, ","))),
+           .units = units,
+           .picture = [&] { return picture_of(options, year, request); }});
+    return says_some_load(year) ? 0 : 1;
 }
 
-void add_year(Verb& verb, YearOptions& year, const Option& exposure, const Option& quantile, const Option& mooring) {
+void add_year(Verb& verb, DesignOptions& year, const Option& exposure, const Option& quantile, const Option& mooring) {
     Option regimes = verb.option(
         "--regimes", year.regimes,
         "The loads of a year instead: TOML file with a [[regime]] for each kind of ice, its hours a year and "
         "its case or place in the design; or a scatter diagram (.csv)");
     regimes.excludes(exposure).excludes(quantile).excludes(mooring);
-    verb.option("--per-year", year.per_year, "Probabilities of exceedance in a year, comma-separated")
-        .comma_separated()
-        .within(1e-7, 0.5)
-        .shows_default()
-        .needs(regimes);
+    add_per_year(verb, year.per_year).needs(regimes);
     verb.flag("--next", year.next, "Of a year: the command that runs what its loads are least certain of")
         .needs(regimes);
 }
@@ -445,7 +387,7 @@ void add_design(CommandLine& line) {
                             "turret, or of the hull's axis without one; surge_offset and sway_offset of the axis; "
                             "heave and angles");
     of.one_of(words_of()).shows_default().excludes(mooring);
-    add_year(verb, options->year, exposure, quantile, mooring);
+    add_year(verb, *options, exposure, quantile, mooring);
     add_window(verb, options->window);
     verb.option("-o,--output", options->output,
                 "Write a page (.html, .pdf) or a workbook (.xlsx) too; of a year also the exceedance curve (.svg)")
@@ -464,10 +406,7 @@ void add_design(CommandLine& line) {
         "  floes design table3_physical.h5 --regimes year.toml                            10^-2 and 10^-4 a year");
     verb.runs([options, &line] {
         options->program = line.program_name();
-        if (!options->year.regimes.empty()) {
-            return answer_of_year(*options) ? 0 : 1;
-        }
-        return answer(*options);
+        return options->regimes.empty() ? answer(*options) : answer_of_year(*options);
     });
 }
 

@@ -2,20 +2,10 @@
 // 8), and that of level ice by ISO 19906.
 
 #include <algorithm>
-#include <cstdio>
 #include <iostream>
-#include <memory>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/config.hpp"
-#include "cli/terminal.hpp"
-#include "core/units.hpp"
 #include "findings/closed_formulas.hpp"
 #include "run/calibrate.hpp"
 #include "scenario/keys.hpp"
@@ -152,10 +142,9 @@ void add_hybrid(CommandLine& line) {
         "  floes hybrid                                   the paper's case\n"
         "  floes hybrid full_scale.toml --rubble-m 4 --modulus-MPa 5000\n"
         "  floes hybrid table3.toml --set ice.bending_strength_kPa=50 --format json");
-    verb.runs([options, strength] {
+    verb.prints([options, strength] {
         options->strength_given = strength.given();
-        std::fputs(answer(*options).c_str(), stdout);
-        return 0;
+        return answer(*options);
     });
 }
 

@@ -1,254 +1,22 @@
 // floes hydro: what other programs' files say of a hull's hydrodynamics and moorings, as keys of [moorings].
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "cli/commands.hpp"
-#include "cli/config.hpp"
-#include "core/error.hpp"
-#include "core/units.hpp"
-#include "hydro/hydrostatic_file.hpp"
-#include "hydro/mooring_file.hpp"
-#include "hydro/radiation.hpp"
-#include "shapes/hydrostatics.hpp"
+#include "hydro/mooring_keys.hpp"
 
 namespace floes {
 namespace {
 
 struct HydroOptions {
-    std::string file;
-    std::string hull;
+    MooringKeysRequest request;
     std::string case_name;
-    std::optional<double> period;
-    std::optional<double> density;
-    double length = 1;
-    std::optional<double> gravity;
-    std::optional<double> depth;
-    std::optional<double> waterplane;
-    std::vector<double> reference;
-    std::string weight;
 };
-
-/// What the file does not say, by the options and the configuration of the hull.
-struct Surroundings {
-    std::optional<Scenario> hull{};
-    WamitUnits units{};
-    double gravity = 9.80665;
-    double depth = std::numeric_limits<double>::infinity();
-    std::optional<double> waterplane{};
-};
-
-Surroundings surroundings(const HydroOptions& options) {
-    Surroundings found;
-    found.units.length = options.length;
-    if (!options.hull.empty()) {
-        found.hull = chosen_case(load_campaign(options.hull, {}), options.case_name).scenario;
-        found.units.density = found.hull->water.density;
-        found.gravity = found.hull->general.gravity;
-        found.waterplane = hydrostatics(found.hull->structure.shape).waterplane;
-    }
-    found.units.density = options.density.value_or(found.units.density);
-    found.gravity = options.gravity.value_or(found.gravity);
-    found.depth = options.depth.value_or(found.depth);
-    if (options.waterplane) found.waterplane = options.waterplane;
-    return found;
-}
-
-double period_of(double frequency) {
-    return 2 * std::numbers::pi / frequency;
-}
-
-/// The mean of its halves, which rounding makes unlike, without what couples two motions by less than a thousandth of
-/// what they have themselves: that changes no frequency by more than a millionth. Of a motion that has next to nothing
-/// itself, as yaw of a round hull, by a hundredth of what the others of its kind have.
-Mat6 without_rounding(const Mat6& matrix) {
-    constexpr double least = 1e-3;
-    constexpr double next_to_nothing = 1e-2;
-    Mat6 found = 0.5 * (matrix + matrix.transpose());
-    Vec6 own = found.diagonal().cwiseAbs().cwiseSqrt();
-    own.head<3>() = own.head<3>().cwiseMax(next_to_nothing * own.head<3>().maxCoeff());
-    own.tail<3>() = own.tail<3>().cwiseMax(next_to_nothing * own.tail<3>().maxCoeff());
-    for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < 6; ++j)
-            if (std::abs(found(i, j)) < least * own[i] * own[j]) found(i, j) = 0;
-    return found;
-}
-
-std::string matrix_text(const char* key, const Mat6& matrix) {
-    std::string text = fmt::format("{} = [\n", key);
-    const Mat6 printed = without_rounding(matrix);
-    for (const auto& row : printed.rowwise()) {
-        std::vector<std::string> numbers;
-        for (const double value : row) numbers.push_back(fmt::format("{:.6g}", value / unit::tonne));
-        text += fmt::format("  [{}],\n", fmt::join(numbers, ", "));
-    }
-    return text + "]\n";
-}
-
-/// A first column that is no period, a length or a density that are others give another waterplane. Only waves that are
-/// long against the hull know it.
-std::string guard(const HydroOptions& options, const Surroundings& here, const RadiationFile& radiation) {
-    const RadiationWater water =
-        radiation.water.value_or(RadiationWater{here.units.density, here.gravity, here.depth, 0});
-    const std::optional<double> implied = waterplane_by_waves(radiation, water.density, water.gravity, water.depth);
-    if (!implied) return "# its longest waves say nothing of the waterplane: no damping in heave\n";
-    std::string text =
-        fmt::format("# the damping in heave of its longest waves is that of a waterplane of {:.4g} m²", *implied);
-    const double known = here.waterplane.value_or(water.waterplane);
-    if (!(known > 0)) return text + "; compare it with your hull's, or give --hull or --waterplane-m2\n";
-    constexpr double most = 1.5;
-    if (std::abs(std::log(*implied / known)) <= std::log(most)) return text + "\n";
-    const double wave = longest_wave(radiation, water.gravity, water.depth);
-    const std::string whose = options.waterplane ? "--waterplane-m2"
-                              : here.waterplane  ? options.hull
-                                                 : "its own stiffness";
-    // Below a hull of the draught d waves of the number k are weaker by e^(-kd), which alone makes S too small.
-    const double radius = std::sqrt(known / std::numbers::pi);
-    const double draught = here.hull ? here.hull->structure.shape.draught() : 6 * radius;
-    if (*implied < known && wave < 2 * std::numbers::pi / std::log(most) * std::max(radius, draught))
-        return text + fmt::format(
-                          ", not of the {:.4g} m² of {}; they are {:.4g} m long, too short to know it, if its "
-                          "first column is a period in s\n",
-                          known, whose, wave);
-    throw InputError(fmt::format(
-        "{}: the damping in heave of its longest waves is that of a waterplane of {:.4g} m², not of the {:.4g} m² of "
-        "{}; is its first column a period in s, --length-m its length, --density its water, --depth-m its depth?",
-        options.file, *implied, known, whose));
-}
-
-/// Those of each motion by itself, in the order of radiation programs, with the file's added mass at the frequency
-/// itself. A motion that nothing holds, or that is not free, has that of the file's longest waves.
-std::array<double, 6> natural_frequencies(const RadiationFile& radiation, const Vec3& reference, const Scenario& hull) {
-    constexpr std::array<Motion, 6> order{Motion::surge, Motion::sway,  Motion::heave,
-                                          Motion::roll,  Motion::pitch, Motion::yaw};
-    Moorings moorings = hull.moorings;
-    moorings.added = {};
-    const Mat6 held = moorings.held(hull.water_stiffness());
-    std::array<double, 6> found{};
-    found.fill(radiation.points.front().frequency);
-    constexpr int enough = 30;  // each round changes it by the share that added mass varies by
-    for (int round = 0; round < enough; ++round) {
-        const Mat6 added = about_origin(radiation_at(radiation, found).added, reference);
-        moorings.added_mass.assign(6, std::vector<double>(6, 0));
-        for (int k = 0; k < 6; ++k)
-            moorings.added_mass[static_cast<std::size_t>(k)][static_cast<std::size_t>(k)] = added(k, k);
-        const Mat6 inertia = moorings.inertia();
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            const auto own = static_cast<int>(order.at(k));
-            if (moorings.is_free(order.at(k)) && held(own, own) > 0)
-                found.at(k) = std::sqrt(held(own, own) / inertia(own, own));
-        }
-    }
-    return found;
-}
-
-std::string radiation_text(const HydroOptions& options, const Surroundings& here, const std::string& bytes) {
-    const RadiationFile radiation = read_radiation(bytes, options.file, here.units);
-    Vec3 reference = radiation.reference.value_or(Vec3::Zero());
-    if (!options.reference.empty()) reference = {options.reference[0], options.reference[1], options.reference[2]};
-    std::array<double, 6> frequencies{};
-    std::string when;
-    if (options.period) {
-        const double shortest = period_of(radiation.points.back().frequency);
-        const double longest = period_of(radiation.points.front().frequency);
-        constexpr double rounding = 1e-9;
-        if (*options.period < shortest * (1 - rounding) || *options.period > longest * (1 + rounding))
-            throw InputError(fmt::format("{}: has periods from {:.4g} to {:.4g} s, and --period-s {:g} is outside",
-                                         options.file, shortest, longest, *options.period));
-        frequencies.fill(2 * std::numbers::pi / *options.period);
-        when = fmt::format("at {:g} s", *options.period);
-    } else if (here.hull && here.hull->moorings.give_way()) {
-        frequencies = natural_frequencies(radiation, reference, *here.hull);
-        std::vector<std::string> periods;
-        for (std::size_t k = 0; k < frequencies.size(); ++k)
-            periods.push_back(fmt::format("{} {:.4g} s", hydrodynamic_motions.at(k), period_of(frequencies.at(k))));
-        when = fmt::format("at the natural period of each motion of {}: {}", options.hull, fmt::join(periods, ", "));
-    } else {
-        throw InputError(fmt::format(
-            "{}: give the period at which its values are to hold, --period-s, or the configuration of a "
-            "hull on moorings, --hull, for those of its natural periods; the file has {:.4g} to {:.4g} s",
-            options.file, period_of(radiation.points.back().frequency), period_of(radiation.points.front().frequency)));
-    }
-    const RadiationPoint at = radiation_at(radiation, frequencies);
-    std::string out =
-        fmt::format("# {}, {}\n# about {}\n", options.file, when,
-                    reference.isZero() ? "its own reference point, taken as the axis at the calm water"
-                                       : fmt::format("the axis at the calm water, from ({:g}, {:g}, {:g}) m",
-                                                     reference.x(), reference.y(), reference.z()));
-    for (const std::string& remark : radiation.remarks) out += "# " + remark + "\n";
-    return out + guard(options, here, radiation) + matrix_text("added_mass", about_origin(at.added, reference)) +
-           matrix_text("radiation_damping", about_origin(at.damping, reference));
-}
-
-/// No keys: floes has the water's stiffness from the hull. It says whether both mean the same hull.
-std::string hydrostatic_text(const HydroOptions& options, const Surroundings& here, const std::string& text) {
-    if (options.weight.empty())
-        throw InputError(
-            fmt::format("{}: say with --weight inside or --weight outside whether its stiffness in roll and pitch "
-                        "holds the hull's weight; WAMIT has what its own file of forces says, NEMOH and Capytaine "
-                        "have it inside, HydroDyn wants it outside",
-                        options.file));
-    const Mat6 theirs = read_hydrostatics(text, options.file, here.units, here.gravity);
-    std::string out = fmt::format(
-        "# {}, weight {}, is no key: floes has the water's stiffness from the hull\n"
-        "# waterplane {:.5g} m²\n",
-        options.file, options.weight, theirs(2, 2) / (here.units.density * here.gravity));
-    if (!here.hull) return out + "# give --hull to compare it with that hull\n";
-    const bool inside = options.weight == "inside";
-    const Moorings& moorings = here.hull->moorings;
-    const Mat6 ours = water_stiffness(hydrostatics(here.hull->structure.shape), here.units.density, here.gravity,
-                                      inside ? moorings.mass : 0, inside ? moorings.height : 0);
-    constexpr std::array<Motion, 3> compared{Motion::heave, Motion::roll, Motion::pitch};
-    constexpr double most = 0.05;
-    double worst = 0;
-    for (std::size_t k = 0; k < compared.size(); ++k) {
-        const auto own = static_cast<int>(compared.at(k));
-        const double their = theirs(static_cast<int>(k) + 2, static_cast<int>(k) + 2);
-        const double our = ours(own, own);
-        const double share = (their - our) / std::max(std::abs(our), std::numeric_limits<double>::min());
-        worst = std::max(worst, std::abs(share));
-        out +=
-            fmt::format("# {}: {:.5g} {}, of the hull of {} {:.5g}: {:+.1f} %\n", motion_names.at(at(compared.at(k))),
-                        their, k == 0 ? "N/m" : "N m/rad", options.hull, our, 100 * share);
-    }
-    return out + (worst <= most ? "# they are the same hull\n"
-                                : "# THEY DIFFER: is it the same hull, --weight right, --length-m its length, its "
-                                  "reference point at the calm water, mass_t and centre_m those of the hull?\n");
-}
-
-std::string moorings_text(const HydroOptions& options, const Surroundings& here, const std::string& text) {
-    const MooringFile moorings = read_moorings(text, options.file, here.units.density, here.gravity);
-    std::string out;
-    for (const std::string& remark : moorings.remarks) out += "# " + remark + "\n";
-    out +=
-        "# x, height and z of the fairlead, azimuth, distance, depth, length, weight, stiffness, friction, break load\n"
-        "hanging_lines = [\n";
-    for (const HangingLine& line : moorings.lines)
-        out += fmt::format("  [{:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:.6g}, {:g}, {:g}],\n",
-                           line.fairlead.x(), line.fairlead.y(), line.fairlead.z(), line.azimuth / unit::degree,
-                           line.distance, line.depth, line.cable.length, line.cable.weight,
-                           line.cable.stiffness / unit::kilonewton, line.cable.friction,
-                           line.break_load / unit::kilonewton);
-    return out + "]\n";
-}
 
 std::string text_of(const HydroOptions& options) {
-    const std::string bytes = read_bytes(options.file);
-    const Surroundings here = surroundings(options);
-    const bool has_lines = bytes.find("LINE") != std::string::npos;
-    if (is_radiation(bytes) || (!has_lines && !is_hydrostatic(bytes))) return radiation_text(options, here, bytes);
-    return has_lines ? moorings_text(options, here, bytes) : hydrostatic_text(options, here, bytes);
+    MooringKeysRequest request = options.request;
+    const std::string bytes = read_bytes(request.file);
+    if (!request.hull_name.empty())
+        request.hull = chosen_case(load_campaign(request.hull_name, {}), options.case_name).scenario;
+    return mooring_keys(request, bytes);
 }
 
 }  // namespace
@@ -257,32 +25,35 @@ void add_hydro(CommandLine& line) {
     auto options = std::make_shared<HydroOptions>();
     Verb verb = line.verb(
         "hydro", "Keys of [moorings] from the files of other programs: WAMIT, NEMOH, Capytaine, MoorDyn, MoorPy");
-    verb.option("file", options->file,
+    verb.option("file", options->request.file,
                 "WAMIT's .1 or .hst, NEMOH's RadiationCoefficients.tec or KH.dat, Capytaine's NetCDF, or a file of "
                 "MoorDyn or MoorPy")
         .required();
-    verb.option("--hull", options->hull,
+    verb.option("--hull", options->request.hull_name,
                 "Configuration of the hull: its water, its waterplane, and each motion at its natural period")
         .value_name("CONFIG");
     verb.option("--case", options->case_name, "Which of its cases").value_name("NAME");
-    verb.option("--period-s", options->period, "Period at which added mass and damping are taken, of all motions")
+    verb.option("--period-s", options->request.period,
+                "Period at which added mass and damping are taken, of all motions")
         .positive();
-    verb.option("--density", options->density,
+    verb.option("--density", options->request.density,
                 "Density of the water, kg/m³, which WAMIT's files do not say; default: the hull's, or 1025")
         .positive();
-    verb.option("--length-m", options->length, "Length of WAMIT's units, ULEN; 1 where SI was written")
+    verb.option("--length-m", options->request.length, "Length of WAMIT's units, ULEN; 1 where SI was written")
         .positive()
         .shows_default();
-    verb.option("--depth-m", options->depth, "Depth of the water of the radiation file; default: deep").positive();
-    verb.option("--gravity", options->gravity, "Gravity, m/s²; default: the hull's, or 9.80665").positive();
-    verb.option("--waterplane-m2", options->waterplane,
+    verb.option("--depth-m", options->request.depth, "Depth of the water of the radiation file; default: deep")
+        .positive();
+    verb.option("--gravity", options->request.gravity, "Gravity, m/s²; default: the hull's, or 9.80665").positive();
+    verb.option("--waterplane-m2", options->request.waterplane,
                 "Waterplane of the hull, against which the file's longest waves are checked")
         .positive();
-    verb.option("--reference-m", options->reference,
+    verb.option("--reference-m", options->request.reference,
                 "The file's reference point from the axis at the calm water: ahead, to port, up; default: there")
         .comma_separated()
         .exactly(3);
-    verb.option("--weight", options->weight, "Whether the stiffness of a .hst or KH.dat holds the hull's weight")
+    verb.option("--weight", options->request.weight,
+                "Whether the stiffness of a .hst or KH.dat holds the hull's weight")
         .one_of({"inside", "outside"});
     verb.footer(
         "What it prints goes under [moorings] of a configuration. Values of a radiation file are constant in a run:\n"
@@ -292,10 +63,7 @@ void add_hydro(CommandLine& line) {
         "  floes hydro hull.1 --period-s 9 --waterplane-m2 3850 >> my.toml\n"
         "  floes hydro hull.hst --hull my.toml --weight inside\n"
         "  floes hydro moorings.dat");
-    verb.runs([options] {
-        std::cout << text_of(*options);
-        return 0;
-    });
+    verb.prints([options] { return text_of(*options); });
 }
 
 }  // namespace floes

@@ -1,22 +1,11 @@
 // floes laboratory cantilever: the measured strength of a numerical beam compared with its input strength.
 
 #include <cmath>
-#include <cstdio>
-#include <memory>
-#include <string>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/config.hpp"
-#include "cli/terminal.hpp"
-#include "core/error.hpp"
-#include "core/units.hpp"
 #include "run/calibrate.hpp"
 #include "scenario/keys.hpp"
-#include "simulation/cantilever.hpp"
-#include "simulation/plate_tests.hpp"
+#include "simulation/laboratory.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
@@ -130,8 +119,6 @@ Section stiffness_section(const CantileverOptions& options) {
     return {.results = {std::move(results)}};
 }
 
-}  // namespace
-
 void add_cantilever(Verb& laboratory) {
     auto options = std::make_shared<CantileverOptions>();
     Verb verb =
@@ -167,17 +154,14 @@ void add_cantilever(Verb& laboratory) {
         "the\n"
         "failing joint. With --stiffness: dry, the load at the middle of the last element. Shear and compression: P/(b "
         "h), or P/(b h²) with paper.threshold_form = \"as_printed\".");
-    verb.runs([options] {
-        const Section section =
-            options->stiffness ? stiffness_section(*options) : section_of(measure_all(*options), options->floating);
-        std::fputs(written({section}, options->format).c_str(), stdout);
-        return 0;
+    verb.prints([options] {
+        return written(
+            {options->stiffness ? stiffness_section(*options) : section_of(measure_all(*options), options->floating)},
+            options->format);
     });
 }
 
 // floes laboratory plate: the plate-deflection test. Σ to E as in Fig. 2, and back.
-
-namespace {
 
 /// An empty list stands for the configuration's value; every combination of given values is measured.
 struct PlateOptions {
@@ -278,7 +262,7 @@ PointPlan plan_of_inverse(PlateOptions options) {
                     plans.size()));
 }
 
-std::string inverse_text(const PlateOptions& options) {
+Section inverse_section(const PlateOptions& options) {
     const PointPlan plan = plan_of_inverse(options);
     const Calibration found = calibrate_cfm(plan.scenario, plan.test, options.modulus * unit::megapascal);
     Section section = curve_section(found.curve);
@@ -287,14 +271,8 @@ std::string inverse_text(const PlateOptions& options) {
                                                                 {"ceiling_MPa", found.ceiling / unit::megapascal}}));
     section.after = fmt::format("\nΣ = {:.4g} shows {:g} MPa (the ceiling of these iterations is {:.4g} MPa)\n",
                                 found.cfm, options.modulus, found.ceiling / unit::megapascal);
-    return written({section}, options.format);
+    return section;
 }
-
-std::string curve_text(const PlateOptions& options) {
-    return written({curve_section(measure_curve(make_plans(options)))}, options.format);
-}
-
-}  // namespace
 
 void add_plate(Verb& laboratory) {
     auto options = std::make_shared<PlateOptions>();
@@ -336,17 +314,19 @@ void add_plate(Verb& laboratory) {
         "  floes laboratory plate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60    beam joints, whatever the "
         "element\n"
         "  floes laboratory plate table3.toml --modulus-MPa 60                       Σ for an ice of 60 MPa");
-    verb.runs([options, cfm, beams, modulus] {
+    verb.prints([options, cfm, beams, modulus] {
         // If only one of the two is given, only sheets with these joints are measured.
         if (cfm.given() && !beams.given()) options->moduli.clear();
         if (beams.given() && !cfm.given()) options->cfm.clear();
         const bool no_sigma = !cfm.given() && base_scenario(*options).joint.model == JointModel::beam;
         if (no_sigma) options->cfm.clear();
-        const bool inverse = modulus.given();
-        std::fputs((inverse ? inverse_text(*options) : curve_text(*options)).c_str(), stdout);
-        return 0;
+        return written(
+            {modulus.given() ? inverse_section(*options) : curve_section(measure_curve(make_plans(*options)))},
+            options->format);
     });
 }
+
+}  // namespace
 
 // floes laboratory: the numerical ice tested by itself, without a tow.
 

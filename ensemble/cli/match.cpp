@@ -1,31 +1,14 @@
 // floes match: which inputs do measured loads not rule out?
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <limits>
-#include <memory>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
-#include "cli/config.hpp"
-#include "cli/files.hpp"
-#include "cli/terminal.hpp"
-#include "core/error.hpp"
-#include "core/shell_word.hpp"
-#include "core/text.hpp"
-#include "core/units.hpp"
-#include "match/match_sections.hpp"
 #include "match/matching.hpp"
-#include "match/predict.hpp"
 #include "page/match_page.hpp"
 
 namespace floes {
@@ -53,24 +36,23 @@ void write_next(const MatchOptions& options, const std::vector<MatchWave>& waves
     const std::filesystem::path path = options.next;
     write_page(path, write_campaign(next_wave(waves.front(), data.axes, points, path.stem().string(),
                                               waves.front().campaign.seed + waves.size())));
-    std::fprintf(stderr, "floes: %s has the next wave, %d points; run it with floes run %s\n", path.c_str(),
-                 static_cast<int>(points.rows()), path.c_str());
+    note("{0} has the next wave, {1} points; run it with floes run {0}", path.string(), points.rows());
 }
 
 /// The coordinates of a point given by KEY=VALUE pairs, one for each axis.
-Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vector<MatchAxis>& axes) {
+Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vector<RangedAxis>& axes) {
     Eigen::VectorXd at =
         Eigen::VectorXd::Constant(static_cast<Eigen::Index>(axes.size()), std::numeric_limits<double>::quiet_NaN());
     for (const std::string& pair : pairs) {
         const std::string key = pair.substr(0, pair.find('='));
-        const auto axis = std::ranges::find(axes, key, &MatchAxis::key);
+        const auto axis = std::ranges::find(axes, key, &RangedAxis::key);
         double value = 0;
         char rest = 0;
         const std::string number = pair.find('=') == std::string::npos ? "" : pair.substr(pair.find('=') + 1);
         if (axis == axes.end() || std::sscanf(number.c_str(), "%lf%c", &value, &rest) != 1 || !std::isfinite(value) ||
             (axis->scale == AxisScale::log && value <= 0)) {
             std::vector<std::string> keys;
-            for (const MatchAxis& one : axes) keys.push_back(one.key);
+            for (const RangedAxis& one : axes) keys.push_back(one.key);
             throw InputError(
                 fmt::format("--at {} is no KEY=NUMBER of an axis; the axes are {}.", pair, fmt::join(keys, ", ")));
         }
@@ -167,12 +149,12 @@ void run(const MatchOptions& options) {
     if (!options.at.empty()) sections.push_back(point_section(data, targets, point_at(options.at, data.axes)));
     const std::vector<Section> predicted = predictions(options, waves, data, targets, found);
     sections.insert(sections.end(), predicted.begin(), predicted.end());
-    std::fputs(written(sections, options.format).c_str(), stdout);
+    print(sections, options.format);
     if (!options.next.empty()) write_next(options, waves, data, found);
     if (options.page.empty()) return;
     write_page(options.page, match_page({data, targets, found, trail_of(options, waves, measured, found.share()),
                                          predicted, command_of(options)}));
-    std::fprintf(stderr, "floes: %s has the page\n", options.page.c_str());
+    note("{} has the page", options.page);
 }
 
 }  // namespace

@@ -1,29 +1,17 @@
 // Pictures of the worst moments of a campaign for its report: members computed again, side by side on all cores.
 
 #include <algorithm>
-#include <cstdio>
-#include <filesystem>
 #include <iostream>
-#include <memory>
-#include <string>
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
-#include "cli/terminal.hpp"
-#include "core/text.hpp"
-#include "core/units.hpp"
 #include "draw/picture.hpp"
 #include "page/page.hpp"
 #include "replay/replay_member.hpp"
 #include "run/calibrate.hpp"
 
 namespace floes {
-
-/// Fills data.moments; `all`: of each case, else of the campaign. Costs as much as the members did.
-void add_moments(const std::filesystem::path& file, bool all, ReportData& data);
 
 namespace {
 
@@ -66,8 +54,7 @@ std::vector<MomentPicture> pictures_of(const KeyFrames& frames) {
         {drawn(stage, frames.end, plan), "And at its end."}};
 }
 
-}  // namespace
-
+/// Fills data.moments; `all`: of each case, else of the campaign. Costs as much as the members did.
 void add_moments(const std::filesystem::path& file, bool all, ReportData& data) {
     std::vector<ReplaySubject> subjects;
     for (const int member : pictured_members(data.evidence, all))
@@ -86,8 +73,6 @@ void add_moments(const std::filesystem::path& file, bool all, ReportData& data) 
 }
 
 // floes report: a complete or incomplete campaign as one HTML page.
-
-namespace {
 
 struct ReportOptions {
     std::vector<std::string> files;

@@ -1,26 +1,17 @@
 // floes serve: a campaign as a model that samplers call over HTTP.
 
-#include <fmt/format.h>
-
-#include <filesystem>
 #include <iostream>
-#include <memory>
-#include <string>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include "campaign/read.hpp"
 #include "cli/commands.hpp"
-#include "cli/config.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
 #include "member/quantity.hpp"
 #include "run/link.hpp"
 #include "run/signals.hpp"
 #include "serve/http_server.hpp"
-#include "serve/question_queue.hpp"
 #include "serve/served_campaign.hpp"
+#include "serve/served_model.hpp"
 #include "serve/um_bridge.hpp"
 
 namespace floes {

@@ -1,23 +1,14 @@
 // floes status: the members of a campaign that are done, failed and still to do. Works during a run. Writes nothing
 // except, on request, a page.
 
-#include "cli/status.hpp"
-
 #include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
-#include <memory>
-#include <string>
 #include <thread>
 
-#include <fmt/format.h>
-
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
-#include "core/text.hpp"
-#include "page/status_page.hpp"
+#include "page/page.hpp"
 #include "run/campaign_status.hpp"
 #include "store/session.hpp"
 #include "tables/section.hpp"

@@ -2,24 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
-#include <optional>
 #include <ranges>
-#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
-#include "cli/mooring_options.hpp"
-#include "cli/terminal.hpp"
-#include "core/error.hpp"
-#include "core/units.hpp"
 #include "findings/answer.hpp"
 #include "findings/catalogue.hpp"
 #include "findings/evidence.hpp"
@@ -28,10 +15,6 @@
 #include "tables/workbook.hpp"
 
 namespace floes {
-
-/// `parts`: names of findings; empty: cases, members, pairs, the points of a design, and hulls that give way. The first
-/// sheet says what the others hold.
-std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::string>& parts);
 
 namespace {
 
@@ -95,8 +78,8 @@ FrontSheet front_sheet(Evidence& evidence) {
     return front;
 }
 
-}  // namespace
-
+/// `parts`: names of findings; empty: cases, members, pairs, the points of a design, and hulls that give way. The first
+/// sheet says what the others hold.
 std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::string>& parts) {
     using Line = std::pair<std::string, std::string>;
     std::vector<Line> contents{{"campaign", evidence.table.title}, {"made by", "floes " + floes_version()}};
@@ -124,8 +107,6 @@ std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::st
 }
 
 // floes summarize: the findings of a campaign file as a table, JSON or CSV. Works on incomplete campaigns too.
-
-namespace {
 
 struct SummarizeOptions {
     std::vector<std::string> files;

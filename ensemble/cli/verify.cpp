@@ -1,27 +1,19 @@
-// floes verify: whether campaign files, records and journals are as they were written.
+// floes verify and merge: whether campaign files, records and journals are as they were written, and one file of
+// several.
 
 #include "cli/verify.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <fstream>
-#include <memory>
 #include <set>
-#include <string>
-#include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read.hpp"
 #include "cli/commands.hpp"
-#include "cli/files.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
-#include "hdf5/verify.hpp"
+#include "findings/cases.hpp"
+#include "hdf5/read.hpp"
 #include "replay/recording.hpp"
 #include "run/link.hpp"
+#include "run/parts.hpp"
 #include "solver/lane_width.hpp"
 #include "store/journal.hpp"
 #include "store/session.hpp"
@@ -39,14 +31,6 @@ FileVerdict verdict_on(const std::filesystem::path& path, const char* kind) {
     verdict.file = path.string();
     verdict.kind = kind;
     return verdict;
-}
-
-std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
-    std::ifstream in(path, std::ios::binary);
-    std::string bytes(count, '\0');
-    in.read(bytes.data(), static_cast<std::streamsize>(count));
-    bytes.resize(static_cast<std::size_t>(in.gcount()));
-    return bytes;
 }
 
 std::string members_text(const std::set<std::size_t>& members) {
@@ -246,6 +230,58 @@ void add_verify(CommandLine& line) {
         "Exit status: 0 all good, 1 one is damaged, 2 none is damaged but one is no file of floes, or of a\nnewer "
         "one.");
     verb.runs([options] { return verify(options->files, options->format); });
+}
+
+// floes merge: one campaign file from those of separate runs with --part.
+
+namespace {
+
+struct MergeOptions {
+    std::vector<std::string> parts;
+    std::string output;
+    bool overwrite = false;
+};
+
+/// A merge leaves out damaged records; their members count as missing.
+void tell_damage(const Parts& parts) {
+    for (const Parts::Part& part : parts.all()) {
+        const FileVerdict verdict = judge_journal(part.journal, part.contents);
+        if (verdict.state != FileState::damaged) continue;
+        for (const std::string& fault : verdict.faults) note("{}: {}", verdict.file, fault);
+    }
+}
+
+int merge(const MergeOptions& options) {
+    expect_no_other_file(options.output);
+    const std::vector<std::filesystem::path> files(options.parts.begin(), options.parts.end());
+    const Parts parts = merge_campaigns(files, options.output, options.overwrite);
+    tell_damage(parts);
+    tell_parts(parts);
+    const CampaignTable table = read_campaign_file(CampaignFile(options.output));
+    const auto done = std::ranges::count(table.members, RowStatus::done, &MemberRow::status);
+    const auto missing = std::ranges::count(table.members, RowStatus::missing, &MemberRow::status);
+    const auto failed = std::ssize(table.members) - done - missing;
+    note("{} of {} done, {} failed, {} missing from all parts, into {}", done,
+         counted(std::ssize(table.members), "member"), failed, missing, options.output);
+    if (missing > 0)
+        note(
+            "the same command adds what the parts compute from now on; floes run CONFIG.toml -o {} --resume computes "
+            "the missing members",
+            options.output);
+    print({summary_section(summarise(table))}, "table");
+    return failed + missing > 0 ? 1 : 0;
+}
+
+}  // namespace
+
+void add_merge(CommandLine& line) {
+    auto options = std::make_shared<MergeOptions>();
+    Verb verb = line.verb("merge", "Merge the parts computed by floes run --part into one campaign");
+    verb.option("parts", options->parts, "Campaign files of the parts; their journals are read from the same folders")
+        .required();
+    verb.option("-o,--output", options->output, "The merged campaign file; one that exists is added to").required();
+    verb.flag("--overwrite", options->overwrite, "Replace what the merged campaign file has, instead of adding to it");
+    verb.runs([options] { return merge(*options); });
 }
 
 // floes --version: what this program is, and what it was built with.

@@ -1,7 +1,6 @@
 #pragma once
 // Whether a file of floes is as it was written: a campaign file, a record of a replay or a journal.
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,18 +1,102 @@
 #pragma once
-// A load history for the eye: few enough points to draw, with every peak.
+// Compresses a stream of bytes while it is made (zlib's format, which browsers inflate without further code).
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "draw/frame_packer.hpp"
+#include "core/bytes.hpp"
+#include "core/vector.hpp"
 #include "replay/recording.hpp"
+#include "simulation/record.hpp"
 
 namespace floes {
+
+class Deflater {
+  public:
+    Deflater();
+    ~Deflater();
+    Deflater(Deflater&&) noexcept;
+
+    void add(std::span<const std::byte> bytes);
+    /// Counts the compressed bytes so far; those that zlib still holds back are not counted.
+    std::size_t size() const;
+    /// All compressed bytes. The last call.
+    Bytes finish();
+
+  private:
+    class Stream;
+    std::unique_ptr<Stream> stream_;
+};
+
+// Frames of a replay as few bytes: numbers in whole quanta, each frame as its difference from the one before, and
+// compressed. A whole member of the paper's tank
+// (1701 elements, 1351 frames) takes 4 MB.
+//
+// Six streams, little endian; e elements, in the order of IceField::elements():
+//   low, high    a frame: lower and upper bytes of 7 e int16 differences; x of all elements, then y, z, and w, x, y, z
+//   of
+//                their unit quaternions, whose signs are such that neighbouring frames are near each other
+//                An element that is not there has four zeros in place of them, and else what it had before
+//   utilisation  a frame: e bytes of differences, %
+//   numbers      a frame: 5 float32: time (s), load x, y, z (N), number of its contacts
+//   contacts     a contact: 10 int16: point, normal force and friction on the ice, and 1 if it is one of the structure;
+//                those among the ice only where their force is not too small to be seen
+//   pieces       a change: 3 int32: frame, element, the piece that it then belongs to; frame 0 sets all
+
+/// What a whole number stands for.
+struct Quanta {
+    Vec3 middle = Vec3::Zero();       ///< where positions are 0, m
+    double length = 1;                ///< m
+    double force = 1;                 ///< N
+    double orientation = 1.0 / 4096;  ///< of a quaternion's part
+    double least_force = 0;           ///< N: smaller ones among the ice are left out
+};
+
+/// Such that every position and every force fits into an int16. Reads all frames.
+Quanta quanta_of(const Recording& recording);
+
+struct PackedFrames {
+    int frames = 0;
+    Bytes low, high, utilisation, numbers, contacts, pieces;
+};
+
+class FramePacker {
+  public:
+    FramePacker(const Quanta& quanta, int elements);
+
+    /// Frames in order of time; all of them with the packer's number of elements.
+    void add(const Frame& frame);
+    int frames() const { return frames_; }
+    /// Bytes so far, less what zlib still holds back.
+    std::size_t size() const;
+    /// The last call.
+    PackedFrames finish();
+
+  private:
+    void add_states(const Frame& frame);
+    void add_utilisation(const Frame& frame);
+    void add_contacts(const Frame& frame);
+    void add_pieces(const Frame& frame);
+    std::int16_t part_of_position(double value, int axis) const;
+
+    Quanta quanta_;
+    std::size_t elements_;
+    std::vector<int> at_;  // of each element: where the frame has it, or -1
+    int frames_ = 0;
+    std::vector<std::int16_t> states_;  // of the frame before
+    std::vector<std::uint8_t> percent_;
+    std::vector<int> pieces_;
+    Bytes low_, high_;  // of the frame; they keep their memory
+    Deflater packed_low_, packed_high_, packed_utilisation_, packed_numbers_, packed_contacts_, packed_pieces_;
+};
+
+// A load history for the eye: few enough points to draw, with every peak.
 
 /// values[k] is that of step steps[k].
 struct ThinnedHistory {
@@ -26,10 +110,6 @@ ThinnedHistory thinned(std::span<const double> history, int begin, int end, int 
 
 // What the page of a replay knows besides its frames: what was run, the shapes, the cameras, joints that failed and the
 // load history. For this module only.
-
-/// A JSON object; its names are read by page_assets/data.js. SI units.
-std::string page_header(const Recording& recording, const Quanta& quanta, const PackedFrames& frames,
-                        std::optional<double> start = {});
 
 // The page of a replay: one self-contained HTML file that plays a recording in any browser, opened from disk. It asks
 // nothing of the network; three.js is part of it.

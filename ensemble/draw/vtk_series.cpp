@@ -212,6 +212,9 @@ VtkMesh load_part(const Frame& frame) {
     return mesh;
 }
 
+namespace {
+
+/// Mooring lines that hold, from fairlead to anchor. Cells have tension and which line it is.
 VtkMesh moorings_part(const Frame& frame, const Moorings& moorings) {
     VtkMesh mesh{.kind = VtkCells::lines};
     std::vector<float> tension;
@@ -229,6 +232,8 @@ VtkMesh moorings_part(const Frame& frame, const Moorings& moorings) {
     return mesh;
 }
 
+}  // namespace
+
 VtkMesh structure_part(const Shape& shape, const StructurePose& pose) {
     const SurfaceMesh surface = shape.mesh(96);
     VtkMesh mesh{.kind = VtkCells::polygons};
@@ -241,13 +246,14 @@ VtkMesh structure_part(const Shape& shape, const StructurePose& pose) {
     return mesh;
 }
 
+namespace {
+
+/// A hexahedron for each sheet of fixed ice.
 VtkMesh ice_sheets_part(const Channel& channel) {
     VtkMesh mesh{.kind = VtkCells::hexahedra};
     for (const IceSheet& sheet : channel.sheets) append_box(mesh, sheet.centre, Mat3::Identity(), sheet.half_extents);
     return mesh;
 }
-
-namespace {
 
 constexpr const char* opening = R"PY(# A run of floes as Fig. 5 shows it. Written for ParaView 5.11.
 #
@@ -290,10 +296,8 @@ view.KeyLightWarmth = view.FillLightWarmth = view.HeadLightWarmth = view.BackLig
 view.KeyLightIntensity = 0.85
 view.OrientationAxesVisibility = 0  # its colours are not those of the load
 
-
 def part(name):
     return ExtractBlock(registrationName=name, Input=run, Selectors=['/Root/' + name])
-
 
 def show(source, colour, **properties):
     shown = Show(source, view)
@@ -303,7 +307,6 @@ def show(source, colour, **properties):
         setattr(shown, name, value)
     return shown
 
-
 def by_kind(shown, where, array, kinds):
     ColorBy(shown, (where, array))
     colours = GetColorTransferFunction(array)
@@ -312,14 +315,12 @@ def by_kind(shown, where, array, kinds):
     colours.IndexedColors = [share for colour in kinds.values() for share in colour]
     return colours
 
-
 def forces(name, source, array, colour, width):
     lines = Glyph(registrationName=name, Input=source, GlyphType='Line', OrientationArray=['POINTS', array],
                   ScaleArray=['POINTS', array], VectorScaleMode='Scale by Magnitude', ScaleFactor=metres_per_newton,
                   GlyphMode='All Points')
     lines.GlyphTransform.Translate = [0.5, 0, 0]  # lines begin at the point
     return show(lines, colour, LineWidth=width, Ambient=1, Diffuse=0)
-
 
 ice = show(part('ice'), white, Representation='Surface With Edges', EdgeColor=[0.55, 0.62, 0.68])
 by_kind(ice, 'CELLS', 'broken', {'whole': white, 'broken': warm})
@@ -355,7 +356,6 @@ arguments.add_argument('--time', type=float, default=time_shown)
 wanted = arguments.parse_known_args()[0]
 shown_at = min(max(wanted.time, scene.StartTime), scene.EndTime)
 
-
 # The camera goes with the structure. Delete its tracks in the Animation View to look from elsewhere while it plays.
 for name, seen in (('CameraPosition', eye), ('CameraFocalPoint', target)):
     GetAnimationTrack(name, 0, view).KeyFrames = [CompositeKeyFrame(KeyTime=0, KeyValues=[seen[0] + first_axis]),
@@ -388,8 +388,7 @@ std::string quoted(const std::string& text) {
     return quoted + "'";
 }
 
-}  // namespace
-
+/// The text of NAME.py. The camera is that of View::perspective.
 std::string vtk_state(const VtkStateOf& series, const RecordingSubject& subject) {
     const Camera seen = camera(View::perspective, subject, 0);
     const Channel channel = subject.channel();
@@ -414,8 +413,6 @@ std::string vtk_state(const VtkStateOf& series, const RecordingSubject& subject)
                                                      -channel.outer_edge, channel.outer_edge))) +
            body;
 }
-
-namespace {
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
     std::ofstream file(path, std::ios::binary);

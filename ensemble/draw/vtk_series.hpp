@@ -2,7 +2,6 @@
 // One data set in VTK's XML format: .vtu (cells with a volume) and .vtp (surfaces and points), its arrays appended raw
 // and compressed by zlib, as ParaView itself writes them.
 
-#include <bit>
 #include <concepts>
 #include <cstdint>
 #include <cstring>
@@ -14,7 +13,7 @@
 
 #include "replay/recording.hpp"
 #include "shapes/shape.hpp"
-#include "simulation/frame.hpp"
+#include "simulation/record.hpp"
 #include "simulation/sheets.hpp"
 
 namespace floes {
@@ -76,14 +75,8 @@ VtkMesh contacts_part(const Frame& frame);
 /// component: 0 surge, 1 heave, 2 sway (along x, y, z), 3 their sum.
 VtkMesh load_part(const Frame& frame);
 
-/// Mooring lines that hold, from fairlead to anchor. Cells have tension and which line it is.
-VtkMesh moorings_part(const Frame& frame);
-
 /// The surface of the structure with its axis there.
 VtkMesh structure_part(const Shape& shape, const StructurePose& pose);
-
-/// A hexahedron for each sheet of fixed ice.
-VtkMesh ice_sheets_part(const Channel& channel);
 
 // A script for ParaView that shows a series of VTK files as Fig. 5 shows a run.
 
@@ -96,9 +89,6 @@ struct VtkStateOf {
     double time_of_largest_load = 0;  ///< s
     double largest_force = 0;         ///< on the structure or at a contact, N
 };
-
-/// The text of NAME.py. The camera is that of View::perspective.
-std::string vtk_state(const VtkStateOf& series, const RecordingSubject& subject);
 
 // A run for ParaView and for whatever else reads VTK's files. Beside NAME.pvd, which names every file with its time,
 // stand a folder NAME of data sets and NAME.py, a state for ParaView that shows the run as Fig. 5 does.

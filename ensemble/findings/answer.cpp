@@ -2,26 +2,196 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/shell_word.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/cases.hpp"
 #include "findings/conditions.hpp"
-#include "findings/model_width.hpp"
-#include "findings/moored_cases.hpp"
+#include "findings/moored.hpp"
 #include "findings/pairs.hpp"
 #include "findings/points.hpp"
-#include "findings/sensitivity.hpp"
+#include "findings/steady.hpp"
 #include "findings/summary.hpp"
-#include "findings/warnings.hpp"
+#include "inference/interval.hpp"
 
 namespace floes {
+
+namespace {
+
+constexpr double unsteady_level = 0.05;  // p of a trend below which a member is not steady
+
+struct Counts : MemberCounts {
+    int untouched = 0;                   ///< done, without any load in the window
+    int rising = 0, falling = 0;         ///< done and not steady
+    std::vector<std::string> bare = {};  ///< cases of which no member met ice
+
+    Counts(const CampaignTable& table, const Summary& summary) : MemberCounts(summary.counts()) {
+        std::vector<int> of_case(summary.cases.size());
+        for (const MemberRow& row : table.members) {
+            if (!row.done()) continue;
+            const bool none = row.load.maximum == 0 && row.load.mean == 0;
+            untouched += none ? 1 : 0;
+            of_case[static_cast<std::size_t>(row.case_index)] += none ? 1 : 0;
+            if (!row.load.steady) ++(row.load.trend < 0 ? falling : rising);
+        }
+        for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+            const CaseSummary& one = summary.cases[k];
+            if (one.done > 0 && of_case[k] == one.done) bare.push_back(summary.label_of(k));
+        }
+    }
+};
+
+std::string untouched_text(const Counts& found, std::size_t cases) {
+    std::string text = fmt::format("Ice never touched the structure in {} of {}: their loads are 0", found.untouched,
+                                   counted(found.done, "member"));
+    if (!found.bare.empty() && found.bare.size() < cases) text += " (all of " + name_list(found.bare) + ")";
+    return text + ". The field may be too open, or the measured window too early.";
+}
+
+/// One in twenty steady members looks unsteady by chance, so a few are no news.
+bool more_than_chance(int found, int done) {
+    if (found == 0) return false;
+    double exactly = std::pow(1 - unsteady_level, done);  // the probability of that many by chance
+    double fewer = 0;
+    for (int count = 0; count < found; ++count) {
+        fewer += exactly;
+        exactly *= (done - count) * unsteady_level / ((count + 1) * (1 - unsteady_level));
+    }
+    return 1 - fewer < unsteady_level;
+}
+
+std::string unsteady_text(const Counts& found) {
+    const int all = found.rising + found.falling;
+    const char* how = found.falling == 0 ? "still rises" : found.rising == 0 ? "still falls" : "still has a trend";
+    return fmt::format(
+        "{} of {} not steady: the load {} in the measured window. A later analysis.steady_start_s, or --window auto.",
+        all, counted(found.done, "member"), how);
+}
+
+/// Cases whose load has a trend over all their members: a sentence for all.
+std::string joint_text(const CampaignTable& table, const Summary& summary) {
+    std::vector<std::string> lines;
+    for (const JointTrend& trend : joint_trends(table))
+        if (trend.seen) lines.push_back(fmt::format("{}: {}", summary.label_of(trend.case_index), trend_text(trend)));
+    if (lines.empty()) return "";
+    constexpr std::size_t most = 3;
+    const std::size_t all = lines.size();
+    lines.resize(std::min(all, most));
+    return fmt::format("Not steady: {}{}. A later analysis.steady_start_s, or --window auto.", fmt::join(lines, "; "),
+                       all > most ? fmt::format("; and {} more", counted(static_cast<int>(all - most), "case")) : "");
+}
+
+/// Cases in which most steps end before contacts are solved: in ice that jams loads are then too low
+/// (docs/fracture.md).
+std::string unsolved_text(const CampaignTable& table, const Summary& summary) {
+    constexpr double nearly_all = 0.9;
+    std::vector<std::string> lines;
+    int most = 0;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const std::vector<const MemberRow*> members = done_members(table, k);
+        const int allowed = table.cases[k].most_sweeps;
+        double sum = 0;
+        for (const MemberRow* row : members) sum += row->mean_sweeps;
+        const double mean = sum / static_cast<double>(members.size());
+        if (members.empty() || allowed == 0 || !(mean > nearly_all * allowed)) continue;
+        lines.push_back(fmt::format("{}, {:.3g} of at most {}", summary.label_of(k), mean, allowed));
+        most = std::max(most, allowed);
+    }
+    if (lines.empty()) return "";
+    return fmt::format(
+        "Contacts are not solved in most steps (sweeps a step: {}): where ice jams, loads are too low, on a wall by "
+        "half "
+        "and more. Try general.iterations = {}.",
+        fmt::join(lines, "; "), 10 * most);
+}
+
+/// Members whose mean load is far above the others'.
+std::string standing_out_text(const CampaignTable& table, const Summary& summary) {
+    std::vector<std::string> lines;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        std::vector<double> loads;
+        const std::vector<const MemberRow*> members = done_members(table, k);
+        for (const MemberRow* row : members) loads.push_back(row->load.mean);
+        std::vector<std::string> numbers;
+        for (const std::size_t row : apart(loads, Sides::above).above)
+            numbers.push_back(fmt::format("{}", members[row] - table.members.data()));
+        if (!numbers.empty())
+            lines.push_back(fmt::format("{} of {} of {} ({})", numbers.size(), members.size(), summary.label_of(k),
+                                        fmt::join(numbers, ", ")));
+    }
+    if (lines.empty()) return "";
+    return fmt::format(
+        "Members whose mean load is far above the others': {}. Look at them (floes replay). Intervals count them as "
+        "a kind of their own, whose share is uncertain; five or more of it are a beginning.",
+        fmt::join(lines, "; "));
+}
+
+/// Cases with too few arrangements for any interval.
+std::string few_text(const Summary& summary) {
+    std::vector<std::string> names;
+    int least = fewest_for_interval;
+    int most = 0;
+    int needed = 0;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        const CaseSummary& one = summary.cases[k];
+        if (one.done == 0 || one.done >= fewest_for_interval) continue;
+        names.push_back(summary.label_of(k));
+        least = std::min(least, one.done);
+        most = std::max(most, one.done);
+        needed = std::max(needed, arrangements_for(one.of(quantity("mean_load")), one.done, 0.2));
+    }
+    if (names.empty()) return "";
+    const std::string where = names.size() == summary.cases.size() ? "" : " (" + name_list(names) + ")";
+    const std::string count = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
+    const std::string remedy = needed > 0
+                                   ? fmt::format("about {} arrangements would give the mean load to 20 %", needed)
+                                   : std::string{"8 arrangements or more are a beginning"};
+    return fmt::format("n = {}{}: no interval worth printing; {}.", count, where, remedy);
+}
+
+std::string failed_text(const Counts& found, const Summary& summary) {
+    std::string text = fmt::format("{} of {} failed and {} in no figure. Member {}: {}", found.failed_members,
+                                   counted(found.members, "member"), found.failed_members == 1 ? "counts" : "count",
+                                   summary.failed.front().member, summary.failed.front().reason);
+    if (!text.ends_with('.')) text += '.';
+    if (found.failed_members > 1) text += " floes status has the others.";
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& summary) {
+    const Counts found(table, summary);
+    std::vector<std::string> sentences;
+    if (found.failed_members > 0) sentences.push_back(failed_text(found, summary));
+    if (found.missing_members > 0)
+        sentences.push_back(
+            fmt::format("{} of {} {} no result yet{}", found.missing_members, counted(found.members, "member"),
+                        found.missing_members == 1 ? "has" : "have",
+                        found.done > 0 ? ". Short runs finish first, so the figures lean towards them." : "."));
+    if (found.untouched > 0) sentences.push_back(untouched_text(found, summary.cases.size()));
+    if (std::string joint = joint_text(table, summary); !joint.empty())
+        sentences.push_back(std::move(joint));
+    else if (more_than_chance(found.rising + found.falling, found.done))
+        sentences.push_back(unsteady_text(found));
+    if (std::string unsolved = unsolved_text(table, summary); !unsolved.empty())
+        sentences.push_back(std::move(unsolved));
+    if (std::string out = standing_out_text(table, summary); !out.empty()) sentences.push_back(std::move(out));
+    if (std::string few = few_text(summary); !few.empty()) sentences.push_back(std::move(few));
+    return sentences;
+}
+
+std::string warning_lines(const std::vector<std::string>& warnings) {
+    std::string lines;
+    for (const std::string& one : warnings) lines += "! " + one + "\n";
+    return lines;
+}
 
 namespace {
 
@@ -38,9 +208,8 @@ std::string load(const Estimate& mean, const Units& units) {
     return text + fmt::format(" ({} to {})", units.number(mean.low, "N"), units.number(mean.high, "N"));
 }
 
-std::string load(const DesignLoadFigure& figure, int runs, const Units& units) {
-    const Limits& limits = figure.interval;
-    return load({figure.value, limits.low, limits.high, says_something(figure.value, limits, runs)}, units);
+std::string load(const LoadFigure& figure, int runs, const Units& units) {
+    return load(within(figure.value, figure.interval, says_something(figure.value, figure.interval, runs)), units);
 }
 
 /// nullptr where there is none.
@@ -76,20 +245,26 @@ std::string mean_doubts(const CaseSummary& row) {
     return doubts.empty() ? "" : fmt::format(" [{}]", fmt::join(doubts, ", "));
 }
 
-/// A design's points in two sentences; the table of them has the rest.
-std::vector<std::string> design_sentences(const Summary& summary, const Units& units) {
+/// The points with the least and the largest mean load, in words; none without a result.
+std::vector<std::pair<std::string, std::size_t>> extreme_points(const Summary& summary) {
+    const auto mean = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
     std::vector<std::size_t> done;
     for (std::size_t k = 0; k < summary.cases.size(); ++k)
-        if (summary.cases[k].done > 0) done.push_back(k);
+        if (std::isfinite(mean(k))) done.push_back(k);
     if (done.empty()) return {};
-    const auto mean = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
     const auto [least, most] = std::ranges::minmax_element(done, {}, mean);
+    return {{"least mean", *least}, {"largest mean", *most}};
+}
+
+/// A design's points in two sentences; the table of them has the rest.
+std::vector<std::string> design_sentences(const Summary& summary, const Units& units) {
     std::vector<std::string> sentences;
-    for (const auto& [words, k] : {std::pair{"Least", *least}, {"Largest", *most}}) {
+    const auto done = std::ranges::count_if(summary.cases, [](const CaseSummary& row) { return row.done > 0; });
+    for (const auto& [words, k] : extreme_points(summary)) {
         const CaseSummary& row = summary.cases[k];
-        sentences.push_back(
-            fmt::format("{} mean load of the {}: {} at {}{}.", words, counted(std::ssize(done), "point"),
-                        load(estimate_of(row, quantity("mean_load")), units), summary.label_of(k), mean_doubts(row)));
+        sentences.push_back(fmt::format("{} load of the {}: {} at {}{}.", capital(words), counted(done, "point"),
+                                        load(estimate_of(row, quantity("mean_load")), units), summary.label_of(k),
+                                        mean_doubts(row)));
     }
     return sentences;
 }
@@ -102,7 +277,7 @@ std::string mooring_words(const Evidence& evidence, const SimulatedDesign& desig
     if (found == design.of_cases.end()) return "";
     if (!found->load.valid())
         return fmt::format(" {}: {}", of.title, none_text(*found, evidence.summary.cases[index].about));
-    const DesignLoadFigure& figure = found->load.estimates.front().quantiles.front();
+    const LoadFigure& figure = found->load.estimates.front().quantiles.front();
     const double factor = design.request.factor();
     std::string told = evidence.units.text(factor * figure.value, of.unit);
     if (says_something(figure.value, figure.interval, found->load.arrangements))
@@ -142,18 +317,13 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
         stated.cases = {stated.cases[*base]};
         stated.labels.clear();
     } else {
-        for (std::string& line : variation_lines(evidence.campaign, evidence.summary))
-            sentences.push_back(std::move(line));
+        std::ranges::move(variation_lines(evidence.campaign, evidence.summary), std::back_inserter(sentences));
     }
-    for (std::string& line : condition_lines(stated)) sentences.push_back(std::move(line));
-    int done = 0;
-    int unsteady = 0;
-    for (const CaseSummary& row : evidence.summary.cases) {
-        done += row.done;
-        unsteady += row.not_steady;
-    }
+    std::ranges::move(condition_lines(stated), std::back_inserter(sentences));
+    const MemberCounts counts = evidence.summary.counts();
     sentences.push_back(fmt::format("{}, one for each case and arrangement; in {} of them the load still had a trend.",
-                                    counted(done, "simulation"), unsteady == 0 ? "none" : fmt::format("{}", unsteady)));
+                                    counted(counts.done, "simulation"),
+                                    counts.not_steady == 0 ? "none" : fmt::format("{}", counts.not_steady)));
     double times = 0;
     for (const CaseDesignLoad& one : designs.of_cases)
         if (one.load.valid()) times = std::max(times, designs.asked.model_exposure() / one.load.time_run);
@@ -247,13 +417,9 @@ namespace {
 
 std::string heading(const Evidence& evidence) {
     const Summary& summary = evidence.summary;
-    int members = 0;
-    bool equal = true;
-    for (const CaseSummary& row : summary.cases) {
-        members += row.members;
-        equal = equal && row.members == summary.cases.front().members;
-    }
-    std::string text = fmt::format("Campaign {}: {}", summary.title, counted(members, "member"));
+    const bool equal = std::ranges::all_of(
+        summary.cases, [&](const CaseSummary& row) { return row.members == summary.cases.front().members; });
+    std::string text = fmt::format("Campaign {}: {}", summary.title, counted(summary.counts().members, "member"));
     if (!equal) return text + fmt::format(" in {}.\n", counted(std::ssize(summary.cases), "case"));
     return text + fmt::format(", {} x {}.\n", counted(std::ssize(summary.cases), "case"),
                               counted(summary.cases.front().members, "arrangement"));
@@ -326,16 +492,11 @@ Results point_rows(const DesignPoints& points, const Summary& summary, const std
 
 /// Points with the least and the largest mean load, and in the notes where they lie.
 void add_extreme_points(const Summary& summary, const std::vector<LoadColumn>& loads, Section& section) {
-    const auto load = [](const CaseSummary& row) { return row.of(quantity("mean_load")).estimate; };
-    std::vector<std::size_t> done;
-    for (std::size_t k = 0; k < summary.cases.size(); ++k)
-        if (std::isfinite(load(summary.cases[k]))) done.push_back(k);
-    if (done.empty()) return;
-    const auto [least, most] =
-        std::ranges::minmax_element(done, {}, [&](std::size_t k) { return load(summary.cases[k]); });
+    const auto points = extreme_points(summary);
+    if (points.empty()) return;
     Results table{.columns = {{.words = "point"}}};
     add_columns(loads, table);
-    for (const auto& [words, k] : {std::pair{"least mean", *least}, {"largest mean", *most}}) {
+    for (const auto& [words, k] : points) {
         std::vector<Datum> line{words};
         add_loads(loads, summary.cases[k], line);
         table.add(std::move(line));
@@ -359,8 +520,8 @@ Section overview_section(const Evidence& evidence, const Sensitivity& sensitivit
         } else {
             section.results.push_back(point_rows(find_points(evidence.campaign), summary, loads));
         }
-        for (std::string& sentence : change_sentences(sensitivity, evidence.units, most_changes_shown))
-            section.notes.push_back(std::move(sentence));
+        std::ranges::move(change_sentences(sensitivity, evidence.units, most_changes_shown),
+                          std::back_inserter(section.notes));
     } else if (const std::optional<ModelWidth> width = find_model_width(evidence)) {
         section.results.push_back(variations_table(summary, *width, most_overview_rows));
         section.notes.push_back(width_sentence(width, evidence.units));

@@ -1,13 +1,22 @@
 #pragma once
-// The answer of a campaign in sentences: the loads, what they rest on, and what would change them.
+// What is wrong with a campaign as a whole, said before its figures.
 
 #include <string>
 #include <vector>
 
 #include "findings/evidence.hpp"
+#include "findings/summary.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
+
+/// Sentences, the worst first; none for a campaign that nothing is wrong with. `summary`: of the table.
+std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& summary);
+
+/// A line for each.
+std::string warning_lines(const std::vector<std::string>& warnings);
+
+// The answer of a campaign in sentences: the loads, what they rest on, and what would change them.
 
 struct CampaignAnswer {
     std::vector<std::string> warnings;  ///< what is wrong with the whole

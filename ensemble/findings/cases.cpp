@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <map>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "arrangement/arrangement.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
 #include "findings/conditions.hpp"
 #include "findings/summary.hpp"
+#include "inference/explained_variance.hpp"
 #include "inference/interval.hpp"
 #include "scenario/keys.hpp"
 
@@ -56,10 +59,6 @@ bool any_dash(const Summary& summary) {
     return false;
 }
 
-}  // namespace
-
-namespace {
-
 /// What no interval has: kinds of run that none of the fewest arrangements of a case shows.
 std::string unseen_text(const Summary& summary) {
     constexpr double times = 5;  // the load
@@ -87,8 +86,8 @@ std::string load_columns_text(const Summary& summary) {
                               : same ? fmt::format("each of the window's {}", counted(segments, "segment"))
                                      : std::string{"each of the window's segments"};
     return fmt::format(
-        "±: 95 % interval of the mean over arrangements (t), of sampling alone (floes vary: of the model){}. "
-        "Largest: of {}, {}; their mean.",
+        "±: 95 % interval of the mean over arrangements (t), of sampling alone (floes vary: of the model){}. Largest: "
+        "of {}, {}; their mean.",
         any_dash(summary) ? fmt::format("; –: of fewer than {}, or too wide", fewest_for_interval) : std::string{},
         parts,
         largest.averaging == 0 ? std::string{"in a single step, which depends on the time step"}
@@ -108,24 +107,14 @@ bool of_the_case(const Key& key) {
 }
 
 std::vector<Datum> paper_line(const PaperRow& paper) {
-    return {fmt::format("the paper at {:g} MPa", paper.elastic_modulus_mpa),
-            1,
-            paper.mean,
-            paper.sd,
-            paper.mean_maximum,
-            paper.sd_maximum,
-            paper.failure_ratio};
+    return row_of(fmt::format("the paper at {:g} MPa", paper.elastic_modulus_mpa), 1, paper.mean, paper.sd,
+                  paper.mean_maximum, paper.sd_maximum, paper.failure_ratio);
 }
 
 std::vector<Datum> experiment_line() {
     const Experiment measured;
-    return {fmt::format("experiment at {:g} MPa", measured.elastic_modulus_mpa),
-            Absent{},
-            measured.mean,
-            Absent{},
-            fmt::format("{:.1f} (largest)", measured.maximum),
-            Absent{},
-            measured.failure_ratio};
+    return row_of(fmt::format("experiment at {:g} MPa", measured.elastic_modulus_mpa), Absent{}, measured.mean,
+                  Absent{}, fmt::format("{:.1f} (largest)", measured.maximum), Absent{}, measured.failure_ratio);
 }
 
 }  // namespace
@@ -182,36 +171,22 @@ namespace {
 
 constexpr std::size_t most_reasons = 10;  // shown; `floes status` has all of them
 
-struct Totals {
-    int members = 0, done = 0, failed = 0, missing = 0, not_steady = 0;
-
-    explicit Totals(const Summary& summary) {
-        for (const CaseSummary& row : summary.cases) {
-            members += row.members;
-            done += row.done;
-            failed += row.failed_members;
-            missing += row.missing_members;
-            not_steady += row.not_steady;
-        }
-    }
-};
-
-std::string heading(const Summary& summary, const Totals& totals) {
+std::string heading(const Summary& summary, const MemberCounts& totals) {
     std::string text = fmt::format("Campaign {}: {} in {}", summary.title, counted(totals.members, "member"),
                                    counted(std::ssize(summary.cases), "case"));
-    if (totals.failed > 0) text += fmt::format(", {} failed", totals.failed);
-    text += totals.missing > 0 ? fmt::format(". INCOMPLETE: {} without a result yet.\n", totals.missing) : ".\n";
+    if (totals.failed_members > 0) text += fmt::format(", {} failed", totals.failed_members);
+    text += totals.missing_members > 0 ? fmt::format(". INCOMPLETE: {} without a result yet.\n", totals.missing_members)
+                                       : ".\n";
     for (const std::string& condition : condition_lines(summary)) text += condition + "\n";
     return text;
 }
 
-std::string notes(const Summary& summary, const Totals& totals) {
+std::string notes(const Summary& summary, const MemberCounts& totals) {
     std::string text = fmt::format(
         "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by "
         "Student's t, or by a mixture where members stand out; below it by BCa bootstrap, which assumes no "
-        "distribution; then the prediction interval of one "
-        "further run; –: one that would say nothing, of fewer than {} arrangements or too wide. Failure ratio: broken "
-        "floes / floes. Joints failed: mean per run.\n",
+        "distribution; then the prediction interval of one further run; –: one that would say nothing, of fewer than "
+        "{} arrangements or too wide. Failure ratio: broken floes / floes. Joints failed: mean per run.\n",
         fewest_for_interval);
     text +=
         has_rigid_contacts(summary)
@@ -220,7 +195,7 @@ std::string notes(const Summary& summary, const Totals& totals) {
             : "Maxima without an averaging time are maxima of single steps. Quote averaged maxima, with their "
               "averaging time.\n";
     text += unseen_text(summary);
-    if (totals.missing > 0 && totals.done > 0) {
+    if (totals.missing_members > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
     }
     if (totals.not_steady > 0) {
@@ -244,44 +219,21 @@ bool never_happened(const Summary& summary, const Quantity& quantity) {
            std::ranges::none_of(summary.cases, [&](const CaseSummary& row) { return row.of(quantity).estimate > 0; });
 }
 
-/// Cases as rows, columns one after another.
-class CaseTable {
-  public:
-    explicit CaseTable(const Summary& summary) : summary_(summary), rows_(summary.cases.size()) {
-        results_.place = "cases";
-        results_.view = Results::View::side_by_side;
-    }
+/// Cases as rows.
+using CaseTable = ByColumn<CaseSummary>;
 
-    /// `value`: of a CaseSummary.
-    template <class Value>
-    void add(ResultColumn about, const Value& value) {
-        results_.columns.push_back(std::move(about));
-        for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k].emplace_back(value(summary_.cases[k]));
-    }
-
-    /// The same, for people only where the interval says something of some case.
-    template <class Value>
-    void add_bracket(const std::string& key, const char* words, const Quantity& quantity, const Value& value) {
-        const bool said = quantity.shown >= Shown::in_table3 &&
-                          std::ranges::any_of(summary_.cases, [&](const CaseSummary& row) { return value(row).said; });
-        add({.key = key,
-             .words = said ? words : "",
-             .unit = unit_of(quantity),
-             .holds = ResultColumn::Holds::brackets,
-             .decimals = column_of(quantity).decimals},
-            value);
-    }
-
-    Results take() {
-        for (std::vector<Datum>& row : rows_) results_.add(std::move(row));
-        return std::move(results_);
-    }
-
-  private:
-    const Summary& summary_;
-    Results results_;
-    std::vector<std::vector<Datum>> rows_;
-};
+/// For people only where the interval says something of some case.
+void add_bracket(const Summary& summary, const std::string& key, const char* words, const Quantity& quantity,
+                 const auto& value, CaseTable& table) {
+    const bool said = quantity.shown >= Shown::in_table3 &&
+                      std::ranges::any_of(summary.cases, [&](const CaseSummary& row) { return value(row).said; });
+    table.add({.key = key,
+               .words = said ? words : "",
+               .unit = unit_of(quantity),
+               .holds = ResultColumn::Holds::brackets,
+               .decimals = column_of(quantity).decimals},
+              value);
+}
 
 void add_counts(const Summary& summary, CaseTable& table) {
     using Row = const CaseSummary&;
@@ -304,13 +256,14 @@ void add_quantity(const Summary& summary, const Quantity& quantity, Reference re
     ResultColumn about = column_of(quantity);
     if (never_happened(summary, quantity)) about.words.clear();
     table.add(std::move(about), [&](Row row) { return estimate_of(row, quantity); });
-    table.add_bracket(key + "_bca", "  bootstrap", quantity, [&](Row row) {
+    const auto by_bootstrap = [&](Row row) {
         const CaseEstimate& known = row.of(quantity);
         return Bracket{known.bca,
                        row.done >= fewest_for_bca && says_something(quantity, known.estimate, known.bca, row.done)};
-    });
-    table.add_bracket(key + "_prediction", "  one further run", quantity,
-                      [&](Row row) { return one_further_run(row, quantity); });
+    };
+    add_bracket(summary, key + "_bca", "  bootstrap", quantity, by_bootstrap, table);
+    const auto further = [&](Row row) { return one_further_run(row, quantity); };
+    add_bracket(summary, key + "_prediction", "  one further run", quantity, further, table);
     if (kind_of(quantity).load)
         table.add({key + "_standing_out"}, [&](Row row) { return row.of(quantity).standing_out; });
     if (!reference) return;
@@ -324,7 +277,7 @@ void add_quantity(const Summary& summary, const Quantity& quantity, Reference re
 }
 
 Results case_table(const Summary& summary, Reference reference) {
-    CaseTable table(summary);
+    CaseTable table(summary.cases);
     add_counts(summary, table);
     for (const Quantity& quantity : shown_in(summary.quantities, Shown::in_summary))
         add_quantity(summary, quantity, reference, table);
@@ -338,7 +291,7 @@ Results case_table(const Summary& summary, Reference reference) {
     }
     for (const Condition& condition : conditions())
         table.add({condition.key}, [&](const CaseSummary& row) { return condition.value(row.about); });
-    return table.take();
+    return table.take({.place = "cases", .view = Results::View::side_by_side});
 }
 
 /// The hull of each case as its configuration has it.
@@ -359,7 +312,7 @@ Results about(const Summary& summary, Reference reference) {
 }  // namespace
 
 Section summary_section(const Summary& summary, Reference reference) {
-    const Totals totals{summary};
+    const MemberCounts totals = summary.counts();
     return {.before = heading(summary, totals) + "\n",
             .results = {about(summary, reference), case_table(summary, reference), profiles(summary)},
             .after = notes(summary, totals)};
@@ -451,11 +404,10 @@ Section table3_section(Evidence& evidence) {
     const bool each = in_detail(evidence.campaign);  // a design of many points has figures of its own
     return {
         .results = {table3(evidence.campaign, evidence.summary)},
-        .after = fmt::format("Mean over arrangements with its 95 % confidence interval; below it the 95 % "
-                             "prediction interval of one further arrangement; –: one that would say nothing.{}",
-                             papers ? " The paper's figures are one run each, and the experiment's maximum is one "
-                                      "value."
-                                    : ""),
+        .after = fmt::format(
+            "Mean over arrangements with its 95 % confidence interval; below it the 95 % prediction interval of one "
+            "further arrangement; –: one that would say nothing.{}",
+            papers ? " The paper's figures are one run each, and the experiment's maximum is one value." : ""),
         .figures = !each ? std::vector<Figure>{}
                          : std::vector<Figure>{
                                strips(evidence, quantity("mean_load"),
@@ -464,6 +416,112 @@ Section table3_section(Evidence& evidence) {
                                strips(evidence, headline_maximum(evidence.summary.quantities),
                                       "The same for the mean of the segments' maxima."),
                                strips(evidence, quantity("failure_ratio"), "The same for the share of broken floes.")}};
+}
+
+namespace {
+
+const char* status_word(RowStatus status) {
+    return status == RowStatus::done ? "done" : status == RowStatus::failed ? "failed" : "missing";
+}
+
+}  // namespace
+
+Section members_section(const CampaignTable& table) {
+    Results results{.columns = program_columns("member case arrangement status"), .in_json = false};
+    const std::vector<Quantity> known = table.quantities();
+    std::vector<Quantity> shown;
+    for (const Quantity& quantity : shown_in(known, Shown::in_summary)) shown.push_back(quantity);
+    for (const Quantity& quantity : shown) results.columns.push_back({std::string{quantity.key.view()}});
+    std::size_t segments = 0;  // largest number in any case
+    for (const MemberRow& row : table.members) segments = std::max(segments, row.load.segment_maximum.size());
+    for (std::size_t k = 0; k < segments; ++k) results.columns.push_back({fmt::format("segment_{}_maximum", k + 1)});
+    results.columns.push_back({"trend_p"});
+    shown.push_back(quantity("trend_p"));
+    for (std::size_t number = 0; number < table.members.size(); ++number) {
+        const MemberRow& row = table.members[number];
+        std::vector<Datum> line{number, table.cases.at(static_cast<std::size_t>(row.case_index)).name, row.arrangement,
+                                status_word(row.status)};
+        for (const Quantity& quantity : shown) line.emplace_back(row.value(quantity));
+        for (std::size_t k = 0; k < segments; ++k) {
+            const std::vector<double>& maxima = row.load.segment_maximum;
+            line.insert(line.end() - 1, row.done() && k < maxima.size() ? Datum(maxima[k]) : Datum(Absent{}));
+        }
+        results.add(std::move(line));
+    }
+    return {.results = {std::move(results)}};
+}
+
+Section long_section(const CampaignTable& table) {
+    Results results{.columns = program_columns("case arrangement quantity unit value"), .in_json = false};
+    const std::vector<Quantity> known = table.quantities();
+    for (const MemberRow& row : table.members)
+        for (const Quantity& quantity : known)
+            if (row.done() && std::isfinite(row.value(quantity)))
+                results.add({table.cases.at(static_cast<std::size_t>(row.case_index)).name, row.arrangement,
+                             quantity.key.view(), quantity.unit, row.value(quantity)});
+    return {.results = {std::move(results)}};
+}
+
+namespace {
+
+/// Arrangements that are drawn, not run, for the means of the covariates.
+constexpr int control_draws = 200;
+
+Covariates drawn(const Scenario& scenario, std::uint64_t seed, int first) {
+    Covariates rows;
+    for (int k = 0; k < control_draws; ++k) {
+        const Arrangement made = make_arrangement(scenario, seed, static_cast<std::uint32_t>(first + k));
+        rows.push_back({made.local_order, made.coverage_ahead});
+    }
+    return rows;
+}
+
+}  // namespace
+
+Results find_control(const Evidence& evidence) {
+    Results results{.place = "control",
+                    .columns = {{"case", "control variates"},
+                                {"quantity"},
+                                estimates("mean", "mean", ""),
+                                {.key = "r_squared_left_out", .words = "R² left out", .decimals = 2},
+                                {"used"},
+                                estimates("corrected", ""),
+                                estimates("", "corrected", ""),
+                                {.key = "arrangements_saved", .words = "arrangements saved", .decimals = 0}}};
+    const Campaign& campaign = evidence.campaign;
+    std::map<std::uint64_t, Covariates> populations;
+    for (const Quantity& quantity : shown_in(evidence.summary.quantities, Shown::in_headlines)) {
+        bool first = true;
+        for (std::size_t k = 0; k < evidence.sample.cases(); ++k) {
+            const Scenario& scenario = campaign.cases.at(k).scenario;
+            if (scenario.arrangement.given()) continue;
+            const auto [place, added] = populations.try_emplace(geometry_key(scenario));
+            if (added) place->second = drawn(scenario, campaign.seed, campaign.arrangements);
+            if (std::exchange(first, false))
+                results.add_heading(std::string{quantity.label.view()}, Results::For::everybody, unit_of(quantity));
+            const Members& members = evidence.sample.done(k);
+            Covariates known;
+            for (const std::size_t member : members)
+                known.push_back(
+                    {evidence.table.members[member].local_order, evidence.table.members[member].coverage_ahead});
+            const ControlledMean found =
+                controlled_mean(evidence.sample.values(members, quantity), known, place->second);
+            const Estimate corrected = estimate(found.corrected);
+            results.add({evidence.summary.named(k), quantity.key.view(), estimate(found.plain), found.left_out,
+                         found.used, corrected, found.used ? Datum(corrected) : Datum("off"), found.saved});
+        }
+    }
+    return results;
+}
+
+Section control_section(Evidence& evidence) {
+    return {.results = {find_control(evidence)},
+            .after = fmt::format(
+                "\nBrackets: 95 % interval. Means corrected for the local order and the coverage ahead of the "
+                "arrangements that were run, against {} that were only drawn. R² left out: share of the variance that "
+                "these predict of arrangements which the fit has not seen; at 0 or below, where the interval is no "
+                "shorter, and with fewer than {} arrangements, the correction is off.\n",
+                control_draws, fewest_controlled)};
 }
 
 }  // namespace floes

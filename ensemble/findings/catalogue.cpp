@@ -6,66 +6,42 @@
 
 #include "findings/answer.hpp"
 #include "findings/cases.hpp"
-#include "findings/catalogue.hpp"
-#include "findings/control.hpp"
 #include "findings/design_load.hpp"
-#include "findings/energy.hpp"
 #include "findings/extremes.hpp"
-#include "findings/failures.hpp"
-#include "findings/fatigue.hpp"
-#include "findings/members.hpp"
-#include "findings/model_width.hpp"
-#include "findings/moored_cases.hpp"
+#include "findings/moored.hpp"
 #include "findings/pairs.hpp"
-#include "findings/parts.hpp"
 #include "findings/points.hpp"
-#include "findings/sensitivity.hpp"
-#include "findings/warnings.hpp"
 
 namespace floes {
 namespace {
 
-bool always(const Campaign&) {
-    return true;
-}
-
-bool never(const Campaign&) {
-    return false;
-}
-
-bool of_a_design(const Campaign& campaign) {
-    return campaign.design.active();
-}
-
-bool with_base_case(const Campaign& campaign) {
-    return base_case(campaign).has_value();
-}
+constexpr auto always = [](const Campaign&) { return true; };
+constexpr auto never = [](const Campaign&) { return false; };
+constexpr auto of_a_design = [](const Campaign& campaign) { return campaign.design.active(); };
+constexpr auto without_design = [](const Campaign& campaign) { return !campaign.design.active(); };
+constexpr auto with_base_case = [](const Campaign& campaign) { return base_case(campaign).has_value(); };
 
 /// Cases that somebody wrote down to compare them with each other; the points of a design are told by their axes.
-bool to_be_compared(const Campaign& campaign) {
+constexpr auto to_be_compared = [](const Campaign& campaign) {
     return campaign.cases.size() > 1 && !campaign.design.active() && !with_base_case(campaign);
-}
+};
 
-bool with_levels(const Campaign& campaign) {
+constexpr auto with_levels = [](const Campaign& campaign) {
     return std::ranges::any_of(campaign.cases,
                                [](const Case& one) { return !one.scenario.analysis.exceedance_levels.empty(); });
-}
+};
 
-bool with_parts(const Campaign& campaign) {
+constexpr auto with_parts = [](const Campaign& campaign) {
     return std::ranges::any_of(campaign.cases,
                                [](const Case& one) { return one.scenario.structure.shape.parts().size() > 1; });
-}
+};
 
-bool with_moorings(const Campaign& campaign) {
+constexpr auto with_moorings = [](const Campaign& campaign) {
     return std::ranges::any_of(campaign.cases, [](const Case& one) { return one.scenario.moorings.give_way(); });
-}
+};
 
-bool without_design(const Campaign& campaign) {
-    return !campaign.design.active();
-}
-
-/// A finding of one section.
-template <Section (*section)(Evidence&)>
+/// A finding of one section, which `section` makes of the evidence.
+template <auto section>
 std::vector<Section> one(Evidence& evidence) {
     return {section(evidence)};
 }
@@ -74,14 +50,6 @@ Section cases(Evidence& evidence) {
     Section section = summary_section(evidence.summary, evidence.reference);
     section.before = warning_lines(warnings_of(evidence.table, evidence.summary)) + section.before;
     return section;
-}
-
-Section overview(Evidence& evidence) {
-    return overview_section(evidence, sensitivity_of(evidence));
-}
-
-Section points(Evidence& evidence) {
-    return points_section(evidence);
 }
 
 const SteadyReport& steady_of(Evidence& evidence) {
@@ -101,14 +69,6 @@ Section pairs(Evidence& evidence) {
     return pairs_section(evidence.summary, compare_pairs(evidence, options), options);
 }
 
-Section pairs_left_out(Evidence& evidence) {
-    return {.before = unasked_text(evidence.summary) + "\n"};
-}
-
-Section extremes(Evidence& evidence) {
-    return extremes_section(evidence.summary, extremes_of(evidence));
-}
-
 Section levels(Evidence& evidence) {
     return levels_section(evidence.summary, find_levels(evidence.table));
 }
@@ -116,10 +76,6 @@ Section levels(Evidence& evidence) {
 /// The exceedance curve of the maxima and the time above the levels that members counted.
 std::vector<Section> exceedance(Evidence& evidence) {
     return {exceedance_section(evidence.summary, extremes_of(evidence)), levels(evidence)};
-}
-
-Section steady(Evidence& evidence) {
-    return steady_section(evidence.summary, evidence.table, steady_of(evidence));
 }
 
 /// As `floes design` has it by default.
@@ -132,20 +88,13 @@ std::vector<Section> design(Evidence& evidence) {
     return sections;
 }
 
-Section members(Evidence& evidence) {
-    return members_section(evidence.table);
-}
-
-Section one_value_a_line(Evidence& evidence) {
-    return long_section(evidence.table);
-}
-
 constexpr std::array all{
     Finding{"cases", one<cases>, always},
-    Finding{overview_part, one<overview>, never},
-    Finding{"points", one<points>, of_a_design, "What decides the load?", of_a_design},
+    Finding{overview_part, one<[](Evidence& e) { return overview_section(e, sensitivity_of(e)); }>, never},
+    Finding{"points", one<points_section>, of_a_design, "What decides the load?", of_a_design},
     Finding{"sensitivity", sensitivity, of_a_design, "What decides the load?", of_a_design},
-    Finding{"", one<pairs_left_out>, of_a_design, "What decides the load?", of_a_design},
+    Finding{"", one<[](Evidence& e) { return Section{.before = unasked_text(e.summary) + "\n"}; }>, of_a_design,
+            "What decides the load?", of_a_design},
     Finding{"", one<averaged_section>, never, loads_title, always},
     Finding{"", one<table3_section>, never, loads_title, always},
     Finding{"", one<what_was_run>, never, "What was run", always},
@@ -161,12 +110,13 @@ constexpr std::array all{
     Finding{"hull", parts_sections, with_parts, "Parts of the hull", with_parts},
     Finding{"energy", one<energy_section>, never, "Where the work goes", always},
     Finding{"design", design, never, "Design load", in_detail},
-    Finding{"extremes", one<extremes>, in_detail, "Extremes", in_detail},
+    Finding{"extremes", one<[](Evidence& e) { return extremes_section(e.summary, extremes_of(e)); }>, in_detail,
+            "Extremes", in_detail},
     Finding{"", one<levels>, never, "Extremes", with_levels},
     Finding{"exceedance", exceedance, never},
     Finding{"fatigue", fatigue_sections, never},
     Finding{"moored", moored_sections, with_moorings, "On moorings", in_detail},
-    Finding{"steady", one<steady>, never},
+    Finding{"steady", one<[](Evidence& e) { return steady_section(e.summary, e.table, steady_of(e)); }>, never},
     Finding{"control", one<control_section>, never},
     Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},
     Finding{"", one<failures_section>, never, "Broken floes", always},
@@ -174,8 +124,14 @@ constexpr std::array all{
     Finding{"", one<joint_failures_section>, never, "Where floes fail", always},
     Finding{"", one<largest_load_section>, never, "The arrangement with the largest load", always},
     Finding{"", one<closed_formulas_section>, never, "Elastic modulus and closed formulas", always},
-    Finding{.name = "members", .sections = one<members>, .unasked = never, .for_csv_alone = true},
-    Finding{.name = "long", .sections = one<one_value_a_line>, .unasked = never, .for_csv_alone = true},
+    Finding{.name = "members",
+            .sections = one<[](Evidence& e) { return members_section(e.table); }>,
+            .unasked = never,
+            .for_csv_alone = true},
+    Finding{.name = "long",
+            .sections = one<[](Evidence& e) { return long_section(e.table); }>,
+            .unasked = never,
+            .for_csv_alone = true},
 };
 
 }  // namespace

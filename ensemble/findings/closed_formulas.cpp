@@ -79,9 +79,8 @@ Figure hybrid_figure(const HybridCurve& curve, const Summary& summary, bool pape
                   .size = {720, 360},
                   .legend = {{"c0", "Lindqvist × IC"}, {"c1", "KPR"}, {"ink", "hybrid"}, {"c2", "this campaign"}},
                   .caption =
-                      "The hybrid model of Eqs. (6)-(7) (the paper's Fig. 8). KPR's coefficient k1 is chosen so "
-                      "that both limits cross at 10 MPa as in the paper: its line is a calibration, not a "
-                      "prediction."};
+                      "The hybrid model of Eqs. (6)-(7) (the paper's Fig. 8). KPR's coefficient k1 is chosen so that "
+                      "both limits cross at 10 MPa as in the paper: its line is a calibration, not a prediction."};
     figure.y.high *= 1.3;
     for (Figure::Points* points : {&stress, &momentum})
         std::erase_if(*points, [&](const auto& point) { return point.second > figure.y.high; });
@@ -111,13 +110,13 @@ Figure modulus_figure(const std::vector<CurvePoint>& plate_tests, bool papers) {
         moduli.push_back(points.back().second);
         largest_cfm = std::max(largest_cfm, point.cfm);
     }
-    Figure figure{.description = "Elastic modulus over constraint force mixing",
-                  .x = {"constraint force mixing Σ (1e-10 at the left edge)", least_cfm, largest_cfm, true},
-                  .y = axis_around("elastic modulus E, MPa", moduli, true),
-                  .legend = {{"c0", "plate tests of this ice"}},
-                  .caption =
-                      "Elastic modulus of this ice in a plate test over Σ (the paper's Fig. 2), on a sheet of "
-                      "13 x 13 elements."};
+    Figure figure{
+        .description = "Elastic modulus over constraint force mixing",
+        .x = {"constraint force mixing Σ (1e-10 at the left edge)", least_cfm, largest_cfm, true},
+        .y = axis_around("elastic modulus E, MPa", moduli, true),
+        .legend = {{"c0", "plate tests of this ice"}},
+        .caption =
+            "Elastic modulus of this ice in a plate test over Σ (the paper's Fig. 2), on a sheet of 13 x 13 elements."};
     figure.line(points, "c0");
     for (const auto& [cfm, modulus] : points) figure.dot(cfm, modulus, "c0");
     if (!papers) return figure;
@@ -144,20 +143,20 @@ Section hybrid_section(const HybridCurve& curve) {
                   p.limit_stress.crushing, p.limit_stress.bending, p.limit_stress.submergence, p.limit_momentum,
                   p.load});
     const KprCoefficients& kpr = curve.coefficients;
-    Results about{.columns = program_columns("crossing_MPa wall_deg kpr_coefficients/0 kpr_coefficients/1 "
-                                             "kpr_coefficients/2"),
-                  .object = true,
-                  .in_csv = false};
+    Results about{
+        .columns = program_columns("crossing_MPa wall_deg kpr_coefficients/0 kpr_coefficients/1 kpr_coefficients/2"),
+        .object = true,
+        .in_csv = false};
     about.add({curve.crossing ? Datum(*curve.crossing / unit::megapascal) : Datum(Undefined{}),
                curve.hull.stem_angle / unit::degree, kpr.static_part, kpr.dissipative, kpr.impact});
     const std::string crossing = curve.crossing
                                      ? fmt::format("floes break above {:.4g} MPa and are pushed aside below it",
                                                    *curve.crossing / unit::megapascal)
                                      : "floes are pushed aside at any modulus";
-    return {.results = {std::move(rows), std::move(about)},
-            .after = fmt::format("\n{}\nKPR coefficients k1 = {:.4g}, k2 = {:g}, k3 = {:g}: chosen, no source gives "
-                                 "them\n",
-                                 crossing, kpr.static_part, kpr.dissipative, kpr.impact)};
+    return {
+        .results = {std::move(rows), std::move(about)},
+        .after = fmt::format("\n{}\nKPR coefficients k1 = {:.4g}, k2 = {:g}, k3 = {:g}: chosen, no source gives them\n",
+                             crossing, kpr.static_part, kpr.dissipative, kpr.impact)};
 }
 
 Rubble rubble_on(const Scenario& scenario) {
@@ -199,12 +198,12 @@ Section sloping_section(const Scenario& scenario, std::span<const double> moduli
         .title = "Level ice without an end, by ISO 19906",
         .before = refusal,
         .results = inputs_of(request.rubble, request.crushing_strength, crushing),
-        .after = fmt::format(
-            "\nSloping wall, (H_B + H_P + H_L + H_R + H_T) x thrust: breaking the sheet, pushing it through the "
-            "rubble, lifting rubble, blocks up the wall, turning them at its top; {}. Crushing on a vertical wall of "
-            "the same breadth with C_R {:g} MPa: {}.\n"
-            "For a sheet that is wide and goes on coming; not for floes (no concentration), round hulls or tanks.\n",
-            rubble_words(request.rubble), request.crushing_strength / unit::megapascal, units.text(crushing, "N"))};
+        .after = fmt::format("\nSloping wall, (H_B + H_P + H_L + H_R + H_T) x thrust: breaking the sheet, pushing it "
+                             "through the rubble, lifting rubble, blocks up the wall, turning them at its top; {}. "
+                             "Crushing on a vertical wall of the same breadth with C_R {:g} MPa: {}.\nFor a sheet that "
+                             "is wide and goes on coming; not for floes (no concentration), round hulls or tanks.\n",
+                             rubble_words(request.rubble), request.crushing_strength / unit::megapascal,
+                             units.text(crushing, "N"))};
     section.results.insert(section.results.begin(), std::move(rows));
     return section;
 }

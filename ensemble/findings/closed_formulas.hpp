@@ -1,12 +1,11 @@
 #pragma once
 // Loads by closed formulas, as output: the hybrid model over the elastic modulus, and level ice on the wall by the
-// formulas of ISO 19906. The report's section of them is in report_sections.hpp.
+// formulas of ISO 19906. The report's section of them is in catalogue.hpp.
 
 #include <span>
 
 #include "scenario/scenario.hpp"
 #include "tables/section.hpp"
-#include "theory/hybrid.hpp"
 #include "theory/level_ice.hpp"
 
 namespace floes {

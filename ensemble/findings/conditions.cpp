@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/case_words.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
 #include "findings/points.hpp"
-#include "findings/single_floes.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/scenario.hpp"
 
@@ -42,6 +40,11 @@ std::string KeyWords::with(const std::string& value) const {
     return name + " " + value + (unit.empty() ? "" : " " + unit);
 }
 
+std::string capital(std::string sentence) {
+    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    return sentence;
+}
+
 KeyWords key_words(std::string_view key) {
     const std::size_t dot = key.find('.');
     std::string_view name = dot == std::string_view::npos ? key : key.substr(dot + 1);
@@ -62,30 +65,30 @@ namespace {
 
 // Appends "NAME: words." or, where the cases differ, "NAME: words (case, case)." for each wording in order of
 // appearance.
-void add_condition(const Summary& summary, std::string_view name,
-                   const std::function<std::string(const CaseRow&)>& words, std::vector<std::string>& lines) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> wordings;
+void add_condition(const Summary& summary, std::string_view name, const std::function<Words(const CaseRow&)>& words,
+                   std::vector<std::string>& lines) {
+    std::vector<std::pair<Words, std::vector<std::string>>> wordings;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
-        const std::string wording = words(summary.cases[k].about);
+        const Words wording = words(summary.cases[k].about);
         auto found = std::ranges::find(wordings, wording, &decltype(wordings)::value_type::first);
         if (found == wordings.end()) found = wordings.insert(found, {wording, {}});
         found->second.push_back(summary.label_of(k));
     }
     constexpr std::size_t most_wordings = 4;
     if (wordings.size() > most_wordings) {
-        std::vector<std::string> all;
+        std::vector<Words> all;
         for (const auto& [wording, cases] : wordings) all.push_back(wording);
-        if (const std::optional<std::string> ranges = with_ranges(all)) {
-            lines.push_back(fmt::format("{}: {}, by case.", name, *ranges));
+        if (const std::optional<Words> ranges = Words::with_ranges(all)) {
+            lines.push_back(fmt::format("{}: {}, by case.", name, ranges->text()));
             return;
         }
-        lines.push_back(fmt::format("{}: {} different ones, as {} ({}).", name, wordings.size(), wordings.front().first,
-                                    name_list(wordings.front().second)));
+        lines.push_back(fmt::format("{}: {} different ones, as {} ({}).", name, wordings.size(),
+                                    wordings.front().first.text(), name_list(wordings.front().second)));
         return;
     }
     for (const auto& [wording, cases] : wordings) {
-        lines.push_back(wordings.size() == 1 ? fmt::format("{}: {}.", name, wording)
-                                             : fmt::format("{}: {} ({}).", name, wording, name_list(cases)));
+        lines.push_back(wordings.size() == 1 ? fmt::format("{}: {}.", name, wording.text())
+                                             : fmt::format("{}: {} ({}).", name, wording.text(), name_list(cases)));
     }
 }
 
@@ -96,60 +99,72 @@ std::string_view word(const std::array<std::string_view, count>& words, Enum val
 }
 
 /// "2.5 m wide (2.0 times the hull), field 4.61 m long, between ice sheets that press with 20 N/m".
-std::string channel_words(const CaseRow& row) {
+Words channel_words(const CaseRow& row) {
     const double width = 2 * row.field.half_width;
-    std::string words = fmt::format("{:.4g} m wide ({:.1f} times the hull at the waterline), field {:.3g} m long, {}",
-                                    width, 0.5 * width / row.shape.waterline_radius(), row.field_length,
-                                    row.field.sides == FieldSides::open ? "open at its sides" : "between ice sheets");
-    if (row.field.confining > 0) words += fmt::format("; its sheets press with {:.4g} N/m", row.field.confining);
+    Words words = Words::of("{:.4g} m wide ({:.1f} times the hull at the waterline), field {:.3g} m long, {}", width,
+                            0.5 * width / row.shape.waterline_radius(), row.field_length,
+                            row.field.sides == FieldSides::open ? "open at its sides" : "between ice sheets");
+    if (row.field.confining > 0) words += Words::of("; its sheets press with {:.4g} N/m", row.field.confining);
     return words;
 }
 
-std::string gap_words(const CaseRow& row) {
+Words gap_words(const CaseRow& row) {
     if (!row.gap) return "none, as the sides are open or the structure goes along a path";
-    return fmt::format("{:.3g} m between the structure and the bank, {:.3g} sides of a floe", row.gap->breadth,
-                       row.gap->floes);
+    return Words::of("{:.3g} m between the structure and the bank, {:.3g} sides of a floe", row.gap->breadth,
+                     row.gap->floes);
 }
 
-std::string direction_words(double speed, double direction) {
-    return fmt::format("{:.3g} m/s towards {:.0f}°", speed, direction / unit::degree);
+Words direction_words(double speed, double direction) {
+    return Words::of("{:.3g} m/s towards {:.0f}°", speed, direction / unit::degree);
 }
 
 /// "current 0.1 m/s towards 90°, wind 5 m/s towards 0°"; directions from the tow's, towards +z.
-std::string drift_words(const CaseRow& row) {
-    std::string words;
+Words drift_words(const CaseRow& row) {
+    Words words;
     if (const double current = row.current.norm(); current > 0)
-        words = "current " + direction_words(current, std::atan2(row.current.y(), row.current.x()));
+        words = Words("current ") + direction_words(current, std::atan2(row.current.y(), row.current.x()));
     if (row.wind.speed > 0)
-        words += (words.empty() ? "wind " : ", wind ") + direction_words(row.wind.speed, row.wind.direction);
-    return words.empty() ? "none" : words;
+        words += Words(words.empty() ? "wind " : ", wind ") + direction_words(row.wind.speed, row.wind.direction);
+    return words.empty() ? Words("none") : words;
 }
 
 bool has_beam_joints(const CaseRow& row) {
     return std::isnan(row.cfm);
 }
 
-std::string joint_words(const CaseRow& row) {
+Words joint_words(const CaseRow& row) {
     if (!has_beam_joints(row)) return "they follow Σ";
-    return fmt::format("elastic beams, solved exactly; they fail by {}",
-                       row.joint.fails_by_stress() ? "the stress in the ice" : "moment");
+    return Words::of("elastic beams, solved exactly; they fail by {}",
+                     row.joint.fails_by_stress() ? "the stress in the ice" : "moment");
 }
-
-}  // namespace
 
 std::string far_end_words(FarEnd far_end) {
     if (far_end == FarEnd::never) return "none: ice comes from ahead as long as the run lasts";
     return far_end == FarEnd::ice_sheet ? "an ice sheet" : "open";
 }
 
-std::string contact_words(const ContactLaw& law) {
-    std::string words;
+/// The key's value in the configuration.
+std::string far_end_key(FarEnd far_end) {
+    if (far_end == FarEnd::never) return "never";
+    return far_end == FarEnd::ice_sheet ? "ice_sheet" : "open";
+}
+
+/// "80 to 230 s after the tow began, in 3 segments".
+Words window_words(const Analysis& analysis) {
+    return Words::of("{} to {} s after the tow began, in {}", analysis.steady_start,
+                     analysis.steady_start + analysis.window, Words::counted(analysis.segments, "segment"));
+}
+
+}  // namespace
+
+Words contact_words(const ContactLaw& law) {
+    Words words;
     const ContactPreset preset = preset_of(law);
-    if (preset != ContactPreset::own) words = fmt::format("preset {}, ", word(preset_words, preset));
+    if (preset != ContactPreset::own) words = Words::of("preset {}, ", word(preset_words, preset));
     words += law.friction == Friction::cone ? "friction in the contact plane, " : "friction in one direction, ";
     words += law.normal == NormalLaw::rigid
-                 ? fmt::format("rigid with Γ {}", law.erp)
-                 : fmt::format("crushing at {:.4g} kPa", law.crushing_pressure / unit::kilopascal);
+                 ? Words::of("rigid with Γ {}", law.erp)
+                 : Words::of("crushing at {:.4g} kPa", law.crushing_pressure / unit::kilopascal);
     if (preset == ContactPreset::own) words += law.internal_edges ? ", internal edges act" : ", no internal edges";
     return words;
 }
@@ -159,47 +174,31 @@ bool has_rigid_contacts(const Summary& summary) {
                                [](const CaseSummary& row) { return row.about.contact.normal == NormalLaw::rigid; });
 }
 
-std::string window_words(const Analysis& analysis) {
-    return fmt::format("{} to {} s after the tow began, in {}", analysis.steady_start,
-                       analysis.steady_start + analysis.window, counted(analysis.segments, "segment"));
-}
-
-std::string far_end_key(FarEnd far_end) {
-    if (far_end == FarEnd::never) return "never";
-    return far_end == FarEnd::ice_sheet ? "ice_sheet" : "open";
-}
-
 std::vector<std::string> condition_lines(const Summary& summary) {
+    using Row = const CaseRow&;
     std::vector<std::string> lines;
-    if (std::ranges::none_of(summary.cases, [](const CaseSummary& row) { return row.about.floes.empty(); })) {
-        add_condition(
-            summary, "Ice", [](const CaseRow& row) { return row.floes; }, lines);
-        add_condition(
-            summary, "Structure", [](const CaseRow& row) { return row.motion; }, lines);
+    const auto add = [&](std::string_view name, const auto& words) { add_condition(summary, name, words, lines); };
+    const auto any = [&](const auto& has) {
+        return std::ranges::any_of(summary.cases, [&](const CaseSummary& row) { return has(row.about); });
+    };
+    if (!any([](Row row) { return row.floes.empty(); })) {
+        add("Ice", [](Row row) { return row.floes; });
+        add("Structure", [](Row row) { return row.motion; });
     }
-    add_condition(
-        summary, "Structure wall", [](const CaseRow& row) { return row.shape.words(); }, lines);
-    if (std::ranges::all_of(summary.cases, [](const CaseSummary& row) { return row.about.field_length > 0; }))
-        add_condition(summary, "Channel", channel_words, lines);
-    if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return row.about.gap.has_value(); }))
-        add_condition(summary, "Gap", gap_words, lines);
-    add_condition(
-        summary, "Far end", [](const CaseRow& row) { return far_end_words(row.far_end); }, lines);
-    if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return drift_words(row.about) != "none"; }))
-        add_condition(summary, "Drift", drift_words, lines);
-    if (std::ranges::any_of(summary.cases, [](const CaseSummary& row) { return has_beam_joints(row.about); })) {
-        add_condition(summary, "Joints", joint_words, lines);
-    }
-    add_condition(
-        summary, "Contacts", [](const CaseRow& row) { return contact_words(row.contact); }, lines);
-    add_condition(
-        summary, "Load measured", [](const CaseRow& row) { return window_words(row.analysis); }, lines);
+    add("Structure wall", [](Row row) { return row.shape.words(); });
+    if (!any([](Row row) { return !(row.field_length > 0); })) add("Channel", channel_words);
+    if (any([](Row row) { return row.gap.has_value(); })) add("Gap", gap_words);
+    add("Far end", [](Row row) { return far_end_words(row.far_end); });
+    if (any([](Row row) { return !(drift_words(row) == "none"); })) add("Drift", drift_words);
+    if (any(has_beam_joints)) add("Joints", joint_words);
+    add("Contacts", [](Row row) { return contact_words(row.contact); });
+    add("Load measured", [](Row row) { return window_words(row.analysis); });
     return lines;
 }
 
 std::vector<Condition> conditions() {
     using Row = const CaseRow&;
-    return {{"structure_wall", [](Row row) { return Datum(row.shape.words()); }},
+    return {{"structure_wall", [](Row row) { return Datum(row.shape.words().text()); }},
             {"gap", [](Row row) { return row.gap ? Datum(row.gap->breadth) : Datum(Absent{}); }},
             {"gap_floes", [](Row row) { return row.gap ? Datum(row.gap->floes) : Datum(Absent{}); }},
             {"far_end", [](Row row) { return Datum(far_end_key(row.far_end)); }},
@@ -307,84 +306,6 @@ std::vector<std::string> variation_lines(const Campaign& campaign, const Summary
         lines.push_back(variation_line(all[k].first, all[k].second));
     if (all.size() > most) lines.push_back(fmt::format("And {} further keys vary.", all.size() - most));
     return lines;
-}
-
-namespace {
-
-constexpr std::size_t most_hulls = 12;  // hulls
-
-/// "E30, E60", for the label of one drawing among others; empty of the only one.
-std::string names_of(const std::vector<std::size_t>& cases, std::size_t drawings, const Summary& summary) {
-    if (drawings < 2) return "";
-    std::vector<std::string> names;
-    for (const std::size_t k : cases) names.push_back(summary.label_of(k));
-    return name_list(names) + ": ";
-}
-
-Figure side_view(const Scenario& scenario, const std::string& names, double widest) {
-    const Shape& shape = scenario.structure.shape;
-    const double reach = 1.6 * shape.largest_radius();
-    const double low = shape.bottom() - 0.08;
-    const double high = shape.top() + 0.08;
-    Figure figure{.description = "Section of the structure with the water's surface and the ice",
-                  .x = {names + "m", -reach, reach},
-                  .y = {"height, m", low, high},
-                  .size = to_scale(2 * reach, high - low, widest)};
-    figure.area({{-reach, low}, {reach, low}, {reach, 0}, {-reach, 0}}, "water");
-    const double draught = scenario.floe.thickness * scenario.ice.density / scenario.water.density;
-    const double freeboard = scenario.floe.thickness - draught;
-    for (const double sign : {-1.0, 1.0}) {
-        const double near = sign * (shape.waterline_ahead() + 0.02);
-        figure.area({{near, -draught}, {sign * reach, -draught}, {sign * reach, freeboard}, {near, freeboard}}, "ice");
-    }
-    for (const std::vector<Vec2>& piece : shape.side_view()) {
-        Figure::Points outline;
-        for (const Vec2& point : piece) outline.emplace_back(point.x(), point.y());
-        figure.area(std::move(outline), "structure");
-    }
-    figure.level(0, "dashed");
-    return figure;
-}
-
-/// Every hull once, with the names of its cases.
-std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
-    const auto groups = alike(campaign, [](const Scenario& one) -> const Shape& { return one.structure.shape; });
-    const std::size_t drawn = std::min(groups.size(), most_hulls);
-    std::vector<Figure> figures;
-    for (std::size_t k = 0; k < drawn; ++k)
-        figures.push_back(side_view(campaign.cases[groups[k].front()].scenario, names_of(groups[k], drawn, summary),
-                                    drawn == 1 ? 720 : 400));
-    const std::string thickness = [&] {
-        std::vector<double> values;
-        for (const Case& one : campaign.cases) values.push_back(one.scenario.floe.thickness);
-        return range_text(values);
-    }();
-    figures.back().caption =
-        fmt::format("The structure from abeam and the ice on the water, to scale; the ice is {} m thick{}.", thickness,
-                    thickness.find("to") == std::string::npos ? "" : ", drawn as in the first case of each");
-    if (drawn < groups.size())
-        figures.back().caption += fmt::format(" {} of {} hulls are drawn.", drawn, groups.size());
-    return figures;
-}
-
-}  // namespace
-
-Section what_was_run(Evidence& evidence) {
-    int done = 0;
-    int failed = 0;
-    int missing = 0;
-    for (const CaseSummary& row : evidence.summary.cases) {
-        done += row.done;
-        failed += row.failed_members;
-        missing += row.missing_members;
-    }
-    std::vector<Figure> figures = hulls(evidence.campaign, evidence.summary);
-    for (Figure& figure : single_floes(evidence)) figures.push_back(std::move(figure));
-    return {.before = fmt::format("{}, each over up to {}: {} done, {} set aside as failed, {} not computed.\n",
-                                  counted(std::ssize(evidence.summary.cases), "case"),
-                                  counted(evidence.campaign.arrangements, "random arrangement"),
-                                  counted(done, "simulation"), failed, missing),
-            .figures = std::move(figures)};
 }
 
 }  // namespace floes

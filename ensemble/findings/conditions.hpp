@@ -1,12 +1,13 @@
 #pragma once
-// Keys of a scenario as people say them: "ice.thickness_m" is a thickness in m.
+// Keys of a scenario as people say them: "ice.thickness_m" is a thickness in m. The conditions of a campaign's cases,
+// and what varies between them, in words.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "findings/summary.hpp"
-#include "tables/data_rows.hpp"
+#include "tables/section.hpp"
 
 namespace floes {
 
@@ -20,23 +21,17 @@ struct KeyWords {
     std::string with(const std::string& value) const;
 };
 
+/// With a capital letter at its beginning.
+std::string capital(std::string sentence);
+
 /// `key`: the full path or a case's own key, as "cfm".
 KeyWords key_words(std::string_view key);
 
 // The conditions that decide the load together, in words: structure wall, far end and contacts. A load without them
 // means nothing.
 
-/// "an ice sheet" or "open".
-std::string far_end_words(FarEnd far_end);
-
-/// The key's value in the configuration: "ice_sheet" or "open".
-std::string far_end_key(FarEnd far_end);
-
 /// "preset paper, friction in one direction, rigid with Γ 0.2".
-std::string contact_words(const ContactLaw& law);
-
-/// "80 to 230 s after the tow began, in 3 segments".
-std::string window_words(const Analysis& analysis);
+Words contact_words(const ContactLaw& law);
 
 /// One sentence for each condition; where cases differ, one for each value with the names of its cases.
 std::vector<std::string> condition_lines(const Summary& summary);
@@ -61,25 +56,5 @@ std::string range_text(const std::vector<double>& values);
 /// A sentence for each key in which the cases that it has an effect in differ, "Varies: thickness 0.02 m (soft), 0.03 m
 /// (stiff, open)."; of a design one for its axes. At most a handful, and then how many more.
 std::vector<std::string> variation_lines(const Campaign& campaign, const Summary& summary);
-
-/// Groups of cases that are equal in what `of` gives, in order of their first case.
-template <class Of>
-std::vector<std::vector<std::size_t>> alike(const Campaign& campaign, const Of& of) {
-    std::vector<std::vector<std::size_t>> groups;
-    for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
-        const auto same = [&](const std::vector<std::size_t>& group) {
-            return of(campaign.cases[group.front()].scenario) == of(campaign.cases[k].scenario);
-        };
-        bool found = false;
-        for (std::vector<std::size_t>& group : groups) {
-            if (!same(group)) continue;
-            group.push_back(k);
-            found = true;
-            break;
-        }
-        if (!found) groups.push_back({k});
-    }
-    return groups;
-}
 
 }  // namespace floes

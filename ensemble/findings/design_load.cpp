@@ -37,125 +37,75 @@ double horizontal_offset(const Moorings& moorings, std::span<const double> of) {
     return std::hypot(-of[0] + arm.x() - moorings.turret, of[1] + arm.y());
 }
 
+/// Of a structure that gives way; no history: there are no more.
+consteval DesignOf simulated(std::string_view word, std::string_view title, std::string_view largest,
+                             std::string_view noun, std::string_view unit, std::array<const char*, 3> histories,
+                             decltype(DesignOf::value) value, std::array<Motion, 2> motions, bool part = false) {
+    DesignOf made{word, title, largest, noun, unit, {}, value, motions, part};
+    for (std::size_t k = 0; k < histories.size(); ++k)
+        if (histories[k] != nullptr) made.histories[k] = &array_output(histories[k]);
+    return made;
+}
+
 constexpr std::array in_surge{Motion::surge, Motion::surge};
+constexpr std::array in_sway{Motion::sway, Motion::sway};
+constexpr std::array horizontally{Motion::surge, Motion::sway};
 
 }  // namespace
 
-constinit const std::array<DesignOf, 11> design_ofs{{
-    {"load", "Design load", "load", "load", "N", 3, {}, nullptr, in_surge},
-    {"mooring_force",
-     "Design mooring force",
-     "horizontal resultant of springs, lines and turret",
-     "force",
-     "N",
-     3,
-     {&array_output("history/surge_mooring"), &array_output("history/sway_mooring")},
-     resultant,
-     {Motion::surge, Motion::sway}},
-    {"surge_mooring",
-     "Design mooring force along the tow",
-     "force of springs, lines and turret along the tow",
-     "force",
-     "N",
-     3,
-     {&array_output("history/surge_mooring")},
-     as_it_is,
-     {Motion::surge, Motion::surge},
-     true},
-    {"sway_mooring",
-     "Design mooring force across the tow",
-     "force of springs, lines and turret across the tow",
-     "force",
-     "N",
-     3,
-     {&array_output("history/sway_mooring")},
-     either_way,
-     {Motion::sway, Motion::sway},
-     true},
-    {"offset",
-     "Design offset",
-     "horizontal offset of the turret, without one of the hull's axis",
-     "offset",
-     "m",
-     1,
-     {&array_output("history/surge_offset"), &array_output("history/sway_offset"),
-      &array_output("history/structure_yaw")},
-     horizontal_offset,
-     {Motion::surge, Motion::sway}},
-    {"surge_offset",
-     "Design offset along the tow",
-     "offset of the hull's axis along the surge load",
-     "offset",
-     "m",
-     1,
-     {&array_output("history/surge_offset")},
-     as_it_is,
-     {Motion::surge, Motion::surge},
-     true},
-    {"sway_offset",
-     "Design offset abeam",
-     "offset of the hull's axis abeam either way",
-     "offset",
-     "m",
-     1,
-     {&array_output("history/sway_offset")},
-     either_way,
-     {Motion::sway, Motion::sway},
-     true},
-    {"yaw",
-     "Design yaw",
-     "yaw either way",
-     "yaw",
-     "rad",
-     0,
-     {&array_output("history/structure_yaw")},
-     either_way,
-     {Motion::yaw, Motion::yaw}},
-    {"heave",
-     "Design heave",
-     "heave up or down",
-     "heave",
-     "m",
-     1,
-     {&array_output("history/heave_offset")},
-     either_way,
-     {Motion::heave, Motion::heave}},
-    {"pitch",
-     "Design pitch",
-     "pitch either way",
-     "pitch",
-     "rad",
-     0,
-     {&array_output("history/pitch")},
-     either_way,
-     {Motion::pitch, Motion::pitch}},
-    {"roll",
-     "Design roll",
-     "roll either way",
-     "roll",
-     "rad",
-     0,
-     {&array_output("history/roll")},
-     either_way,
-     {Motion::roll, Motion::roll}},
-}};
+constinit const std::array<DesignOf, 11> design_ofs{
+    DesignOf{"load", "Design load", "load", "load", "N", {}, nullptr, in_surge},
+    simulated("mooring_force", "Design mooring force", "horizontal resultant of springs, lines and turret", "force",
+              "N", {"history/surge_mooring", "history/sway_mooring"}, resultant, horizontally),
+    simulated("surge_mooring", "Design mooring force along the tow", "force of springs, lines and turret along the tow",
+              "force", "N", {"history/surge_mooring"}, as_it_is, in_surge, true),
+    simulated("sway_mooring", "Design mooring force across the tow",
+              "force of springs, lines and turret across the tow", "force", "N", {"history/sway_mooring"}, either_way,
+              in_sway, true),
+    simulated("offset", "Design offset", "horizontal offset of the turret, without one of the hull's axis", "offset",
+              "m", {"history/surge_offset", "history/sway_offset", "history/structure_yaw"}, horizontal_offset,
+              horizontally),
+    simulated("surge_offset", "Design offset along the tow", "offset of the hull's axis along the surge load", "offset",
+              "m", {"history/surge_offset"}, as_it_is, in_surge, true),
+    simulated("sway_offset", "Design offset abeam", "offset of the hull's axis abeam either way", "offset", "m",
+              {"history/sway_offset"}, either_way, in_sway, true),
+    simulated("yaw", "Design yaw", "yaw either way", "yaw", "rad", {"history/structure_yaw"}, either_way,
+              {Motion::yaw, Motion::yaw}),
+    simulated("heave", "Design heave", "heave up or down", "heave", "m", {"history/heave_offset"}, either_way,
+              {Motion::heave, Motion::heave}),
+    simulated("pitch", "Design pitch", "pitch either way", "pitch", "rad", {"history/pitch"}, either_way,
+              {Motion::pitch, Motion::pitch}),
+    simulated("roll", "Design roll", "roll either way", "roll", "rad", {"history/roll"}, either_way,
+              {Motion::roll, Motion::roll}),
+};
 
-constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", 3, {}, nullptr, in_surge};
+constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", {}, nullptr, in_surge};
+
+void CasePeaks::add(int member, int arrangement, const AveragedLoad& averaged, double mean) {
+    rows.push_back({averaged.peaks, averaged.segment_maximum});
+    arrangements.push_back(arrangement);
+    members.push_back(member);
+    measured.mean += mean;
+}
+
+void CasePeaks::average() {
+    measured.mean /= std::max(1.0, static_cast<double>(rows.size()));
+}
+
+Measured measured_in(const Analysis& analysis, double separation) {
+    return {analysis.window, analysis.window / analysis.segments, separation, 0};
+}
 
 CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time) {
+    const Analysis& analysis = table.cases[of_case].analysis;
     CasePeaks made;
-    double mean = 0;
+    made.measured = measured_in(analysis, analysis.peak_separation);
     for (const MemberRow& row : table.members) {
         const AveragedLoad* averaged = row.averaged_over(time);
         if (row.case_index != static_cast<int>(of_case) || averaged == nullptr) continue;
-        made.rows.push_back({averaged->peaks, averaged->segment_maximum});
-        made.arrangements.push_back(row.arrangement);
-        made.members.push_back(static_cast<int>(&row - table.members.data()));
-        mean += row.load.mean;
+        made.add(static_cast<int>(&row - table.members.data()), row.arrangement, *averaged, row.load.mean);
     }
-    mean /= std::max(1.0, static_cast<double>(made.rows.size()));
-    const Analysis& analysis = table.cases[of_case].analysis;
-    made.measured = {analysis.window, analysis.window / analysis.segments, analysis.peak_separation, mean};
+    made.average();
     return made;
 }
 
@@ -168,7 +118,7 @@ double DesignLoadRequest::model_averaging() const {
 }
 
 double DesignLoadRequest::factor() const {
-    return std::pow(scale, of.power);
+    return std::pow(scale, of.power());
 }
 
 double averaging_time(const CampaignTable& table, const DesignLoadRequest& request) {
@@ -178,8 +128,8 @@ double averaging_time(const CampaignTable& table, const DesignLoadRequest& reque
     for (const double time : table.averaging_times)
         there.push_back(fmt::format("{:.3g}", time * std::sqrt(request.scale)));
     throw InputError(
-        fmt::format("The members did not average the load over {:g} s{}; take one of {} s, or run them with "
-                    "another analysis.averaging_s.",
+        fmt::format("The members did not average the load over {:g} s{}; take one of {} s, or run them with another "
+                    "analysis.averaging_s.",
                     request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
 }
 
@@ -272,12 +222,12 @@ namespace {
 struct Paired {
     const CaseDesignLoad* first;
     const CaseDesignLoad* second;
-    DesignLoadFigure difference;  ///< second - first
+    LoadFigure difference;  ///< second - first
 };
 
 /// The interval of resampled differences about the estimate, wider by Student's t of the arrangements over that of very
 /// many: resamples of few scatter too little.
-DesignLoadFigure widened(double estimate, std::vector<double> resampled, double arrangements) {
+LoadFigure widened(double estimate, std::vector<double> resampled, double arrangements) {
     if (resampled.empty()) return {estimate, {std::nan(""), std::nan("")}};
     std::ranges::sort(resampled);
     const double middle = quantile_of_sorted(resampled, 0.5);
@@ -311,11 +261,7 @@ std::vector<Paired> pairs_of(const std::vector<CaseDesignLoad>& designs) {
     return pairs;
 }
 
-}  // namespace
-
-namespace {
-
-Estimate shown_figure(const DesignLoadFigure& figure, double factor, bool said) {
+Estimate shown_figure(const LoadFigure& figure, double factor, bool said) {
     return {factor * figure.value, factor * figure.interval.low, factor * figure.interval.high, said};
 }
 
@@ -334,10 +280,9 @@ Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>&
                                   pair.first->load.arrangements >= fewest_for_interval)});
     }
     return {.results = {std::move(results)},
-            .after = fmt::format(
-                "\nDifferences of the {} exceeded with {:.3g} %, by both tails, over the same arrangements, with "
-                "members taken as alike.\n",
-                request.of.noun, (1 - request.quantiles.front()) / unit::percent)};
+            .after = fmt::format("\nDifferences of the {} exceeded with {:.3g} %, by both tails, over the same "
+                                 "arrangements, with members taken as alike.\n",
+                                 request.of.noun, (1 - request.quantiles.front()) / unit::percent)};
 }
 
 bool is_averaged(const DesignLoadRequest& request) {
@@ -353,13 +298,12 @@ std::string value_key(const DesignLoadRequest& request) {
 Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                   const DesignLoadRequest& request) {
     Results results{.place = "design/loads",
-                    .columns = program_columns("case method averaging exposure_h scale figure probability of unit"),
-                    .view = Results::View::none};
+                    .columns = program_columns("case method averaging exposure_h scale figure probability of unit")};
     results.columns.push_back(estimates(value_key(request), "", std::string(request.of.unit)));
     const Datum averaging = is_averaged(request) ? Datum(request.averaging) : Undefined{};
     for (const CaseDesignLoad& design : designs)
         for (const DesignLoadEstimate& made : design.load.estimates) {
-            const auto add = [&](const char* figure, double probability, const DesignLoadFigure& load) {
+            const auto add = [&](const char* figure, double probability, const LoadFigure& load) {
                 results.add({summary.named(design.case_index), name_of(made.method), averaging,
                              request.exposure / unit::hour, request.scale, figure, probability, request.of.word,
                              request.of.unit, shown_figure(load, request.factor(), true)});
@@ -374,48 +318,28 @@ Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& des
 /// What the loads rest on, at the scale of the campaign. What was not looked at, or could not be fitted, is not 0.
 Results basis_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                    const DesignLoadRequest& request) {
-    Results results{.place = "design/basis",
-                    .columns = program_columns(
-                        "case arrangements refused_as_rising trend_seen trend_p change_over_window "
-                        "change_over_window_low change_over_window_high time_run exposure peak_separation peaks "
-                        "threshold pareto_scale pareto_shape weibull_origin weibull_scale weibull_shape "
-                        "weibull_weight stand_out peaks_carried unseen_share scatter alike_probability dispersion "
-                        "dispersion_p resamples resamples_without_fit"),
-                    .view = Results::View::none,
-                    .in_csv = false};
+    Results results{
+        .place = "design/basis",
+        .columns = program_columns(
+            "case arrangements refused_as_rising trend_seen trend_p change_over_window change_over_window_low "
+            "change_over_window_high time_run exposure peak_separation peaks threshold pareto_scale pareto_shape "
+            "weibull_origin weibull_scale weibull_shape weibull_weight stand_out peaks_carried unseen_share scatter "
+            "alike_probability dispersion dispersion_p resamples resamples_without_fit"),
+        .in_csv = false};
     for (const CaseDesignLoad& design : designs) {
         const DesignLoad& load = design.load;
         const Change& change = design.trend.load;
         const auto seen = [&](Datum value) { return design.refused ? Datum(Undefined{}) : value; };
         const auto fitted = [&](Datum value) { return load.valid() ? value : Datum(Undefined{}); };
-        results.add({summary.named(design.case_index),
-                     load.arrangements,
-                     design.refused,
-                     design.trend.seen,
-                     change.p,
-                     change.over_window.estimate,
-                     change.over_window.low,
-                     change.over_window.high,
-                     seen(load.time_run),
-                     request.model_exposure(),
-                     design.separation,
-                     seen(load.peaks),
-                     seen(load.threshold),
-                     fitted(load.pareto.scale),
-                     fitted(load.pareto.shape),
-                     fitted(load.weibull.origin),
-                     fitted(load.weibull.scale),
-                     fitted(load.weibull.shape),
-                     fitted(load.weibull_weight),
-                     seen(load.unlike.out.size()),
-                     seen(load.unlike.carried),
-                     unseen_share(load.arrangements),
-                     fitted(load.scatter),
-                     fitted(load.alike),
-                     seen(load.unlike.dispersion),
-                     seen(load.unlike.dispersion_p),
-                     fitted(load.draws.size()),
-                     fitted(load.dropped)});
+        results.add(row_of(summary.named(design.case_index), load.arrangements, design.refused, design.trend.seen,
+                           change.p, change.over_window.estimate, change.over_window.low, change.over_window.high,
+                           seen(load.time_run), request.model_exposure(), design.separation, seen(load.peaks),
+                           seen(load.threshold), fitted(load.pareto.scale), fitted(load.pareto.shape),
+                           fitted(load.weibull.origin), fitted(load.weibull.scale), fitted(load.weibull.shape),
+                           fitted(load.weibull_weight), seen(load.unlike.out.size()), seen(load.unlike.carried),
+                           unseen_share(load.arrangements), fitted(load.scatter), fitted(load.alike),
+                           seen(load.unlike.dispersion), seen(load.unlike.dispersion_p), fitted(load.draws.size()),
+                           fitted(load.dropped)));
     }
     return results;
 }
@@ -425,7 +349,6 @@ Results threshold_rows(const Summary& summary, const std::vector<CaseDesignLoad>
                        const DesignLoadRequest& request) {
     Results results{.place = "design/over_thresholds",
                     .columns = program_columns("case share " + value_key(request)),
-                    .view = Results::View::none,
                     .in_csv = false};
     for (const CaseDesignLoad& design : designs)
         for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
@@ -438,7 +361,6 @@ Results rate_rows(const Summary& summary, const std::vector<CaseDesignLoad>& des
                   const DesignLoadRequest& request) {
     Results results{.place = "design/rates",
                     .columns = program_columns("case " + value_key(request) + " seen_per_s pareto_per_s weibull_per_s"),
-                    .view = Results::View::none,
                     .in_csv = false};
     const auto tail = [](const Tail& fitted, double load) {
         return fitted.valid() && load >= fitted.threshold ? Datum(rate_above(fitted, load)) : Datum(Undefined{});
@@ -554,13 +476,13 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
             const bool first = made.method == LargestBy::both_tails;
             std::vector<Datum> line{first ? fmt::format("{}, {}{}", name, name_of(made.method), doubt_text(one))
                                           : fmt::format("  {}", name_of(made.method))};
-            const auto add = [&](const DesignLoadFigure& figure) {
+            const auto add = [&](const LoadFigure& figure) {
                 const int runs = static_cast<int>(one.load.arrangements);
                 line.emplace_back(shown_figure(figure, request.factor() * request.of.shown_factor(),
                                                says_something(figure.value, figure.interval, runs)));
             };
             add(made.expected);
-            for (const DesignLoadFigure& figure : made.quantiles) add(figure);
+            for (const LoadFigure& figure : made.quantiles) add(figure);
             table.add(std::move(line));
         }
     }
@@ -579,8 +501,7 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
             .after =
                 "\nBrackets: 95 %. Both tails: Pareto and Weibull tail of members that may differ, above several "
                 "thresholds; its interval includes which of these it is. The others, by bootstrap over arrangements, "
-                "take members as "
-                "alike; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
+                "take members as alike; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
                 scale_words(request),
             .notes = std::move(notes)};
 }
@@ -590,23 +511,19 @@ namespace {
 /// For people, a line for each figure.
 Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                     const DesignLoadRequest& request) {
-    Results table{.view = Results::View::side_by_side};
-    std::vector<std::vector<Datum>> rows(designs.size());
+    using Design = const CaseDesignLoad&;
+    ByColumn<CaseDesignLoad> table(designs);
     const auto add = [&](ResultColumn about, const auto& value) {
-        table.columns.push_back(std::move(about));
-        for (std::size_t k = 0; k < designs.size(); ++k)
-            rows[k].push_back(designs[k].load.valid() ? Datum(value(designs[k])) : Undefined{});
+        table.add(std::move(about), [&](Design one) { return one.load.valid() ? Datum(value(one)) : Undefined{}; });
     };
     // A single tail through two kinds of member is that of neither.
     const auto of_one_kind = [](const auto& value) {
         return [value](const CaseDesignLoad& one) { return one.of_one_kind() ? Datum(value(one)) : Undefined{}; };
     };
-    using Design = const CaseDesignLoad&;
     const double times = std::sqrt(request.scale);
     const double factor = request.factor() * request.of.shown_factor();
     const std::string shown_unit(request.of.shown_unit());
-    table.columns.push_back({.words = "what it rests on"});
-    for (std::size_t k = 0; k < designs.size(); ++k) rows[k].emplace_back(summary.label_of(designs[k].case_index));
+    table.add({.words = "what it rests on"}, [&](Design one) { return summary.label_of(one.case_index); });
     add({.words = "arrangements"}, [](Design one) { return one.load.arrangements; });
     add({.words = "time run, h", .digits = 3}, [&](Design one) { return one.load.time_run * times / unit::hour; });
     add({.words = "exposure / time run", .digits = 2},
@@ -639,8 +556,7 @@ Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& d
     add({.words = "resamples without a fit"},
         [](Design one) { return fmt::format("{} of {}", one.load.dropped, one.load.draws.size()); });
     add({.words = "more arrangements for half the interval"}, [](Design one) { return 3 * one.load.arrangements; });
-    for (std::vector<Datum>& row : rows) table.add(std::move(row));
-    return table;
+    return table.take({.view = Results::View::side_by_side});
 }
 
 Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
@@ -649,11 +565,10 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
     return {
         .results = {basis_table(summary, designs, request)},
         .after = fmt::format(
-            "\nEach tail is fitted to the highest {1} of the peaks; both tails average over more and fewer. A kind "
-            "of member as rare as \"unseen, up to\" is missing from one sample of this size in twenty, and then from "
-            "these figures. ξ below 0: the {0} is bounded; above "
-            "0: its tail is heavy. c: 1 exponential, 2 Gaussian. The {0} with other shares of the "
-            "peaks, and the methods' difference, are of the {0} exceeded with {2}.\n",
+            "\nEach tail is fitted to the highest {1} of the peaks; both tails average over more and fewer. A kind of "
+            "member as rare as \"unseen, up to\" is missing from one sample of this size in twenty, and then from "
+            "these figures. ξ below 0: the {0} is bounded; above 0: its tail is heavy. c: 1 exponential, 2 Gaussian. "
+            "The {0} with other shares of the peaks, and the methods' difference, are of the {0} exceeded with {2}.\n",
             request.of.noun, percent(request.share), percent(1 - request.quantiles.front()))};
 }
 
@@ -664,7 +579,7 @@ Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadR
     double largest = 0;
     for (const CaseDesignLoad& design : designs)
         for (const DesignLoadEstimate& made : shown(design))
-            for (const DesignLoadFigure& figure : made.quantiles)
+            for (const LoadFigure& figure : made.quantiles)
                 if (figure.value > largest) largest = figure.value;
     return request.of.unit == "N" && largest > 0 ? Units(largest * request.factor()) : otherwise;
 }

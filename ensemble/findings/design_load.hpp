@@ -24,7 +24,14 @@ struct CasePeaks {
     std::vector<int> arrangements;  ///< of the rows, in their order
     std::vector<int> members;       ///< the same
     Measured measured;
+
+    /// A row of a member whose load has this mean; average() then makes the mean of all.
+    void add(int member, int arrangement, const AveragedLoad& averaged, double mean);
+    void average();
 };
+
+/// In the window of a case, without the mean; `separation` of peaks, s.
+Measured measured_in(const Analysis& analysis, double separation);
 
 /// Design load of the done members that averaged their load over `time`, s.
 CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time);
@@ -40,7 +47,6 @@ struct DesignOf {
     std::string_view largest;  ///< "offset along the surge load"
     std::string_view noun;     ///< of one value: "offset"
     std::string_view unit;     ///< SI
-    int power;                 ///< of the scale, by Froude
     /// That it follows from, null where there are no more; all null: of other loads.
     std::array<const ArrayOutput*, 3> histories;
     double (*value)(const Moorings& moorings, std::span<const double> of_histories);  ///< of one moment; null likewise
@@ -48,6 +54,8 @@ struct DesignOf {
     std::array<Motion, 2> motions;
     bool part = false;  ///< along one axis, of what another is the whole of: told where it is asked for
 
+    /// Of the scale, by Froude.
+    int power() const { return unit == "N" ? 3 : unit == "m" ? 1 : 0; }
     /// For people, who are shown angles in degrees.
     std::string_view shown_unit() const { return unit == "rad" ? "°" : unit; }
     double shown_factor() const { return unit == "rad" ? 1 / unit::degree : 1; }

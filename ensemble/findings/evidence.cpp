@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "campaign_file/read.hpp"
-#include "core/shell_word.hpp"
+#include "core/text.hpp"
 #include "findings/points.hpp"
 
 namespace floes {

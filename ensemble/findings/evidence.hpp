@@ -5,18 +5,17 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
+#include "campaign_file/campaign_table.hpp"
 #include "campaign_file/read.hpp"
-#include "campaign_file/sample.hpp"
 #include "findings/design_load.hpp"
 #include "findings/extremes.hpp"
 #include "findings/moored.hpp"
-#include "findings/sensitivity.hpp"
+#include "findings/points.hpp"
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
-#include "simulation/plate_tests.hpp"
+#include "simulation/laboratory.hpp"
 #include "tables/units.hpp"
 
 namespace floes {
@@ -26,17 +25,10 @@ struct DesignLoads {
     std::vector<CaseDesignLoad> of_cases;  ///< empty where the members did not average their load
 };
 
-/// Of structures that gave way in the simulation.
-struct SimulatedDesign {
-    DesignLoadRequest request;
-    std::vector<CaseDesignLoad> of_cases = {};  ///< that give way so
-    std::string refused = {};                   ///< why there are none, a sentence
-
-    bool known() const;  ///< of some case
-};
-
 struct Evidence {
     Evidence() : sample(table) {}
+
+    std::size_t case_of(int member) const { return sample.case_of(static_cast<std::size_t>(member)); }
 
     std::filesystem::path file;  ///< empty: the members are in no file yet
     CampaignOrigin origin;

@@ -23,15 +23,9 @@ std::string hours(double seconds) {
                                 : fmt::format("{:.3g} h", seconds / unit::hour);
 }
 
-Estimate with(double value, const Limits& limits) {
-    return {value, limits.low, limits.high};
-}
-
 /// A level; its interval is said where the bootstrap says more than that nothing is known.
 Estimate shown_level(const ReturnLevel& level) {
-    Estimate shown = with(level.level, level.interval);
-    shown.said = says_something(level.level, level.interval, fewest_for_interval);
-    return shown;
+    return within(level.level, level.interval, says_something(level.level, level.interval, fewest_for_interval));
 }
 
 /// Columns for people, then those for programs.
@@ -47,9 +41,8 @@ Results empty_fits() {
     results.columns = std::move(results.columns) + program_columns("case distribution averaging segment maxima");
     for (const char* key : {"location", "scale", "shape"}) results.columns.push_back(estimates(key, ""));
     results.columns =
-        std::move(results.columns) + program_columns(
-                                         "log_likelihood anderson_darling anderson_darling_p kolmogorov_smirnov "
-                                         "kolmogorov_smirnov_p");
+        std::move(results.columns) +
+        program_columns("log_likelihood anderson_darling anderson_darling_p kolmogorov_smirnov kolmogorov_smirnov_p");
     for (const double period : return_periods)
         results.columns.push_back(estimates(fmt::format("level_{:g}", period), ""));
     return results;
@@ -70,11 +63,11 @@ void add_fit(const Summary& summary, const CaseExtremes& extremes, const FittedE
     add_levels([&](const ReturnLevel& level) { return shown(shown_level(level)); });
     row.insert(row.end(),
                {summary.named(extremes.case_index), name_of(fitted.kind), extremes.averaging, extremes.segment,
-                extremes.maxima, with(fitted.fit.location, fitted.location), with(fitted.fit.scale, fitted.scale),
-                with(fitted.fit.shape, fitted.shape), fitted.fit.log_likelihood, fitted.goodness.found.anderson_darling,
-                fitted.goodness.anderson_darling_p, fitted.goodness.found.kolmogorov_smirnov,
-                fitted.goodness.kolmogorov_smirnov_p});
-    add_levels([](const ReturnLevel& level) { return Datum(with(level.level, level.interval)); });
+                extremes.maxima, within(fitted.fit.location, fitted.location), within(fitted.fit.scale, fitted.scale),
+                within(fitted.fit.shape, fitted.shape), fitted.fit.log_likelihood,
+                fitted.goodness.found.anderson_darling, fitted.goodness.anderson_darling_p,
+                fitted.goodness.found.kolmogorov_smirnov, fitted.goodness.kolmogorov_smirnov_p});
+    add_levels([](const ReturnLevel& level) { return Datum(within(level.level, level.interval)); });
     const bool valid = extremes.gumbel.fit.valid();
     results.add(std::move(row), valid ? Results::For::everybody : Results::For::programs);
 }
@@ -151,19 +144,15 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
     }
     section.after = fmt::format(
         "\nMaxima {}. Maximum likelihood; 1 in N: the load that one segment in N exceeds (a segment: {:g} s; 1 in "
-        "1000: "
-        "once in {}), interval by bootstrap over arrangements. ξ: shape, below 0 with an upper bound. p A²: "
-        "Anderson-Darling; "
-        "small: poor fit of the distribution.\nFor exposures longer than the one simulated, a return level is an "
-        "extrapolation.{}\n",
+        "1000: once in {}), interval by bootstrap over arrangements. ξ: shape, below 0 with an upper bound. p A²: "
+        "Anderson-Darling; small: poor fit of the distribution.\nFor exposures longer than the one simulated, a return "
+        "level is an extrapolation.{}\n",
         of_what(extremes), fitted->segment, hours(1000 * fitted->segment), chance_text(extremes));
     return section;
 }
 
 Section exceedance_section(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
-    Results results{.place = "exceedance",
-                    .columns = program_columns("case load empirical gumbel gev"),
-                    .view = Results::View::none};
+    Results results{.place = "exceedance", .columns = program_columns("case load empirical gumbel gev")};
     const auto beyond = [](const ExtremeFit& fit, double load) {
         return fit.valid() ? Datum(1 - extreme_cdf(fit, load)) : Datum(Undefined{});
     };
@@ -191,9 +180,9 @@ Figure exceedance_figure(const Summary& summary, const std::vector<CaseExtremes>
                   .y = {"probability of exceedance", floor, 1, true},
                   .size = {720, 380},
                   .legend = case_legend(summary),
-                  .caption = fmt::format("Dots: maxima of all segments, {}. Lines: Gumbel, dashed: GEV, fitted by "
-                                         "maximum likelihood.",
-                                         of_what(extremes))};
+                  .caption = fmt::format(
+                      "Dots: maxima of all segments, {}. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.",
+                      of_what(extremes))};
     for (std::size_t i = 0; i < extremes.size(); ++i) {
         const CaseExtremes& one = extremes[i];
         for (const ExceedancePoint& point : one.exceedance) figure.dot(point.load, point.probability, colour(i), 2.5);
@@ -231,8 +220,8 @@ std::vector<Figure> levels_figures(const Summary& summary, const std::vector<Lev
                   .size = {720, 340},
                   .legend = case_legend(summary),
                   .caption =
-                      "Share of the time in the window with a surge load above the levels that the members "
-                      "counted at every step: mean over arrangements with its 95 % interval."};
+                      "Share of the time in the window with a surge load above the levels that the members counted at "
+                      "every step: mean over arrangements with its 95 % interval."};
     const std::size_t cases = summary.cases.size();
     for (std::size_t i = 0; i < cases; ++i) {
         // A small offset puts the intervals of one level side by side.
@@ -275,16 +264,12 @@ std::vector<LevelRow> find_levels(const CampaignTable& table) {
 }
 
 Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows) {
-    ResultColumn time_above = estimates("time_above", "time above", "share");
-    time_above.decimals = 3;
-    ResultColumn rises = estimates("", "rises per minute");
-    rises.decimals = 2;
     Results results{.place = "load_levels",
                     .columns = {{"case", "case"},
                                 {.key = "level", .words = "load", .unit = "N", .digits = 4},
                                 {"runs", "runs"},
-                                std::move(time_above),
-                                std::move(rises),
+                                estimates("time_above", "time above", "share", 3),
+                                estimates("", "rises per minute", "1", 2),
                                 estimates("upcrossings_per_s", "")}};
     for (const LevelRow& row : rows) {
         const auto shown = [](const Interval& mean, double factor) {
@@ -303,9 +288,9 @@ Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows
     return {.title = "Load levels",
             .results = {std::move(results)},
             .after =
-                "\nTime above: share of the window with a surge load above the level; rises: how often the load "
-                "rises through it.\nCounted in each member at every time step; mean over arrangements with its "
-                "95 % interval (t).\n",
+                "\nTime above: share of the window with a surge load above the level; rises: how often the load rises "
+                "through it.\nCounted in each member at every time step; mean over arrangements with its 95 % interval "
+                "(t).\n",
             .figures = levels_figures(summary, rows)};
 }
 

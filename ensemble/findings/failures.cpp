@@ -1,4 +1,4 @@
-#include "findings/failures.hpp"
+#include "findings/catalogue.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "core/units.hpp"
-#include "findings/catalogue.hpp"
 #include "ice/failure_mode.hpp"
 #include "scenario/floes.hpp"
 
@@ -103,8 +102,7 @@ std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case)
         for (const std::size_t field : fields[one.shape]) found.joints[field] += 1;
     const double share = 1.0 / row.done / found.floes;
     for (const BreakRow& one : breaks_of(evidence)) {
-        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(one.member)];
-        if (member.case_index != static_cast<int>(of_case)) continue;
+        if (evidence.case_of(one.member) != of_case) continue;
         const std::size_t shape = floes.floes[static_cast<std::size_t>(one.floe) % floes.size()].shape;
         found.failed[fields[shape].at(static_cast<std::size_t>(one.joint))] += 1.0 / row.done;
         found.of_mode[one.mode] += share;
@@ -162,10 +160,7 @@ Figure panel(const CaseFailures& found, double largest) {
 Section failures_section(Evidence& evidence) {
     const auto& cases = evidence.summary.cases;
     std::map<int, std::map<std::size_t, std::vector<double>>> times;  // by mode and case
-    for (const BreakRow& row : breaks_of(evidence)) {
-        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(row.member)];
-        times[row.mode][static_cast<std::size_t>(member.case_index)].push_back(row.time);
-    }
+    for (const BreakRow& row : breaks_of(evidence)) times[row.mode][evidence.case_of(row.member)].push_back(row.time);
     if (times.empty()) return {.before = "No joint failed in any member.\n"};
     Figure figure{.description = "Failed joints over time by mode, mean over arrangements",
                   .x = {"time since the tow began, s", 0, 1},

@@ -1,4 +1,4 @@
-#include "findings/fatigue.hpp"
+#include "findings/catalogue.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,7 @@
 
 #include "campaign_file/read.hpp"
 #include "core/units.hpp"
-#include "findings/estimates.hpp"
-#include "findings/moored_cases.hpp"
+#include "findings/moored.hpp"
 #include "findings/summary.hpp"
 #include "statistics/averaged_load.hpp"
 
@@ -114,15 +113,14 @@ constexpr std::size_t most_tabled = 4;  // whose bins are shown; of more they ar
 std::vector<LoadWindow> windows_of(const Evidence& evidence) {
     std::vector<LoadWindow> windows;
     for_each_history(evidence.file, [&](const StoredHistory& history) {
-        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
-        const Analysis& analysis = evidence.table.cases[static_cast<std::size_t>(member.case_index)].analysis;
+        const std::size_t of_case = evidence.case_of(history.member);
+        const Analysis& analysis = evidence.table.cases[of_case].analysis;
         const auto first = static_cast<std::size_t>(std::lround(analysis.steady_start / history.step));
         const auto count = static_cast<std::size_t>(std::lround(analysis.window / history.step));
         if (first + count > history.values.size()) return;
         const auto loads = history.values.subspan(first, count);
         const double averaging = analysis.averaging.empty() ? 0 : std::ranges::min(analysis.averaging);
-        windows.push_back({static_cast<std::size_t>(member.case_index), history.step, averaging,
-                           std::vector<double>(loads.begin(), loads.end())});
+        windows.push_back({of_case, history.step, averaging, std::vector<double>(loads.begin(), loads.end())});
     });
     return windows;
 }
@@ -133,8 +131,7 @@ std::vector<LoadWindow> moored_windows(const Evidence& evidence, const MooredReq
     for (const MooredCase& one : find_moored(evidence, request)) answered[one.case_index] = one.refused.empty();
     std::vector<LoadWindow> windows;
     for_each_history(evidence.file, [&](const StoredHistory& history) {
-        const auto index =
-            static_cast<std::size_t>(evidence.table.members[static_cast<std::size_t>(history.member)].case_index);
+        const std::size_t index = evidence.case_of(history.member);
         if (!answered[index]) return;
         LoadWindow& window = windows.emplace_back(LoadWindow{index, request.time_factor() * history.step, 0, {}});
         window.loads = mooring_force(history.values, history.step, evidence.table.cases[index].analysis, request);
@@ -182,13 +179,11 @@ std::vector<Section> fatigue_sections(Evidence& evidence) {
     const std::string subject = evidence.moored ? "mooring force k x" : "load";
     if (found.cases.empty())
         return {{.missing = "Fatigue: unknown, because the file keeps no load histories (analysis.history_steps).\n"}};
-    Section cycles{
-        .title = "Cycles and duration of the " + subject,
-        .results = {case_rows(evidence.summary, found), level_rows(evidence.summary, found)},
-        .after = "\nRainflow cycles (ASTM E1049) of the surge " + subject +
-                 " in the window. Equivalent range: met once a "
-                 "second, it does the damage of all cycles, by Palmgren and Miner with an S-N curve of slope m; "
-                 "brackets: 95 % over arrangements (t).\n"};
+    Section cycles{.title = "Cycles and duration of the " + subject,
+                   .results = {case_rows(evidence.summary, found), level_rows(evidence.summary, found)},
+                   .after = "\nRainflow cycles (ASTM E1049) of the surge " + subject +
+                            " in the window. Equivalent range: met once a second, it does the damage of all cycles, by "
+                            "Palmgren and Miner with an S-N curve of slope m; brackets: 95 % over arrangements (t).\n"};
     if (found.cases.size() > most_tabled) {
         cycles.notes = {"Cycles and time above levels are in --format csv."};
         return {std::move(cycles)};

@@ -1,12 +1,16 @@
 #include "findings/moored.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 
+#include <fmt/format.h>
+
+#include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "findings/summary.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
@@ -36,10 +40,19 @@ void check_hull(const Oscillator& hull) {
             "The mass of the moored hull, {:g} t, has to be above 0; it is that of the hull with its added mass.",
             hull.mass / 1e3));
     if (!(hull.damping_ratio > 0 && hull.damping_ratio < 1))
-        throw InputError(fmt::format(
-            "The damping of the moored hull, {:g} % of the critical, has to be above 0 and below 100 %: without it no "
-            "swing ever fades, and with more the hull does not swing.",
-            hull.damping_ratio / unit::percent));
+        throw InputError(
+            fmt::format("The damping of the moored hull, {:g} % of the critical, has to be above 0 and below 100 %: "
+                        "without it no swing ever fades, and with more the hull does not swing.",
+                        hull.damping_ratio / unit::percent));
+}
+
+AveragedLoad averaged_once(std::span<const double> values, double step, const Analysis& analysis, double time,
+                           double separation) {
+    return averaged_load(values, {.time_step = step,
+                                  .segments = analysis.segments,
+                                  .times = std::span(&time, 1),
+                                  .peak_separation = separation})
+        .front();
 }
 
 double moored_separation(const Analysis& analysis, const Oscillator& model) {
@@ -85,17 +98,11 @@ MooredRun moored_run(std::span<const double> surge, double step, const Analysis&
     double squares = 0;
     for (const OscillatorState& at : states) squares += at.velocity * at.velocity;
     run.rms_velocity = std::sqrt(squares / static_cast<double>(states.size()));
-    const auto measured = [&](std::span<const double> values, double time) {
-        return averaged_load(values, {.time_step = step,
-                                      .segments = analysis.segments,
-                                      .times = std::span(&time, 1),
-                                      .peak_separation = moored_separation(analysis, hull)})
-            .front();
-    };
-    run.force = measured(force, step);
+    const double separation = moored_separation(analysis, hull);
+    run.force = averaged_once(force, step, analysis, step, separation);
     const double segment = step * static_cast<double>(states.size() / static_cast<std::size_t>(analysis.segments));
-    run.load =
-        measured(surge.last(states.size()), std::clamp(request.model_averaging(), step, std::max(step, segment)));
+    run.load = averaged_once(surge.last(states.size()), step, analysis,
+                             std::clamp(request.model_averaging(), step, std::max(step, segment)), separation);
     return run;
 }
 
@@ -107,8 +114,8 @@ std::string period_refusal(const Analysis& analysis, double step, double period,
             to_full * period, fewest_values, to_full * step);
     if (period > analysis.window / fewest_periods)
         return fmt::format(
-            "the natural period of {:.3g} s is longer than a third of the window of {:.4g} s: run with a "
-            "longer analysis.window_s",
+            "the natural period of {:.3g} s is longer than a third of the window of {:.4g} s: run with a longer "
+            "analysis.window_s",
             to_full * period, to_full * analysis.window);
     return "";
 }
@@ -125,6 +132,168 @@ std::string moored_refusal(const Analysis& analysis, double step, double first_l
             "the first load: run with a later analysis.steady_start_s (by {:.3g} s) or give more damping",
             left / unit::percent, to_full * run_up, to_full * (-std::log(most_left) / hull.decay_rate() - run_up));
     return "";
+}
+
+namespace {
+
+struct Stored {
+    double step = 0;
+    double first_load = 0;
+    std::vector<MooredRun> runs;
+};
+
+std::string why(const Evidence& evidence, const MooredCase& one) {
+    return fmt::format("{}: {}.", evidence.summary.label_of(one.case_index), one.refused);
+}
+
+}  // namespace
+
+double MooredCase::velocity_ratio() const {
+    double squares = 0;
+    for (const MooredRun& run : runs) squares += run.rms_velocity * run.rms_velocity;
+    return std::sqrt(squares / static_cast<double>(runs.size())) / drift;
+}
+
+std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredRequest& request) {
+    check_hull(request.hull);
+    std::map<std::size_t, Stored> stored;
+    for_each_history(evidence.file, [&](const StoredHistory& history) {
+        const std::size_t index = evidence.case_of(history.member);
+        MooredRun run = moored_run(history.values, history.step, evidence.table.cases[index].analysis, request);
+        run.member = history.member;
+        const auto [at, fresh] = stored.try_emplace(index, Stored{history.step, run.first_load, {}});
+        at->second.first_load = std::min(at->second.first_load, run.first_load);
+        at->second.runs.push_back(std::move(run));
+    });
+    if (stored.empty())
+        throw InputError(
+            "The file has no load histories, which move the moored hull: run with analysis.history_steps of 1 or "
+            "more.");
+    std::vector<MooredCase> found;
+    for (auto& [index, one] : stored) {
+        const Analysis& analysis = evidence.table.cases[index].analysis;
+        const Scenario& scenario = evidence.campaign.cases[index].scenario;
+        std::string refused =
+            scenario.moorings.give_way()
+                ? "its hull gave way in the simulation, so its loads are no longer those of a fixed one"
+                : moored_refusal(analysis, one.step, one.first_load, request);
+        found.push_back({index, moored_separation(analysis, request.model()), scenario.structure.speed,
+                         std::move(one.runs), std::move(refused)});
+    }
+    if (std::ranges::none_of(found, [](const MooredCase& one) { return one.refused.empty(); }))
+        throw InputError("Moored hull: " + why(evidence, found.front()));
+    return found;
+}
+
+std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vector<MooredCase>& found) {
+    std::vector<CasePeaks> all(table.cases.size());
+    for (std::size_t index = 0; index < all.size(); ++index)
+        all[index].measured = measured_in(table.cases[index].analysis, table.cases[index].analysis.peak_separation);
+    for (const MooredCase& one : found) {
+        if (!one.refused.empty()) continue;
+        CasePeaks& made = all[one.case_index];
+        for (const MooredRun& run : one.runs) {
+            const MemberRow& member = table.members[static_cast<std::size_t>(run.member)];
+            made.add(run.member, member.arrangement, run.force, member.load.mean);
+        }
+        made.average();
+        made.measured.separation = one.separation;
+    }
+    return all;
+}
+
+namespace {
+
+/// Whether no stored load is that of a hull which does not give way.
+bool all_give_way(const Evidence& evidence) {
+    return std::ranges::all_of(evidence.campaign.cases,
+                               [](const Case& one) { return one.scenario.moorings.give_way(); });
+}
+
+}  // namespace
+
+std::vector<Section> moored_sections(Evidence& evidence) {
+    std::vector<Section> sections;
+    if (std::optional<Section> simulated = moored_runs_section(evidence)) sections.push_back(std::move(*simulated));
+    if (evidence.moored) {
+        const MooredRequest& asked = *evidence.moored;
+        const std::vector<MooredCase> found = find_moored(evidence, asked);
+        sections.push_back(moored_section(evidence.summary, found, asked));
+        sections.push_back(moored_spectrum(evidence, asked.hull.damping_ratio, asked.averaging, asked.scale));
+        return sections;
+    }
+    if (all_give_way(evidence)) return sections;
+    constexpr double usual_damping = 0.1;
+    const std::vector<double>& times = evidence.table.averaging_times;
+    sections.push_back(moored_spectrum(evidence, usual_damping, times.empty() ? 1 : times.front(), 1));
+    return sections;
+}
+
+namespace {
+
+/// A mean over the runs of a case.
+Estimate over(const MooredCase& one, double factor, const std::function<double(const MooredRun&)>& value) {
+    std::vector<double> values;
+    for (const MooredRun& run : one.runs) values.push_back(factor * value(run));
+    return estimate(mean_interval(values), static_cast<int>(values.size()));
+}
+
+/// A row for each case, at full scale.
+Results rows_of(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request) {
+    const auto first = std::ranges::find_if(found, [](const MooredCase& one) { return one.refused.empty(); });
+    const double averaging = first == found.end() ? 0 : request.time_factor() * first->runs.front().load.time;
+    Results results{.place = "moored/cases",
+                    .columns = std::vector<ResultColumn>{{"case", "moored"}, {"runs", "runs"}} +
+                               program_columns("stiffness mass damping_ratio scale period averaging peak_separation")};
+    results.columns.push_back(estimates("mean_offset", "mean offset, m"));
+    results.columns.push_back(estimates("sd_offset", "SD of offset, m"));
+    results.columns.push_back(estimates("largest_force", "largest k x of a segment", "N"));
+    results.columns.push_back(estimates("largest_load", fmt::format("largest load over {:.3g} s", averaging), "N"));
+    results.columns.push_back(estimates("amplification", "amplification", "1", 2));
+    results.columns.push_back({.key = "velocity_ratio", .words = "rms velocity / drift", .decimals = 3});
+    for (const MooredCase& one : found) {
+        if (!one.refused.empty()) continue;
+        const double force = request.force_factor();
+        results.add({summary.named(one.case_index), one.runs.size(), request.hull.stiffness, request.hull.mass,
+                     request.hull.damping_ratio, request.scale, request.hull.period(),
+                     request.time_factor() * one.runs.front().load.time, request.time_factor() * one.separation,
+                     over(one, request.scale, [](const MooredRun& run) { return run.mean_offset; }),
+                     over(one, request.scale, [](const MooredRun& run) { return run.sd_offset; }),
+                     over(one, force, [](const MooredRun& run) { return run.force.mean_maximum; }),
+                     over(one, force, [](const MooredRun& run) { return run.load.mean_maximum; }),
+                     over(one, 1, [](const MooredRun& run) { return run.amplification(); }), one.velocity_ratio()});
+    }
+    return results;
+}
+
+}  // namespace
+
+Section moored_section(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request) {
+    const Oscillator& hull = request.hull;
+    std::string doubts;
+    std::vector<std::string> notes;
+    for (const MooredCase& one : found) {
+        const std::string& name = summary.label_of(one.case_index);
+        const double ratio = one.velocity_ratio();
+        if (!one.refused.empty())
+            notes.push_back(fmt::format("{}: not answered: {}.", name, one.refused));
+        else if (std::isfinite(ratio) && ratio > much_motion)
+            doubts += fmt::format(
+                "! {}: the hull moves with {:.0f} % of the drift speed (rms). The load of a fixed hull is then not the "
+                "load that it gets, and these figures are no more than an indication.\n",
+                name, ratio / unit::percent);
+    }
+    return {.title = fmt::format(
+                "Moored hull: {:.6g} kN/m, {:.6g} t, {:g} % of the critical damping; natural period {:.3g} s",
+                hull.stiffness / 1e3, hull.mass / 1e3, hull.damping_ratio / unit::percent, hull.period()),
+            .before = std::move(doubts),
+            .results = {rows_of(summary, found, request)},
+            .after =
+                "\nm x'' + c x' + k x = F(t) in surge, F the stored load of the fixed hull, exact between its values. "
+                "Largest of a segment: mean over segments and arrangements; brackets: 95 % (t). Amplification: largest "
+                "k x over largest load. Rms velocity / drift: the load of a fixed hull serves while it is small, below "
+                "some 0.2. docs/moorings.md\n",
+            .notes = std::move(notes)};
 }
 
 }  // namespace floes

@@ -8,17 +8,22 @@
 // its usual motion for some 1/(ζω).
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "campaign/advice.hpp"
+#include "campaign/case_words.hpp"
+#include "findings/design_load.hpp"
 #include "inference/interval.hpp"
 #include "scenario/scenario.hpp"
 #include "statistics/averaged_load.hpp"
 #include "statistics/oscillator.hpp"
+#include "tables/section.hpp"
 
 namespace floes {
+
+struct Evidence;
 
 struct MooredRequest {
     Oscillator hull;       ///< at full scale
@@ -44,8 +49,7 @@ inline constexpr double most_left = 0.05;
 /// For one member, at the scale of the campaign.
 struct MooredRun {
     int member = 0;
-    double first_load =
-        0;  ///< s after the start at which the hull meets ice; the length of the run where it never does
+    double first_load = 0;    ///< s after the start at which the hull meets ice; the length of the run if it never does
     double mean_offset = 0;   ///< m, in the window like what follows
     double sd_offset = 0;     ///< m
     double rms_velocity = 0;  ///< m/s
@@ -64,6 +68,10 @@ MooredRun moored_run(std::span<const double> surge, double step, const Analysis&
 std::vector<double> mooring_force(std::span<const double> surge, double step, const Analysis& analysis,
                                   const MooredRequest& request);
 
+/// Of values `step` s apart in the window of a case, averaged over one time.
+AveragedLoad averaged_once(std::span<const double> values, double step, const Analysis& analysis, double time,
+                           double separation);
+
 /// s, at the scale of the campaign, between peaks of k x that count as two: not below analysis.peak_separation, the
 /// natural period, and the time 1/(ζω) in which free motion falls to 1/e, since the swings of one event are one.
 double moored_separation(const Analysis& analysis, const Oscillator& model);
@@ -75,5 +83,70 @@ std::string period_refusal(const Analysis& analysis, double step, double period,
 /// One sentence, or nothing: why the window of such histories says nothing of this hull. `step`: of the history, s;
 /// `first_load`: s after the start; all at the scale of the campaign, the sentence at full scale.
 std::string moored_refusal(const Analysis& analysis, double step, double first_load, const MooredRequest& request);
+
+// Moored hulls over the members of a campaign file: a line for each case, the response spectrum, and peaks for design
+// loads.
+
+struct MooredCase {
+    std::size_t case_index = 0;
+    double separation = 0;  ///< s, of the peaks of k x
+    double drift = 0;       ///< m/s, of the ice past the hull: structure.speed_m_s
+    std::vector<MooredRun> runs;
+    std::string refused;  ///< why there are none that count; empty: they do
+
+    double velocity_ratio() const;  ///< rms velocity of the hull, over all runs, to the drift
+};
+
+/// Beside this velocity ratio the load of a fixed hull is no longer that of a moored one.
+inline constexpr double much_motion = 0.2;
+
+/// One for each case with stored histories. Reads the file. Throws InputError for a hull that is none, for a file
+/// without histories, and where no case can be answered.
+std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredRequest& request);
+
+/// The peaks of k x as tails are fitted to them, one for each case of the table, at the scale of the campaign.
+std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vector<MooredCase>& found);
+
+/// The same of what the simulation has of a structure that gives way: the force of springs and lines, or a motion.
+/// Reads the file. Throws InputError where there is none, and for histories or windows too coarse or too short for the
+/// natural period.
+std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of);
+
+/// Of structures that gave way in the simulation.
+struct SimulatedDesign {
+    DesignLoadRequest request;
+    std::vector<CaseDesignLoad> of_cases = {};  ///< that give way so
+    std::string refused = {};                   ///< why there are none, a sentence
+
+    bool known() const;  ///< of some case
+};
+
+/// The design values of the cases that give way in the motion of `request.of`, which is not the load. Throws as
+/// simulated_peaks() does.
+std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request);
+
+/// Sentences on cases in which lines broke, whose force is that of what was left, or which thrusters alone hold, so
+/// that there is none; empty without such cases.
+std::string mooring_notes(const Evidence& evidence);
+
+/// All design values of structures that give way, over 3 h and exceeded with 10 %, for people; `design --of` has them
+/// for programs. Empty where nothing gives way or the file keeps no histories.
+std::vector<Section> simulated_designs(Evidence& evidence);
+
+/// What they are made of, once; none where nothing gives way or the file keeps no histories.
+const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence);
+
+/// The line of each case.
+Section moored_section(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request);
+
+/// Largest k x over the largest averaged load, over the natural period. Reads the file.
+Section moored_spectrum(const Evidence& evidence, double damping_ratio, double averaging, double scale);
+
+/// For cases whose structure gave way in the simulation; none where there are none.
+std::optional<Section> moored_runs_section(const Evidence& evidence);
+
+/// For Evidence::moored; without it, only the spectrum, at a tenth of the critical damping and the scale of the
+/// campaign.
+std::vector<Section> moored_sections(Evidence& evidence);
 
 }  // namespace floes

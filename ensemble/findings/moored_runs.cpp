@@ -14,8 +14,7 @@
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "findings/estimates.hpp"
-#include "findings/moored_cases.hpp"
+#include "findings/moored.hpp"
 #include "findings/summary.hpp"
 #include "statistics/load_statistics.hpp"
 
@@ -90,8 +89,7 @@ void for_each_value(const Evidence& evidence, const DesignOf& of,
     std::vector<double> made;
     std::array<double, std::tuple_size_v<decltype(of.histories)>> at_once{};
     for_each_histories(evidence.file, {of.histories.begin(), last}, [&](const StoredHistories& found) {
-        const int of_case = evidence.table.members[static_cast<std::size_t>(found.member)].case_index;
-        const Moorings& moorings = evidence.campaign.cases[static_cast<std::size_t>(of_case)].scenario.moorings;
+        const Moorings& moorings = evidence.campaign.cases[evidence.case_of(found.member)].scenario.moorings;
         made.clear();
         for (std::size_t k = 0; k < found.values.front().size(); ++k) {
             for (std::size_t j = 0; j < found.values.size(); ++j) at_once.at(j) = found.values[j][k];
@@ -111,16 +109,11 @@ std::map<std::size_t, std::vector<double>> segment_maxima(const Evidence& eviden
     if (evidence.file.empty()) return found;
     const DesignOf& of = *std::ranges::find(design_ofs, word, &DesignOf::word);
     for_each_value(evidence, of, [&](const StoredHistory& history) {
-        const int of_case = evidence.table.members[static_cast<std::size_t>(history.member)].case_index;
-        const auto index = static_cast<std::size_t>(of_case);
+        const std::size_t index = evidence.case_of(history.member);
         if (!gives_way_in(evidence.campaign.cases[index], of.motions)) return;
         const Analysis& analysis = evidence.table.cases[index].analysis;
         found[index].push_back(
-            averaged_load(in_window(history, analysis), {.time_step = history.step,
-                                                         .segments = analysis.segments,
-                                                         .times = std::span(&history.step, 1),
-                                                         .peak_separation = analysis.peak_separation})
-                .front()
+            averaged_once(in_window(history, analysis), history.step, analysis, history.step, analysis.peak_separation)
                 .mean_maximum);
     });
     return found;
@@ -192,11 +185,10 @@ std::optional<Section> moored_runs_section(const Evidence& evidence) {
         .after =
             "\nMean and SD of the offset: of the hull's axis along the surge load, from where the moorings would have "
             "it; mooring force: what springs, lines and turret bear of that load, and their resultant in the "
-            "horizontal plane; horizontal offset: of the turret, without one of the hull's axis. Largest of a "
-            "segment: mean over segments and arrangements; tension: mean "
-            "over arrangements of the largest of any line; yaw, heave, pitch and roll: of all runs; thrust likewise, "
-            "and the share of the window in which "
-            "thrusters are at a limit in any direction; brackets: 95 % (t). docs/moorings.md\n"};
+            "horizontal plane; horizontal offset: of the turret, without one of the hull's axis. Largest of a segment: "
+            "mean over segments and arrangements; tension: mean over arrangements of the largest of any line; yaw, "
+            "heave, pitch and roll: of all runs; thrust likewise, and the share of the window in which thrusters are "
+            "at a limit in any direction; brackets: 95 % (t). docs/moorings.md\n"};
 }
 
 namespace {
@@ -251,8 +243,7 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
     const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
     std::map<std::size_t, Ratios> found;
     for_each_history(evidence.file, [&](const StoredHistory& history) {
-        const MemberRow& member = evidence.table.members[static_cast<std::size_t>(history.member)];
-        const auto index = static_cast<std::size_t>(member.case_index);
+        const std::size_t index = evidence.case_of(history.member);
         if (std::ranges::find(drawn, index) == drawn.end() ||
             evidence.campaign.cases[index].scenario.moorings.give_way())
             return;
@@ -304,17 +295,14 @@ Figure figure_of(const Evidence& evidence, const std::vector<Point>& points, con
 
 /// Points at equal periods stand together.
 Results spectrum_rows(const Summary& summary, const std::vector<Point>& points, double damping_ratio) {
-    ResultColumn amplification = estimates("amplification", "largest k x / largest load");
-    amplification.decimals = 2;
     Results results{.place = "moored/spectrum",
                     .columns = {{"case", "case"},
                                 {.key = "period", .words = "natural period, s", .digits = 3},
                                 {"damping_ratio"},
-                                std::move(amplification)},
+                                estimates("amplification", "largest k x / largest load", "1", 2)},
                     .view = Results::View::none};
     for (const Point& point : points)
-        results.add({summary.named(point.case_index), point.period, damping_ratio,
-                     Estimate{point.amplification.estimate, point.amplification.low, point.amplification.high}});
+        results.add({summary.named(point.case_index), point.period, damping_ratio, estimate(point.amplification)});
     return results;
 }
 
@@ -328,11 +316,11 @@ Section moored_spectrum(const Evidence& evidence, double damping_ratio, double a
     const std::vector<Point> points = points_of(evidence, hulls);
     if (points.empty())
         return {.missing =
-                    "Moored hull: unknown, because the file keeps no load histories (analysis.history_steps), or "
-                    "their run-up and window are too short for any natural period.\n"};
+                    "Moored hull: unknown, because the file keeps no load histories (analysis.history_steps), or their "
+                    "run-up and window are too short for any natural period.\n"};
     const std::string caption = fmt::format(
-        "Largest mooring force k x over the largest load averaged over {:g} s, for hulls of any natural period "
-        "with {:g} % of the critical damping: what moorings make of these loads.",
+        "Largest mooring force k x over the largest load averaged over {:g} s, for hulls of any natural period with "
+        "{:g} % of the critical damping: what moorings make of these loads.",
         averaging, damping_ratio / unit::percent);
     Results rows = spectrum_rows(evidence.summary, points, damping_ratio);
     Results shown = pivot(rows, "period", "case", {"amplification"});
@@ -350,8 +338,7 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
         const Analysis& analysis = table.cases[index].analysis;
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
         periods.push_back(period_of(scenario, of.motions));
-        all[index].measured = {analysis.window, analysis.window / analysis.segments,
-                               separation_of(analysis, scenario.moorings, periods.back()), 0};
+        all[index].measured = measured_in(analysis, separation_of(analysis, scenario.moorings, periods.back()));
     }
     const auto take = [&](const StoredHistory& history) {
         const MemberRow& member = table.members[static_cast<std::size_t>(history.member)];
@@ -362,15 +349,9 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
             throw InputError(fmt::format("{}: {}: {}.", of.title, evidence.summary.label_of(index), words));
         const std::span<const double> amounts = in_window(history, analysis);
         CasePeaks& made = all[index];
-        const AveragedLoad as_it_is = averaged_load(amounts, {.time_step = history.step,
-                                                              .segments = analysis.segments,
-                                                              .times = std::span(&history.step, 1),
-                                                              .peak_separation = made.measured.separation})
-                                          .front();
-        made.rows.push_back({as_it_is.peaks, as_it_is.segment_maximum});
-        made.arrangements.push_back(member.arrangement);
-        made.members.push_back(history.member);
-        made.measured.mean += mean_of(amounts);
+        made.add(history.member, member.arrangement,
+                 averaged_once(amounts, history.step, analysis, history.step, made.measured.separation),
+                 mean_of(amounts));
     };
     for_each_value(evidence, of, take);
     if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
@@ -382,8 +363,7 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
             of.motions[0] == of.motions[1]
                 ? std::string(motion_names.at(at(of.motions[0])))
                 : fmt::format("{} or {}", motion_names.at(at(of.motions[0])), motion_names.at(at(of.motions[1])))));
-    for (CasePeaks& one : all)
-        if (!one.rows.empty()) one.measured.mean /= static_cast<double>(one.rows.size());
+    for (CasePeaks& one : all) one.average();
     return all;
 }
 
@@ -425,7 +405,7 @@ Section for_people(const Evidence& evidence, const SimulatedDesign& design) {
     if (!design.refused.empty()) return {.missing = design.refused + "\n"};
     Section section = design_values_section(evidence.summary, design.of_cases, design.request);
     if (!design.known()) return {.missing = fmt::format("{}: {}", design.request.of.title, section.before)};
-    std::erase_if(section.results, [](const Results& one) { return one.view == Results::View::none; });
+    std::erase_if(section.results, [](const Results& one) { return !one.for_people(); });
     return section;
 }
 

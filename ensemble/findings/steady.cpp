@@ -10,9 +10,8 @@
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
 #include "findings/summary.hpp"
-#include "inference/bootstrap.hpp"
+#include "inference/interval.hpp"
 #include "statistics/load_statistics.hpp"
-#include "statistics/steady_state.hpp"
 
 namespace floes {
 
@@ -33,12 +32,11 @@ std::string stationary_text(const std::string& name, const JointTrend& trend, co
     const std::string verdict =
         known ? endless ? "stationary, and ice comes as long as the run lasts" : "no trend within this window"
               : "not shown to be stationary: few members, or a short window";
-    const std::string beyond = endless ? ""
-                               : about.far_end == FarEnd::ice_sheet
-                                   ? " The field ends at an ice sheet, so a longer exposure is taken as one such "
-                                     "passage after another."
-                                   : " The field ends in open water, so a longer exposure is taken as one such passage "
-                                     "after another.";
+    const std::string beyond =
+        endless ? ""
+        : about.far_end == FarEnd::ice_sheet
+            ? " The field ends at an ice sheet, so a longer exposure is taken as one such passage after another."
+            : " The field ends in open water, so a longer exposure is taken as one such passage after another.";
     return fmt::format(
         "{}: {}. Slopes of {} members, Student's t: the load changes by {:+.2g} % [{:+.2g}, {:+.2g}] of its mean over "
         "the measured window of {:g} s (p = {:.2g}){}.{}",
@@ -60,7 +58,7 @@ std::string end_text(const CaseRow& about) {
 namespace {
 
 double median(std::vector<double> values) {
-    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    values = measured(std::move(values));
     if (values.empty()) return std::nan("");
     std::ranges::sort(values);
     return quantile_of_sorted(values, 0.5);
@@ -205,8 +203,7 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
                     {.key = "median_effective_samples", .words = "effective samples", .decimals = 0}},
         .in_csv = false};
     Results members{.place = "steady/members",
-                    .columns = program_columns("member case steady_start decorrelation_time effective_samples"),
-                    .view = Results::View::none};
+                    .columns = program_columns("member case steady_start decorrelation_time effective_samples")};
     for (std::size_t k = 0; k < steady.cases.size(); ++k) {
         const CaseSteady& one = steady.cases[k];
         cases.add({summary.named(k), summary.cases[k].about.analysis.steady_start, seconds(one.start),

@@ -1,14 +1,14 @@
 #pragma once
-// Whether loads rise or fall through the measured window: the test of inference/joint_trend.hpp on a campaign's
+// Whether loads rise or fall through the measured window: the test of inference/paired.hpp on a campaign's
 // members.
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "campaign_file/campaign_file.hpp"
+#include "campaign_file/read.hpp"
 #include "findings/summary.hpp"
-#include "inference/joint_trend.hpp"
+#include "inference/paired.hpp"
 
 namespace floes {
 
@@ -38,7 +38,7 @@ struct MemberSteady {
 
 struct CaseSteady {
     /// s: by MSER of the mean over the members' histories, and not before their load, member by member, no longer has a
-    /// trend from there to the end (joint_trend.hpp). None: in no half of the run.
+    /// trend from there to the end (paired.hpp). None: in no half of the run.
     std::optional<double> start;
     std::optional<double> median_start;    ///< s, of the members that have one
     int without_start = 0;                 ///< members without a start

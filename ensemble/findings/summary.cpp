@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,6 +13,81 @@
 #include "statistics/distributions.hpp"
 
 namespace floes {
+
+Kind kind_of(const Quantity& quantity) {
+    return {quantity.least, quantity.most, quantity.positive, quantity.unit == "N"};
+}
+
+namespace {
+
+/// The mean of finite values with the interval of their kind, and how many of them stand out.
+std::pair<Interval, std::size_t> mean_of_kind(const std::vector<double>& values, const Kind& kind) {
+    const Interval plain = kind.positive ? positive_interval(values) : mean_interval(values);
+    const Apart out = kind.load ? apart(values, Sides::above) : Apart{};
+    // Student's limits can leave the range of the values; those of the bootstrap cannot.
+    return {clipped(mixed_interval(values, plain, out, Sides::above), kind.least, kind.most), out.count()};
+}
+
+}  // namespace
+
+std::vector<double> measured(std::vector<double> values) {
+    std::erase_if(values, [](double value) { return !std::isfinite(value); });
+    return values;
+}
+
+bool says_something(double estimate, Limits limits, int runs, const Kind& kind) {
+    constexpr double widest = 4;                                             // of the estimate
+    if (limits.low <= kind.least && limits.high >= kind.most) return false;  // as wide as can be
+    if (runs < fewest_for_interval || !std::isfinite(limits.low) || !std::isfinite(limits.high)) return false;
+    const bool has_a_sign = kind.least < 0 && std::isfinite(kind.least);  // by its nature, as a correlation has
+    const double size = has_a_sign ? limits.high - limits.low : estimate;
+    return limits.high > limits.low && limits.high - limits.low <= widest * std::abs(size);
+}
+
+Estimate estimate(const Interval& found) {
+    return {found.estimate, found.low, found.high};
+}
+
+Estimate estimate(const Interval& found, int runs, const Kind& kind) {
+    return {found.estimate, found.low, found.high, says_something(found.estimate, {found.low, found.high}, runs, kind)};
+}
+
+Estimate over(const std::vector<double>& values, const Kind& kind) {
+    const std::vector<double> known = measured(values);
+    return estimate(mean_of_kind(known, kind).first, static_cast<int>(known.size()), kind);
+}
+
+Estimate over(const Sample& sample, const Members& members, const Quantity& quantity) {
+    return over(sample.values(members, quantity), kind_of(quantity));
+}
+
+std::string unit_of(const Quantity& quantity) {
+    return quantity.percent ? "share" : std::string{quantity.unit};
+}
+
+ResultColumn column_of(const Quantity& quantity, ResultColumn::Holds holds) {
+    return {.key = std::string{quantity.key.view()},
+            .words = std::string{quantity.label.view()},
+            .unit = unit_of(quantity),
+            .holds = holds,
+            .decimals = quantity.percent || quantity.count ? 1 : -1};
+}
+
+std::string change_text(const Estimate& change, const Units& units) {
+    const auto number = [&](double value) { return (value < 0 ? "" : "+") + units.number(value, "N"); };
+    return fmt::format("{} {}{}", number(change.value), units.of("N").name,
+                       change.said && std::isfinite(change.low)
+                           ? fmt::format(" ({} to {})", number(change.low), number(change.high))
+                           : "");
+}
+
+ResultColumn estimates(std::string key, std::string words, std::string unit, int decimals) {
+    return {.key = std::move(key),
+            .words = std::move(words),
+            .unit = std::move(unit),
+            .holds = ResultColumn::Holds::estimates,
+            .decimals = decimals};
+}
 
 bool says_something(const Quantity& quantity, double estimate, Limits limits, int runs) {
     return says_something(estimate, limits, runs, kind_of(quantity));
@@ -32,16 +108,9 @@ namespace {
 
 void count(const MemberRow& member, CaseSummary& row) {
     ++row.members;
-    switch (member.status) {
-        case RowStatus::missing:
-            ++row.missing_members;
-            return;
-        case RowStatus::failed:
-            ++row.failed_members;
-            return;
-        case RowStatus::done:
-            break;
-    }
+    if (member.status == RowStatus::missing) ++row.missing_members;
+    if (member.status == RowStatus::failed) ++row.failed_members;
+    if (member.status != RowStatus::done) return;
     ++row.done;
     row.not_steady += member.load.steady ? 0 : 1;
     for (const Quantity& one : quantities)
@@ -59,26 +128,28 @@ CaseSummary summarise_case(const CampaignTable& table, const std::vector<Quantit
     for (const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
         std::vector<double>& values = columns.emplace_back();
         for (const MemberRow* member : done) values.push_back(quantity.of(*member));
-        std::erase_if(values,
-                      [](double value) { return !std::isfinite(value); });  // an older version did not measure it
+        values = measured(std::move(values));  // an older version may not have
     }
     const std::vector<Limits> resampled = bca_mean_intervals(columns);
     for (std::size_t k = 0; const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
-        const std::vector<double>& values = columns[k];
-        const Apart out = quantity.unit == "N" ? apart(values, Sides::above) : Apart{};
-        const Interval plain = quantity.positive ? positive_interval(values) : mean_interval(values);
-        // Student's limits can leave the range of the values; those of the bootstrap cannot.
-        row.estimates[std::string{quantity.key.view()}] = {
-            clipped(mixed_interval(values, plain, out, Sides::above), quantity.least, quantity.most), resampled[k++],
-            out.count()};
+        const auto [mean, standing_out] = mean_of_kind(columns[k], kind_of(quantity));
+        row.estimates[std::string{quantity.key.view()}] = {mean, resampled[k++], standing_out};
     }
     return row;
 }
 
 }  // namespace
 
-bool Summary::complete() const {
-    return std::ranges::all_of(cases, [](const CaseSummary& row) { return row.missing_members == 0; });
+MemberCounts Summary::counts() const {
+    MemberCounts all;
+    for (const CaseSummary& row : cases) {
+        all.members += row.members;
+        all.done += row.done;
+        all.failed_members += row.failed_members;
+        all.missing_members += row.missing_members;
+        all.not_steady += row.not_steady;
+    }
+    return all;
 }
 
 Summary summarise(const CampaignTable& table) {

@@ -1,8 +1,5 @@
 #pragma once
-// Statistics of a campaign file over arrangements: for every case the row of Table 3, with intervals.
-//
-// A member that failed or has not run yet is a missing value, never zero. One arrangement is one value: the floes of an
-// arrangement are not independent of each other, so the failure ratio's interval is over arrangements too.
+// Means over members, each with the interval that fits its values, and the columns that show them.
 
 #include <cstdint>
 #include <map>
@@ -13,13 +10,57 @@
 #include <vector>
 
 #include "campaign_file/campaign_table.hpp"
-#include "findings/estimates.hpp"
-#include "inference/bootstrap.hpp"
 #include "inference/interval.hpp"
 #include "member/quantity.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
+
+/// Fewest arrangements whose interval is printed: of two, Student's t makes it 13 standard errors wide on either side.
+inline constexpr int fewest_for_interval = 3;
+
+/// What values can be, which decides their interval and whether it says something.
+struct Kind {
+    double least = no_least;
+    double most = no_most;
+    bool positive = false;  ///< above 0 in any run: the range of one further run is taken on a logarithmic scale
+    bool load = false;      ///< members may be of two kinds, as where ice jams in some: the interval of a mixture
+};
+
+/// The kind of a quantity of members.
+Kind kind_of(const Quantity& quantity);
+
+/// Those of the values that were measured: the finite ones.
+std::vector<double> measured(std::vector<double> values);
+
+/// Whether the 95 % limits of an estimate over `runs` arrangements say something: at least three runs, which differ,
+/// and limits no further apart than four times the estimate, or than what values of the kind can have.
+bool says_something(double estimate, Limits limits, int runs, const Kind& kind = {});
+
+/// As one cell of a table; its limits are said, or only if they say something of so many runs.
+Estimate estimate(const Interval& found);
+Estimate estimate(const Interval& found, int runs, const Kind& kind = {});
+/// The mean of the finite ones among the values as one cell, with the interval of their kind: Student's t or a
+/// mixture's, cut to the range that values can have.
+Estimate over(const std::vector<double>& values, const Kind& kind = {});
+/// The mean of a quantity over members as one cell.
+Estimate over(const Sample& sample, const Members& members, const Quantity& quantity);
+
+/// Its column: key, words and unit as the quantity has them.
+ResultColumn column_of(const Quantity& quantity, ResultColumn::Holds holds = ResultColumn::Holds::estimates);
+/// Its unit as Units takes it: "share" of a ratio.
+std::string unit_of(const Quantity& quantity);
+
+/// "+5.4 N (+2.1 to +8.7)": a change of a load in a sentence.
+std::string change_text(const Estimate& change, const Units& units);
+
+/// A column of values with their intervals.
+ResultColumn estimates(std::string key, std::string words, std::string unit = "1", int decimals = -1);
+
+// Statistics of a campaign file over arrangements: for every case the row of Table 3, with intervals.
+//
+// A member that failed or has not run yet is a missing value, never zero. One arrangement is one value: the floes of an
+// arrangement are not independent of each other, so the failure ratio's interval is over arrangements too.
 
 /// A mean over arrangements with its intervals: Student's, or those of a mixture where members stand out; and the BCa
 /// bootstrap interval of the mean.
@@ -28,14 +69,18 @@ struct CaseEstimate : Interval {
     std::size_t standing_out = 0;  ///< members that the intervals count as a kind of their own
 };
 
-/// One case over its arrangements. members = done + failed_members + missing_members.
-struct CaseSummary {
-    CaseRow about;
+/// members = done + failed_members + missing_members.
+struct MemberCounts {
     int members = 0;          ///< planned
     int done = 0;             ///< with a result; the intervals use these
     int failed_members = 0;   ///< set aside
     int missing_members = 0;  ///< without a result yet
     int not_steady = 0;       ///< done, with a load that still had a trend in the window
+};
+
+/// One case over its arrangements.
+struct CaseSummary : MemberCounts {
+    CaseRow about;
 
     /// The estimate of a quantity that is shown in summaries, in its unit.
     const CaseEstimate& of(const Quantity& quantity) const { return estimates.at(std::string{quantity.key.view()}); }
@@ -57,7 +102,8 @@ struct Summary {
     std::vector<Quantity> quantities;      ///< all that are known of the members, in the order in which they are shown
     std::vector<std::string> labels = {};  ///< of the cases, for people; empty: their names
 
-    bool complete() const;  ///< every planned member is done or set aside
+    MemberCounts counts() const;                                     ///< of all cases together
+    bool complete() const { return counts().missing_members == 0; }  ///< every planned member is done or set aside
     const std::string& name_of(std::size_t of_case) const { return cases.at(of_case).about.name; }
     /// Both, for a table.
     Named named(std::size_t of_case) const { return {name_of(of_case), label_of(of_case)}; }

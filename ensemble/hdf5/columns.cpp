@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <hdf5_hl.h>
 
-#include "core/undefined.hpp"
+#include "core/units.hpp"
 #include "hdf5/dataset.hpp"
 #include "hdf5/digest.hpp"
 

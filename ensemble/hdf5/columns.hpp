@@ -14,7 +14,6 @@
 #include "hdf5/digest.hpp"
 #include "hdf5/handle.hpp"
 #include "hdf5/read.hpp"
-#include "hdf5/write.hpp"
 #include "store/packed_arrays.hpp"
 
 namespace floes::hdf5 {

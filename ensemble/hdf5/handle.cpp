@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "hdf5/dataset.hpp"
 #include "hdf5/read.hpp"
-#include "hdf5/write.hpp"
 #include "store/session.hpp"
 
 namespace floes::hdf5 {

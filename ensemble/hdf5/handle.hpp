@@ -3,6 +3,8 @@
 // HDF5 files of their own. Not thread-safe.
 
 #include <array>
+#include <concepts>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -69,51 +71,22 @@ Handle access_without_locks();
 /// The same for a new file, in the format of HDF5 1.10: its superblock, headers and indices of chunks have checksums.
 Handle access_for_writing();
 
-/// Memory type of a double, float, int32, int8, uint64.
+/// The types of a double, float, int32, int8 or uint64 in memory, and in a file.
 template <class Value>
-hid_t native_type();
-template <>
-inline hid_t native_type<double>() {
-    return H5T_NATIVE_DOUBLE;
+hid_t native_type() {
+    if constexpr (std::same_as<Value, double>) return H5T_NATIVE_DOUBLE;
+    if constexpr (std::same_as<Value, float>) return H5T_NATIVE_FLOAT;
+    if constexpr (std::same_as<Value, std::int32_t>) return H5T_NATIVE_INT32;
+    if constexpr (std::same_as<Value, std::int8_t>) return H5T_NATIVE_INT8;
+    if constexpr (std::same_as<Value, std::uint64_t>) return H5T_NATIVE_UINT64;
 }
-template <>
-inline hid_t native_type<float>() {
-    return H5T_NATIVE_FLOAT;
-}
-template <>
-inline hid_t native_type<std::int32_t>() {
-    return H5T_NATIVE_INT32;
-}
-template <>
-inline hid_t native_type<std::int8_t>() {
-    return H5T_NATIVE_INT8;
-}
-template <>
-inline hid_t native_type<std::uint64_t>() {
-    return H5T_NATIVE_UINT64;
-}
-/// File type of a float, double, int32, int8, uint64.
 template <class Value>
-hid_t stored_type();
-template <>
-inline hid_t stored_type<float>() {
-    return H5T_IEEE_F32LE;
-}
-template <>
-inline hid_t stored_type<double>() {
-    return H5T_IEEE_F64LE;
-}
-template <>
-inline hid_t stored_type<std::int32_t>() {
-    return H5T_STD_I32LE;
-}
-template <>
-inline hid_t stored_type<std::int8_t>() {
-    return H5T_STD_I8LE;
-}
-template <>
-inline hid_t stored_type<std::uint64_t>() {
-    return H5T_STD_U64LE;
+hid_t stored_type() {
+    if constexpr (std::same_as<Value, double>) return H5T_IEEE_F64LE;
+    if constexpr (std::same_as<Value, float>) return H5T_IEEE_F32LE;
+    if constexpr (std::same_as<Value, std::int32_t>) return H5T_STD_I32LE;
+    if constexpr (std::same_as<Value, std::int8_t>) return H5T_STD_I8LE;
+    if constexpr (std::same_as<Value, std::uint64_t>) return H5T_STD_U64LE;
 }
 
 /// Text of any length in UTF-8.

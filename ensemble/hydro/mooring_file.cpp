@@ -1,7 +1,6 @@
 #include "hydro/mooring_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>

@@ -1,11 +1,12 @@
 #include "inference/design_load.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 
-#include "core/undefined.hpp"
+#include "core/units.hpp"
 #include "inference/posterior_load.hpp"
 #include "inference/tails.hpp"
 
@@ -141,10 +142,9 @@ void add_posterior(MemberPeakSpans peaks, const Measured& measured, const Exposu
     load.weibull_weight = found.weibull_weight();
     load.scatter = found.scatter();
     load.alike = found.alike();
-    const auto figure = [](const PosteriorFigure& one) { return DesignLoadFigure{one.value, one.interval}; };
     DesignLoadEstimate made{LargestBy::both_tails, {.value = undefined, .interval = {undefined, undefined}}, {}};
-    if (exposure.expected) made.expected = figure(found.expected(exposure.time));
-    for (const double p : exposure.probabilities) made.quantiles.push_back(figure(found.quantile(exposure.time, p)));
+    if (exposure.expected) made.expected = found.expected(exposure.time);
+    for (const double p : exposure.probabilities) made.quantiles.push_back(found.quantile(exposure.time, p));
     load.estimates.push_back(std::move(made));
 }
 
@@ -211,19 +211,8 @@ void add_maxima(const std::vector<PeakRow>& rows, double segment, const Exposure
 }  // namespace
 
 std::string_view name_of(LargestBy method) {
-    switch (method) {
-        case LargestBy::both_tails:
-            return "both tails";
-        case LargestBy::pareto:
-            return "Pareto tail";
-        case LargestBy::weibull:
-            return "Weibull tail";
-        case LargestBy::gumbel:
-            return "Gumbel";
-        case LargestBy::gev:
-            break;
-    }
-    return "GEV";
+    constexpr std::array<std::string_view, 5> names{"both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"};
+    return names.at(static_cast<std::size_t>(method));
 }
 
 DesignLoad load_by_both_tails(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure) {

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "inference/bootstrap.hpp"
 #include "inference/extremes.hpp"
 #include "inference/interval.hpp"
 #include "inference/tails.hpp"
@@ -50,15 +49,11 @@ enum class LargestBy {
 };
 std::string_view name_of(LargestBy method);
 
-struct DesignLoadFigure {
-    double value = 0;   ///< N; of both tails the median. NaN for an expected load that does not exist
-    Limits interval{};  ///< 95 %: of both tails from their posterior, of others by bootstrap over arrangements
-};
-
+/// Limits of both tails are from their posterior, of others by bootstrap over arrangements.
 struct DesignLoadEstimate {
     LargestBy method = LargestBy::both_tails;
-    DesignLoadFigure expected;                ///< mean of the largest load in the exposure
-    std::vector<DesignLoadFigure> quantiles;  ///< in the order of Exposure::probabilities
+    LoadFigure expected;                ///< mean of the largest load in the exposure; NaN where it does not exist
+    std::vector<LoadFigure> quantiles;  ///< in the order of Exposure::probabilities
 };
 
 struct DesignLoad {

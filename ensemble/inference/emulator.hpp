@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "inference/decompositions.hpp"
+#include "inference/numerics.hpp"
 
 namespace floes {
 
@@ -83,30 +83,6 @@ struct LeftOut {
     double standardised() const { return (value - predicted) / sd; }
 };
 
-/// One row for each row of `at`: 1, then the coordinates, then their products in pairs; as many as the trend has.
-Eigen::MatrixXd trend_terms(EmulatorKind trend, const Eigen::MatrixXd& at);
-
-/// Whether a trend has fewer terms than there are points, and every one is determined without any single point.
-bool determines(const Eigen::MatrixXd& at, EmulatorKind trend);
-
-/// Covariance of the correlated part for pairs of points; `squares`: of their differences, pairs x axes.
-Eigen::VectorXd shared_variance(const EmulatorCovariance& covariance, const Eigen::MatrixXd& squares);
-
-/// Added to every noise variance so that the equations can be solved; negligible beside deviations of 1.
-inline constexpr double solvable = 1e-10;
-
-EmulatorForm fit_gaussian_process(const EmulatorData& data);
-EmulatorForm fit_polynomial(const EmulatorData& data);
-
-/// Mean and variance of predictions of equal weight.
-Emulated combined(const std::vector<Emulated>& predictions);
-
-/// In the order and unit of the values.
-std::vector<LeftOut> predict_left_out(const EmulatorForm& form, const Eigen::VectorXd& values);
-
-/// Emulator::fault().
-std::string emulator_fault(const std::vector<LeftOut>& points, const Eigen::MatrixXd& projection);
-
 // An emulator of a statistic over the axes of a design. It interpolates between the simulated points and takes account
 // of the noise in their values, which comes from the scatter over arrangements.
 //
@@ -116,7 +92,7 @@ std::string emulator_fault(const std::vector<LeftOut>& points, const Eigen::Matr
 // them the squared exponential, which is infinitely smooth, is far too certain (M. L. Stein, Interpolation of Spatial
 // Data, Springer 1999, 1.7). Lengths and variance maximise the restricted likelihood times a broad prior, which keeps
 // them in a sensible range where the values say little. Predictions are averaged over parameters + 1 sets of parameters
-// about the maximum (posterior_spread.hpp); with the maximum alone, 95 % intervals covered about 90 %. A nugget, the
+// about the maximum (numerics.hpp); with the maximum alone, 95 % intervals covered about 90 %. A nugget, the
 // same variance at every point, is added if the likelihood gains enough: for roughness between the points, or for noise
 // that is larger than stated. It is part of the prediction variance.
 //

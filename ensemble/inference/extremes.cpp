@@ -13,8 +13,8 @@
 
 #include "core/contract.hpp"
 #include "core/random.hpp"
-#include "core/undefined.hpp"
-#include "inference/simplex.hpp"
+#include "core/units.hpp"
+#include "inference/numerics.hpp"
 
 namespace floes {
 

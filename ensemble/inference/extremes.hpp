@@ -5,14 +5,12 @@
 //   Gumbel:  F(x) = exp(-exp(-z))
 //   GEV:     F(x) = exp(-(1 + ξ z)^(-1/ξ)), 1 + ξ z > 0; ξ = 0 is Gumbel, ξ < 0 has an upper bound, ξ > 0 a heavy tail.
 // scipy: gumbel_r(location, scale), genextreme(c = -ξ, location, scale).
-// fit_maxima.cpp has the fits and their goodness of fit, extremes.cpp the distributions.
 // S. Coles, An Introduction to Statistical Modeling of Extreme Values, Springer 2001, chapter 3.
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "inference/bootstrap.hpp"
+#include "inference/interval.hpp"
 
 namespace floes {
 

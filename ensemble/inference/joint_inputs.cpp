@@ -3,14 +3,14 @@
 #include "inference/joint_inputs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
-#include <optional>
 
 #include "core/contract.hpp"
-#include "inference/simplex.hpp"
+#include "inference/numerics.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {
@@ -47,17 +47,8 @@ double SmoothParameter::at(double x) const {
 }
 
 std::string_view name_of(InputLaw law) {
-    switch (law) {
-        case InputLaw::normal:
-            return "normal";
-        case InputLaw::lognormal:
-            return "lognormal";
-        case InputLaw::weibull:
-            return "weibull";
-        case InputLaw::exponential:
-            break;
-    }
-    return "exponential";
+    constexpr std::array<std::string_view, 4> names{"normal", "lognormal", "weibull", "exponential"};
+    return names.at(static_cast<std::size_t>(law));
 }
 
 bool InputDistribution::valid(double given) const {

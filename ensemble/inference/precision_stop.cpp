@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "core/undefined.hpp"
+#include "core/units.hpp"
 #include "inference/interval.hpp"
 #include "member/quantity.hpp"
 #include "statistics/distributions.hpp"
@@ -76,7 +76,7 @@ double LoadPrecision::half_width_of(const OneCase& one, const JointTrend& trend)
         return undefined;
     }
     const DesignLoadEstimate& made = load.estimates.front();
-    const DesignLoadFigure& figure = of_expected_ ? made.expected : made.quantiles.front();
+    const LoadFigure& figure = of_expected_ ? made.expected : made.quantiles.front();
     const double longer = std::max(figure.interval.high - figure.value, figure.value - figure.interval.low);
     const double half_width = longer / std::abs(figure.value);
     if (!std::isfinite(half_width)) obstacle_ = fmt::format("case {}: its expected largest load is infinite", one.name);
@@ -279,11 +279,10 @@ std::vector<PrecisionStop::Target> PrecisionStop::targets_of(const StopRule& rul
         return groups.empty() || groups.at(static_cast<std::size_t>(one)) == groups.at(static_cast<std::size_t>(other));
     };
     const auto no_pair = [&](const std::string& which) {
-        return InputError(
-            fmt::format("stop.contrast = \"{}\" asks for a paired difference, but {} do not share their arrangements: "
-                        "cases can be paired if their fields have the same geometry and "
-                        "campaign.common_arrangements is true.",
-                        rule.contrast, which));
+        return InputError(fmt::format(
+            "stop.contrast = \"{}\" asks for a paired difference, but {} do not share their arrangements: cases can be "
+            "paired if their fields have the same geometry and campaign.common_arrangements is true.",
+            rule.contrast, which));
     };
     if (rule.case_name == "all") {
         for (int one = 0; one < count; ++one) targets.push_back({.case_index = one, .minus = {}});

@@ -3,16 +3,14 @@
 // over the estimate. It is what floes design gives for the same members, with its defaults.
 
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign.hpp"
 #include "inference/design_load.hpp"
-#include "inference/joint_trend.hpp"
+#include "inference/paired.hpp"
 
 namespace floes {
 
@@ -69,14 +67,14 @@ class LoadPrecision {
 //
 // The rule: 95 % half-width t s / √n, over |mean|, is at most the target for each case that the rule names; for a
 // contrast "B - A" it is that of the paired difference, over |mean of A|. Where members stand out, it is the longer
-// side of the interval that counts them as a kind of their own (mixed_mean.hpp). The rule applies from `minimum`
+// side of the interval that counts them as a kind of their own (interval.hpp). The rule applies from `minimum`
 // arrangements on, by default so many that a kind of member in a share of the target is missing in at most one of
 // twenty campaigns (members with twice the load move the mean by their share, and nobody knows of those that were not
 // met), and must also hold at each of the `look_ahead` arrangements before the stop, because it is often met once by
 // chance. After K. Hoad, S. Robinson and R. Davies, "Automated selection of the number of replications for a
 // discrete-event simulation", J. Oper. Res. Soc. 61 (2010) 1632-1644.
 //
-// For a design load (load_precision.hpp) it is the longer side of its interval over its estimate, for each case that
+// For a design load it is the longer side of its interval over its estimate, for each case that
 // the rule names. A tail is fitted in tenths of a second to seconds, so it is judged at ends of batches only, and not
 // at each while the target is far: the next judgement is at half of the arrangements that an interval would need that
 // shrinks as 1/√n, but a tenth to four tenths more than now. Once it holds it must hold again after `look_ahead`

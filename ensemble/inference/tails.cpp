@@ -5,12 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 #include <boost/math/tools/minima.hpp>
 
 #include "core/random.hpp"
-#include "core/undefined.hpp"
+#include "core/units.hpp"
 
 namespace floes {
 

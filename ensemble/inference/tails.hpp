@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "inference/random_walk.hpp"
+#include "inference/numerics.hpp"
 
 namespace floes {
 
@@ -35,9 +35,9 @@ struct Tail {
 inline constexpr std::size_t fewest_peaks = 20;
 
 /// The tail of peaks that exceed `threshold` by `excesses`, N, all positive, in `time` s. `weights`: how
-/// many events each peak stands for (hidden_peaks.hpp), one for each excess. Pareto with -1/2 <= ξ <= 1, in which range
-/// maximum likelihood is regular and the mean exists; Weibull with 0.2 <= c <= 8 and `origin` below the threshold.
-/// Invalid (scale NaN) for fewer than fewest_peaks or if all are equal.
+/// many events each peak stands for (events_per_peak()), one for each excess. Pareto with -1/2 <= ξ <= 1, in which
+/// range maximum likelihood is regular and the mean exists; Weibull with 0.2 <= c <= 8 and `origin` below the
+/// threshold. Invalid (scale NaN) for fewer than fewest_peaks or if all are equal.
 Tail fit_tail(TailKind kind, std::span<const double> excesses, std::span<const double> weights, double threshold,
               double origin, double time);
 

@@ -1,7 +1,6 @@
 #include "match/contour_section.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
@@ -32,12 +31,6 @@ const std::vector<LawWords>& laws() {
                                            {InputLaw::weibull, {"scale", "shape"}},
                                            {InputLaw::exponential, {"mean"}}};
     return all;
-}
-
-std::optional<double> number_of(const Value& value) {
-    if (const auto* real = std::get_if<double>(&value.data)) return *real;
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
-    return {};
 }
 
 /// A number, or [a, b, c] for a + b x^c.
@@ -144,10 +137,9 @@ ClassHours class_of(const Regime& regime, const std::array<std::string, 2>& keys
                                          entry.path, keys[0], keys[1]));
         const double value = *number_of(entry.value);
         if (!(value > 0))
-            throw InputError(
-                fmt::format("{}: {} = {:g} is not above 0, and the distributions that are fitted are of "
-                            "positive inputs",
-                            entry.where, entry.path, value));
+            throw InputError(fmt::format(
+                "{}: {} = {:g} is not above 0, and the distributions that are fitted are of positive inputs",
+                entry.where, entry.path, value));
         made.value[static_cast<std::size_t>(place - keys.begin())] = value;
     }
     for (std::size_t k = 0; k < 2; ++k)
@@ -204,30 +196,29 @@ std::string parameter_text(const SmoothParameter& parameter) {
 
 /// "Thickness: Weibull, scale 0.029 m, shape 4.1", without a full stop.
 std::string law_text(const InputDistribution& law, const std::string& key) {
-    KeyWords words = key_words(key);
-    words.name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.name.front())));
+    const KeyWords words = key_words(key);
+    const std::string name = capital(words.name);
     const std::string unit = words.unit.empty() ? "" : " " + words.unit;
     const std::string one = parameter_text(law.first);
     const std::string two = parameter_text(law.second);
     switch (law.law) {
         case InputLaw::normal:
-            return fmt::format("{}: normal, mean {}{}, standard deviation {}{}", words.name, one, unit, two, unit);
+            return fmt::format("{}: normal, mean {}{}, standard deviation {}{}", name, one, unit, two, unit);
         case InputLaw::lognormal:
-            return fmt::format("{}: log-normal, median {}{}, standard deviation of the logarithm {}", words.name, one,
-                               unit, two);
+            return fmt::format("{}: log-normal, median {}{}, standard deviation of the logarithm {}", name, one, unit,
+                               two);
         case InputLaw::weibull:
-            return fmt::format("{}: Weibull, scale {}{}, shape {}", words.name, one, unit, two);
+            return fmt::format("{}: Weibull, scale {}{}, shape {}", name, one, unit, two);
         case InputLaw::exponential:
             break;
     }
-    return fmt::format("{}: exponential, mean {}{}", words.name, one, unit);
+    return fmt::format("{}: exponential, mean {}{}", name, one, unit);
 }
 
 /// Both laws, for programs: each parameter is a + b x^c.
 Results laws_of(const ContourInputs& inputs) {
     Results laws{.place = "inputs",
                  .columns = program_columns("key distribution first_a first_b first_c second_a second_b second_c"),
-                 .view = Results::View::none,
                  .in_csv = false};
     const auto add = [&](const std::string& key, const InputDistribution& law) {
         laws.add(
@@ -255,8 +246,7 @@ Section ice_section(const ContourInputs& inputs, const ContourRequest& request) 
     const bool weibull = inputs.inputs.one.law == InputLaw::weibull;
     text += fmt::format(
         "Fitted to the hours of {} classes by maximum likelihood; for the {} {} is likelier than {} (mean "
-        "log-likelihood "
-        "of an hour: {:.2g} more).{} What lies beyond the classes is what these laws make of it.\n\n",
+        "log-likelihood of an hour: {:.2g} more).{} What lies beyond the classes is what these laws make of it.\n\n",
         inputs.classes.size(), key_words(inputs.keys[0]).name, weibull ? "Weibull" : "log-normal",
         weibull ? "log-normal" : "Weibull", inputs.fit->ahead,
         inputs.fit->scatter_fixed ? " Too few classes tell whether the scatter of the second depends on the first."
@@ -289,8 +279,7 @@ Section points_section(const ContourInputs& inputs, const std::vector<ContourOf>
     made.after +=
         "\nRun a short-term case at each point (-o cases.toml --config my.toml), then floes design: the largest over "
         "the points, at a quantile that makes up for the load's own variability, is the load of that probability a "
-        "year. "
-        "Which quantile does is not known beforehand: docs/year.md.\n";
+        "year. Which quantile does is not known beforehand: docs/year.md.\n";
     return made;
 }
 

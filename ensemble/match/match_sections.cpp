@@ -1,6 +1,7 @@
-#include "match/match_sections.hpp"
+#include "match/matching.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -8,10 +9,8 @@
 
 #include "core/contract.hpp"
 #include "core/text.hpp"
-#include "core/undefined.hpp"
 #include "core/units.hpp"
-#include "findings/estimates.hpp"
-#include "match/predict.hpp"
+#include "findings/summary.hpp"
 
 namespace floes {
 
@@ -26,8 +25,7 @@ double percent_of_range(double coordinate) {
     return (coordinate + 1) / 2 / unit::percent;
 }
 
-}  // namespace
-
+/// Each left-out point of a target that is emulated: simulated against predicted, with bars of two standard deviations.
 Figure left_out_figure(const EmulatedTarget& target) {
     const Target& about = target.target();
     const double factor = about.quantity.factor();
@@ -63,6 +61,7 @@ Figure left_out_figure(const EmulatedTarget& target) {
     return figure;
 }
 
+/// For each used target, the share that it rules out and the part of it that no other does. Some target is used.
 Figure ruled_out_figure(const std::vector<EmulatedTarget>& targets, const Matching& found) {
     std::vector<std::size_t> used;
     for (std::size_t k = targets.size(); k-- > 0;)
@@ -84,6 +83,7 @@ Figure ruled_out_figure(const std::vector<EmulatedTarget>& targets, const Matchi
     return figure;
 }
 
+/// For each input, its range and what of it is left.
 Figure inputs_figure(const MatchData& data, const Matching& found) {
     const std::size_t count = data.axes.size();
     Axis up{"", 0, static_cast<double>(count)};
@@ -113,25 +113,27 @@ Figure inputs_figure(const MatchData& data, const Matching& found) {
     return figure;
 }
 
+}  // namespace
+
 Figure along_figure(const MatchData& data, const Matching& found) {
     FLOES_EXPECTS(data.axes.size() == 1);
     // Beyond this all points are ruled out alike, and one far off would press the others flat.
     constexpr double highest = 4 * ruled_out_above;
-    const MatchAxis& axis = data.axes.front();
+    const RangedAxis& axis = data.axes.front();
     Figure::Points line;
     for (Eigen::Index k = 0; k < found.points.rows(); ++k)
         line.emplace_back(axis.value(found.points(k, 0)), found.implausibility[k]);
     std::ranges::sort(line);
     double largest = 2 * ruled_out_above;
     for (const auto& [x, y] : line) largest = std::max(largest, y);
-    Figure figure{.description = "Implausibility along the input",
-                  .x = {axis.key, axis.from, axis.to, axis.scale == AxisScale::log},
-                  .y = {"implausibility", 0, std::min(largest, highest)},
-                  .caption = fmt::format(
-                      "The largest implausibility of the targets at {} points of the input's range; above {:g}, the "
-                      "dashed line, a point is ruled out. The cross is the best point; ticks at the bottom are the "
-                      "points simulated.",
-                      found.sampled, ruled_out_above)};
+    Figure figure{
+        .description = "Implausibility along the input",
+        .x = {axis.key, axis.from, axis.to, axis.scale == AxisScale::log},
+        .y = {"implausibility", 0, std::min(largest, highest)},
+        .caption = fmt::format(
+            "The largest implausibility of the targets at {} points of the input's range; above {:g}, the dashed line, "
+            "a point is ruled out. The cross is the best point; ticks at the bottom are the points simulated.",
+            found.sampled, ruled_out_above)};
     for (auto& [x, y] : line) y = std::min(y, figure.y.high);
     figure.level(ruled_out_above, "dashed");
     figure.line(std::move(line), "c2 thick");
@@ -147,17 +149,8 @@ namespace {
 
 const char* kind_word(const EmulatedTarget& target) {
     if (!target.emulated()) return "none";
-    switch (target.mean().kind()) {
-        case EmulatorKind::constant:
-            return "constant";
-        case EmulatorKind::linear:
-            return "linear";
-        case EmulatorKind::quadratic:
-            return "quadratic";
-        case EmulatorKind::gaussian_process:
-            break;
-    }
-    return "Gaussian process";
+    constexpr std::array kinds{"constant", "linear", "quadratic", "Gaussian process"};
+    return kinds.at(static_cast<std::size_t>(target.mean().kind()));
 }
 
 /// Root of the mean of the squared errors in standard deviations: 1 for a right emulator.
@@ -217,10 +210,10 @@ std::string implausibility_words() {
 void note_bound(Section& section, const EmulatedTarget& target, double bound) {
     constexpr double much_above = 4;
     if (!(bound > much_above)) return;
-    section.notes.push_back(fmt::format(
-        "{}: ruled out only beyond {:.1f} times the expected difference, not {:g}, because the scatter of single runs "
-        "is known from so few; run more arrangements.",
-        target.target().name(), bound, ruled_out_above));
+    section.notes.push_back(
+        fmt::format("{}: ruled out only beyond {:.1f} times the expected difference, not {:g}, because the scatter of "
+                    "single runs is known from so few; run more arrangements.",
+                    target.target().name(), bound, ruled_out_above));
 }
 
 /// For a target: what people call it, and its names for programs.
@@ -233,10 +226,7 @@ std::vector<Datum> named(const Target& target) {
 }
 
 Section target_section(const std::vector<EmulatedTarget>& targets, const Matching& found) {
-    Results whole{.place = "match",
-                  .columns = program_columns("left sampled best_implausibility"),
-                  .view = Results::View::none,
-                  .object = true};
+    Results whole{.place = "match", .columns = program_columns("left sampled best_implausibility"), .object = true};
     whole.add({found.share(), found.sampled, found.best_implausibility});
     Results rows{.place = "match/targets",
                  .columns = target_columns() +
@@ -265,11 +255,10 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
         .title = "Targets",
         .before = verdict_text(targets, found) + "\n",
         .results = {std::move(whole), std::move(rows)},
-        .after = fmt::format(
-            "\nLeft-out error: of points predicted from the others, in standard deviations; 1 is right. {} Least: at "
-            "the best point for the target. Rules out: share of the inputs' ranges that it rules out; alone: that no "
-            "other target does.\n",
-            implausibility_words())};
+        .after = fmt::format("\nLeft-out error: of points predicted from the others, in standard deviations; 1 is "
+                             "right. {} Least: at the best point for the target. Rules out: share of the inputs' "
+                             "ranges that it rules out; alone: that no other target does.\n",
+                             implausibility_words())};
     for (const auto& [reason, names] : unused_by_reason(targets))
         section.notes.push_back(fmt::format("Not used: {}: {}", fmt::join(names, ", "), reason));
     for (std::size_t k = 0; k < targets.size(); ++k)
@@ -289,7 +278,7 @@ Section axis_section(const MatchData& data, const Matching& found) {
                              {.key = "median", .words = "median", .digits = 4},
                              {.key = "best", .words = "best point", .digits = 4}}};
     for (std::size_t k = 0; k < data.axes.size(); ++k) {
-        const MatchAxis& axis = data.axes[k];
+        const RangedAxis& axis = data.axes[k];
         const AxisLeft left = found.axes.empty() ? AxisLeft{undefined, undefined, undefined} : found.axes[k];
         rows.add({axis.key, axis.from, axis.to, left.low, left.high, left.middle,
                   axis.value(found.best[static_cast<Eigen::Index>(k)])});
@@ -308,7 +297,8 @@ Section correlation_section(const MatchData& data, const Matching& found) {
         return section;
     }
     Results rows{.place = "match/correlations", .columns = {{"key", "input"}}};
-    for (const MatchAxis& axis : data.axes) rows.columns.push_back({.key = axis.key, .words = axis.key, .decimals = 2});
+    for (const RangedAxis& axis : data.axes)
+        rows.columns.push_back({.key = axis.key, .words = axis.key, .decimals = 2});
     for (std::size_t i = 0; i < data.axes.size(); ++i) {
         std::vector<Datum> row{data.axes[i].key};
         for (std::size_t k = 0; k < data.axes.size(); ++k)
@@ -411,12 +401,11 @@ Results results_of(const std::vector<PredictedDesignLoad>& designs, const Design
                              {"only_left", "at inputs left"}}};
     for (const PredictedDesignLoad& one : designs) {
         if (!one.known()) continue;
-        const Limits& limits = one.growth_quantile.interval;
         rows.add({Named{one.case_name, one.case_name.empty() ? "all" : one.case_name}, request.exposure,
-                  request.averaging, request.scale, request.quantiles.front(), estimate(one.expected),
-                  estimate(one.expected_weighed), estimate(one.quantile), estimate(one.quantile_weighed),
-                  one.growth_expected.value, Estimate{one.growth_quantile.value, limits.low, limits.high},
-                  one.growth_lower_half, one.growth_upper_half, one.runs, one.only_left});
+                  request.averaging, request.scale, request.quantiles.front(), one.expected, one.expected_weighed,
+                  one.quantile, one.quantile_weighed, one.growth_expected.value,
+                  within(one.growth_quantile.value, one.growth_quantile.interval), one.growth_lower_half,
+                  one.growth_upper_half, one.runs, one.only_left});
     }
     return rows;
 }
@@ -435,11 +424,9 @@ Section design_section(const std::vector<PredictedDesignLoad>& designs, const De
     section.results = {results_of(designs, request)};
     section.after = fmt::format(
         "\nIn brackets 95 %, of the inputs, the emulator and the tail together; weighed: by the likelihood of the "
-        "targets.\n"
-        "The emulated mean of the segment maxima times a growth: that to the load {}, from both tails of all runs "
-        "at inputs that are left, each divided by its mean maximum. The halves have the runs with the smaller and "
-        "the larger mean maxima; where they differ by more than the interval, the growth depends on the "
-        "inputs.\n{}",
+        "targets.\nThe emulated mean of the segment maxima times a growth: that to the load {}, from both tails of all "
+        "runs at inputs that are left, each divided by its mean maximum. The halves have the runs with the smaller and "
+        "the larger mean maxima; where they differ by more than the interval, the growth depends on the inputs.\n{}",
         exceeded_words(request),
         all_left ? ""
                  : fmt::format("Where fewer than {} runs are at inputs that are left, the runs at all points count.\n",

@@ -1,6 +1,5 @@
 #include "match/regimes.hpp"
 
-#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -49,16 +48,14 @@ Regime regime_of(const Block& block) {
                                      block.where));
     if (regime.case_name.empty() && regime.values.empty())
         throw InputError(
-            fmt::format("{}: this [[regime]] says nothing of its ice; give case = \"…\", a case of the "
-                        "campaign file, or the values of its design's axes, as ice.thickness_m = 0.5",
+            fmt::format("{}: this [[regime]] says nothing of its ice; give case = \"…\", a case of the campaign file, "
+                        "or the values of its design's axes, as ice.thickness_m = 0.5",
                         block.where));
     for (const Entry& value : regime.values)
-        if (!std::holds_alternative<double>(value.value.data) &&
-            !std::holds_alternative<std::int64_t>(value.value.data))
-            throw InputError(
-                fmt::format("{}: {} = {} is no number; a regime lies between the points of a design by "
-                            "the numbers of its axes",
-                            value.where, value.path, to_text(value.value)));
+        if (!number_of(value.value))
+            throw InputError(fmt::format(
+                "{}: {} = {} is no number; a regime lies between the points of a design by the numbers of its axes",
+                value.where, value.path, to_text(value.value)));
     regime.time = hours * unit::hour;
     if (regime.name.empty()) regime.name = place_of(regime);
     return regime;
@@ -70,8 +67,7 @@ void refuse_twice(const std::vector<Regime>& regimes) {
         const auto [named, new_name] = names.emplace(regime.name, regime.where);
         if (!new_name)
             throw InputError(
-                fmt::format("{}: {} is a regime already, at {}; give it another name, or add its hours to "
-                            "that one",
+                fmt::format("{}: {} is a regime already, at {}; give it another name, or add its hours to that one",
                             regime.where, regime.name, named->second));
         const auto [placed, new_place] = places.emplace(place_of(regime), regime.where);
         if (!new_place)
@@ -86,8 +82,8 @@ void refuse_too_long(const std::vector<Regime>& regimes, const std::string& file
     for (const Regime& regime : regimes) sum += regime.time / unit::hour;
     if (sum > year_hours)
         throw InputError(
-            fmt::format("{}: the regimes have {:.6g} h together, and a year has {:g}; hours_per_year is of "
-                        "each regime alone, and open water is none",
+            fmt::format("{}: the regimes have {:.6g} h together, and a year has {:g}; hours_per_year is of each regime "
+                        "alone, and open water is none",
                         file, sum, year_hours));
 }
 
@@ -99,13 +95,19 @@ std::vector<Regime> regimes_of(const std::vector<Block>& blocks, const std::stri
     std::erase_if(regimes, [](const Regime& regime) { return regime.time == 0; });
     if (regimes.empty())
         throw InputError(
-            fmt::format("{}: no regime has any hours; write [[regime]] with hours_per_year, and a case or "
-                        "values of axes, for each kind of ice",
+            fmt::format("{}: no regime has any hours; write [[regime]] with hours_per_year, and a case or values of "
+                        "axes, for each kind of ice",
                         file));
     return regimes;
 }
 
 }  // namespace
+
+std::optional<double> number_of(const Value& value) {
+    if (const auto* real = std::get_if<double>(&value.data)) return *real;
+    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
+    return {};
+}
 
 std::vector<Regime> read_regimes(std::string_view text, const std::string& file) {
     const Document document = parse_document(text, file);
@@ -124,8 +126,8 @@ std::vector<Regime> read_regime_table(std::string_view text, const std::string& 
     const std::vector<CsvLine> lines = csv_lines(text, file);
     if (lines.empty())
         throw InputError(
-            fmt::format("{}: the table is empty; its first line names the columns: regime, hours_per_year, "
-                        "and case or axes of the design",
+            fmt::format("{}: the table is empty; its first line names the columns: regime, hours_per_year, and case or "
+                        "axes of the design",
                         file));
     std::vector<std::string> columns = lines.front().cells;
     for (std::string& column : columns)

@@ -1,6 +1,7 @@
 #pragma once
 // The regimes of a year: which ice comes by, for how many hours.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,5 +37,8 @@ std::vector<Regime> read_regimes(std::string_view text, const std::string& file)
 /// The same of a scatter diagram, CSV (RFC 4180): a header line with the columns hours_per_year, and case or axes, and
 /// perhaps regime (the name; otherwise made of the others); then a line for each regime. Empty cells are not given.
 std::vector<Regime> read_regime_table(std::string_view text, const std::string& file);
+
+/// Whole or not; none of words and lists.
+std::optional<double> number_of(const Value& value);
 
 }  // namespace floes

@@ -1,36 +1,23 @@
 #pragma once
-// Words of the loads of a year. For this module only.
+// The loads of a year, found and told.
 
-#include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
-#include "core/units.hpp"
 #include "findings/design_load.hpp"
+#include "findings/evidence.hpp"
 #include "inference/posterior_load.hpp"
-#include "inference/year_load.hpp"
 #include "match/matching.hpp"
 #include "match/regimes.hpp"
 #include "match/waves.hpp"
+#include "tables/section.hpp"
+#include "tables/units.hpp"
 
 namespace floes {
 
 /// "10^-2", "0.005".
-inline std::string per_year_text(double per_year) {
-    const double exponent = std::log10(per_year);
-    return std::abs(exponent - std::round(exponent)) < 1e-9 ? fmt::format("10^{:.0f}", exponent)
-                                                            : fmt::format("{:g}", per_year);
-}
-
-/// In whole percent.
-inline std::string percent_of(double share) {
-    if (!std::isfinite(share)) return "–";
-    return share > 0 && share < 0.005 ? "<1 %" : fmt::format("{:.0f} %", share / unit::percent);
-}
+std::string per_year_text(double per_year);
 
 // The loads of a year: which are exceeded with given probabilities a year, over all regimes of ice, what each regime
 // has of that, and of which the answer is least certain.
@@ -64,7 +51,7 @@ struct YearRegimeRow {
 
 struct YearLevel {
     double per_year = 0;
-    YearFigure load;                  ///< N, at the scale of the campaign
+    LoadFigure load;                  ///< N, at the scale of the campaign
     std::vector<YearShare> shares;    ///< one a regime
     std::vector<double> uncertainty;  ///< one a source: YearLoad::uncertainty()
     /// The longest time that a regime with a tenth of the load's peaks or more would have to last for one of them, over
@@ -74,7 +61,7 @@ struct YearLevel {
 
 struct YearCurvePoint {
     double per_year = 0;
-    YearFigure all;
+    LoadFigure all;
     std::vector<double> alone;  ///< of each regime as if there were no other; NaN where it is not exceeded so often
 };
 
@@ -89,45 +76,23 @@ struct Year {
 /// has too few members or peaks or a load that rises, and as averaging_time() and match_axes() do.
 Year find_year(const MatchWave& campaign, const std::vector<Regime>& regimes, const YearRequest& request);
 
-// The tails that regimes have. For this module only.
+// The loads of a year for people and programs.
 
-struct YearTails {
-    std::vector<TailSource> sources;
-    std::vector<std::unique_ptr<const PosteriorLoad>> posteriors;  ///< one a source
-    std::vector<YearRegimeRow> regimes;
-};
+/// That suit these loads at full scale.
+Units year_units(const Year& year, const YearRequest& request);
 
-/// Throws as find_year() does.
-YearTails year_tails(const MatchWave& campaign, const std::vector<Regime>& regimes, const YearRequest& request);
+/// Loads with their intervals; regimes and what each has of the loads; what the answer rests on; a figure. For programs
+/// year/loads, year/regimes, year/sources and year/curve.
+std::vector<Section> year_sections(const Evidence& evidence, const Year& year, const YearRequest& request);
 
-// A design between its points: the emulated mean maximum at any place, and the runs of all points divided by it
-// (match/predict_design_load.hpp). For this module only.
+/// Whether a load that was asked for is known: where its interval says nothing, people and programs get none.
+bool says_some_load(const Year& year);
 
-/// The [[case]] of the design that the regime means; "" where it has none. Throws InputError where the campaign has no
-/// design, or several cases of which the regime names none.
-std::string design_case(const MatchWave& campaign, const Regime& regime);
+/// The exceedance curve with its interval, and that of each regime alone, as far as it is known; none where it is not.
+std::optional<Figure> year_figure(const Year& year, const YearRequest& request);
 
-class InterpolatedDesign {
-  public:
-    /// Throws InputError as match_data() and averaging_time() do, and where the emulator fails its check.
-    InterpolatedDesign(const MatchWave& campaign, const std::string& base, const DesignLoadRequest& request);
-
-    const std::vector<PeakRow>& rows() const { return rows_; }  ///< divided by the mean maximum at their points
-    const Measured& measured() const { return measured_; }
-    const std::vector<int>& members() const { return members_; }
-    std::size_t fewest_arrangements() const { return fewest_; }  ///< of a point
-
-    /// The mean maximum there, N, with the variance of the emulator and of what all points share. Throws InputError for
-    /// an axis without a value, a value of no axis, and one outside of the axis's range.
-    Emulated at(const Regime& regime) const;
-
-  private:
-    MatchData data_;
-    std::vector<EmulatedTarget> index_;  ///< one
-    std::vector<PeakRow> rows_;
-    Measured measured_;
-    std::vector<int> members_;
-    std::size_t fewest_ = 0;
-};
+/// The source of which the rarest load is least certain, and the command that runs as many members again; `program` as
+/// the user typed it. Without a title.
+Section year_next(const Evidence& evidence, const Year& year, const std::string& program);
 
 }  // namespace floes

@@ -8,9 +8,8 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
-#include "core/undefined.hpp"
 #include "core/units.hpp"
-#include "match/match_sections.hpp"
+#include "match/matching.hpp"
 #include "page/section_html.hpp"
 #include "tables/table.hpp"
 
@@ -207,7 +206,7 @@ std::string share_panel(const Panel& panel, const Matching& found, int axis, int
 }
 
 /// A key on lines of at most `letters`, broken after dots and underscores.
-std::vector<std::string> name_lines(const MatchAxis& axis, std::size_t letters) {
+std::vector<std::string> name_lines(const RangedAxis& axis, std::size_t letters) {
     std::vector<std::string> lines{""};
     std::string piece;
     const auto place = [&] {
@@ -231,7 +230,7 @@ struct Scale {
     std::string high;
 };
 
-Scale scale_of(const MatchAxis& axis, double room) {
+Scale scale_of(const RangedAxis& axis, double room) {
     const auto told = [&](double coordinate) {
         const double value = axis.value(coordinate);
         return std::abs(value) >= 1000 && std::abs(value) < 1e6 ? fmt::format("{:.0f}", value)
@@ -256,8 +255,9 @@ std::string key_row(double x, double y, const char* title, const Band (&bands)[N
     return body;
 }
 
-}  // namespace
-
+/// A square of panels, inputs in the order of the axes from left to right and from top to bottom. Below the diagonal
+/// the least implausibility of each cell, a line round what is not ruled out, and the simulated points; above it the
+/// optical depth; on it the share left along the input. Scales and names stand at the edges only.
 std::string match_grid(const MatchData& data, const Matching& found) {
     const int count = static_cast<int>(data.axes.size());
     const int cells = match_cell_count(found);
@@ -265,7 +265,7 @@ std::string match_grid(const MatchData& data, const Matching& found) {
     const double rough = std::min(210.0, (whole_width - 3 * line_height - tick_width) / count - gap);
     std::vector<std::vector<std::string>> names;
     std::size_t lines = 1;
-    for (const MatchAxis& axis : data.axes) {
+    for (const RangedAxis& axis : data.axes) {
         names.push_back(name_lines(axis, static_cast<std::size_t>(rough / small_letter)));
         lines = std::max(lines, names.back().size());
     }
@@ -307,8 +307,6 @@ std::string match_grid(const MatchData& data, const Matching& found) {
         "aria-label=\"What is not ruled out, for each pair of inputs\">{2}</svg>\n",
         width, bottom + 20 + name_room, body);
 }
-
-namespace {
 
 std::string titled(const Section& told) {
     return section(told.title, section_html(told, told.title));

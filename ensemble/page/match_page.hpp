@@ -1,5 +1,5 @@
 #pragma once
-// Projections of a matching onto one or two inputs. For this module only.
+// A matching as one self-contained HTML page, and what its pictures are made of: projections onto one or two inputs.
 
 #include <string>
 #include <vector>
@@ -27,13 +27,6 @@ MatchCells match_cells(const Matching& found, int first_axis, int second_axis, i
 
 /// Share of the points in each of `count` slices along an axis that is not ruled out, 0-1; NaN without points.
 std::vector<double> share_along(const Matching& found, int axis, int count);
-
-// All pairs of a matching's inputs in one picture. For this module only.
-
-/// A square of panels, inputs in the order of the axes from left to right and from top to bottom. Below the diagonal
-/// the least implausibility of each cell, a line round what is not ruled out, and the simulated points; above it the
-/// optical depth; on it the share left along the input. Scales and names stand at the edges only.
-std::string match_grid(const MatchData& data, const Matching& found);
 
 // A matching as one self-contained HTML page: what measured loads leave of the unknown inputs, and whether the
 // emulators that say so can be trusted.

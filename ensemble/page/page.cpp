@@ -1,13 +1,22 @@
 #include "page/page.hpp"
 
+#include <array>
+#include <cmath>
 #include <span>
 #include <sstream>
 
+#include <fmt/format.h>
+
 #include "core/bytes.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
 #include "findings/answer.hpp"
+#include "findings/summary.hpp"
 #include "page/section_html.hpp"
+#include "run/campaign_status.hpp"
 
 namespace floes {
+
 namespace {
 
 std::string embedded(const MomentPicture& picture) {
@@ -83,6 +92,141 @@ std::string report_page(ReportData data) {
     if (!design) body += worst_moments(data);
     body += findings_html(data.evidence, design ? worst_moments(data) : "");
     return html_page(title + ": loads of managed ice floes", "", body + provenance(data));
+}
+
+namespace {
+
+constexpr std::size_t few_cases = 12;
+
+/// Done members and, behind them, failed ones; in the next cell how much that is.
+std::string bar(const CaseStatus& one) {
+    const double all = std::max(1, members_of(one));
+    return fmt::format(
+        "<span class=\"bar\" role=\"img\" aria-label=\"{0:.0f} % done\"><i style=\"width:{0:.1f}%\"></i><i "
+        "class=\"bad\" "
+        "style=\"width:{1:.1f}%\"></i></span></td><td>{0:.0f} %",
+        one.done / all / unit::percent, one.failed / all / unit::percent);
+}
+
+std::string counts_of(const std::vector<CaseStatus>& cases) {
+    std::string rows =
+        "<tr><th>case</th><th></th><th></th><th>done</th><th>failed</th><th>to do</th><th>members</th></tr>\n";
+    for (const CaseStatus& one : cases)
+        rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                            html_escaped(one.name), bar(one), one.done, one.failed, one.missing, members_of(one));
+    return "<div class=\"wide\"><table>" + rows + "</table></div>\n";
+}
+
+/// Tables of many cases are closed at first.
+std::string folded(std::size_t cases, const std::string& table) {
+    if (cases <= few_cases) return table;
+    return fmt::format("<details><summary>All {} cases</summary>{}</details>\n", cases, table);
+}
+
+/// All together, then each.
+std::string counts(const CampaignStatus& status) {
+    if (status.cases.size() == 1) return counts_of(status.cases);
+    if (status.cases.size() > few_cases)
+        return counts_of({total_of(status)}) + folded(status.cases.size(), counts_of(status.cases));
+    std::vector<CaseStatus> rows{total_of(status)};
+    rows.insert(rows.end(), status.cases.begin(), status.cases.end());
+    return counts_of(rows);
+}
+
+std::string precision(const Evidence& evidence, const std::optional<StopStatus>& stop) {
+    const Quantity& largest = headline_maximum(evidence.summary.quantities);
+    const std::array shown{quantity("mean_load"), largest};
+    Results results{.columns = {{"", "case"}, {"", "arrangements"}}};
+    for (const Quantity& one : shown) {
+        results.columns.push_back({.words = std::string{one.label.view()},
+                                   .unit = "N",
+                                   .holds = ResultColumn::Holds::estimates,
+                                   .form = ResultColumn::Form::plus_minus});
+        results.columns.push_back({.words = "half-width", .unit = "share", .decimals = 1});
+    }
+    for (const CaseSummary& one : evidence.summary.cases) {
+        std::vector<Datum> row{one.about.name, one.done};
+        for (const Quantity& quantity : shown) {
+            const CaseEstimate& found = one.of(quantity);
+            const double share = (found.high - found.low) / 2 / std::abs(found.estimate);
+            row.emplace_back(Estimate{found.estimate, found.low, found.high});
+            row.push_back(std::isfinite(share) ? Datum(share) : Datum("not known yet"));
+        }
+        results.add(std::move(row));
+    }
+    return section_html({.results = {std::move(results)}}, "", evidence.units) +
+           note("95 % confidence intervals over the arrangements that are done; maxima of the segments.") +
+           paragraph(stop ? stop_sentence(*stop)
+                          : "No stop rule: the campaign computes all its members (stop.half_width_percent).");
+}
+
+std::string run(const CampaignStatus& status) {
+    if (status.sessions.empty()) return paragraph("The campaign file alone does not say how it is run.");
+    Table table{{"started", "ended", "host", "ranks", "threads", "job", "reused", "computed", "set aside"}};
+    for (auto one = status.sessions.rbegin(); one != status.sessions.rend(); ++one) {
+        const bool last = one == status.sessions.rbegin();
+        const Cell end = one->ended.empty() ? Cell(last && status.at_work ? "running" : "did not end properly")
+                                            : Cell(one->ended, one->outcome);
+        table.push_back({one->started, end, one->host, fmt::format("{}", one->ranks), fmt::format("{}", one->threads),
+                         one->job.empty() ? "none" : one->job, fmt::format("{}", one->reused),
+                         fmt::format("{}", one->computed), fmt::format("{}", one->set_aside)});
+    }
+    return html_table(table);
+}
+
+std::string timed(const std::string& title, const std::vector<TimedMember>& members) {
+    if (members.empty()) return "";
+    Table table{{"member", "case", "arrangement", "attempt", "time"}};
+    for (const TimedMember& one : members)
+        table.push_back({fmt::format("{}", one.number), one.case_name, fmt::format("{}", one.arrangement),
+                         fmt::format("{}", one.attempt), duration_text(one.seconds)});
+    return fmt::format("<h3>{}</h3>\n", title) + html_table(table);
+}
+
+std::string failed(const CampaignStatus& status) {
+    if (status.failures.empty()) return "";
+    std::vector<std::string> sentences;
+    for (const FailedMember& one : status.failures)
+        sentences.push_back(fmt::format("Member {} (case {}, arrangement {}): {}", one.number, one.case_name,
+                                        one.arrangement, one.reason));
+    return section("Failed", listed(sentences));
+}
+
+/// What to type next; nothing during a run.
+std::string next_step(const CampaignStatus& status, const std::string& file) {
+    if (status.at_work) return "";
+    const std::string word = shell_word(file);
+    const std::string command = total_of(status).missing > 0 ? fmt::format("./floes run {} -o {} --resume",
+                                                                           shell_word(status.title + ".toml"), word)
+                                                             : fmt::format("./floes report {}", word);
+    return fmt::format("<pre>{}</pre>\n", html_escaped(command));
+}
+
+}  // namespace
+
+std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem::path& campaign_file,
+                        const std::string& now) {
+    const CampaignStatus& status = snapshot.status;
+    Evidence evidence = evidence_of(snapshot.campaign, snapshot.table);
+    const bool whole = total_of(status).missing == 0;
+    // A design load takes milliseconds a member, and this page is made again and again, on a login node perhaps.
+    constexpr int most_extrapolated = 200;
+    if (total_of(status).done > most_extrapolated) evidence.designs.emplace();
+    const std::string when =
+        status.at_work ? fmt::format("As of {}; this page loads itself again every {} s while the run is active.", now,
+                                     status_page_seconds)
+                       : fmt::format("As of {}.", now);
+    const std::string refresh =
+        status.at_work ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", status_page_seconds) : "";
+    return html_page(counts_sentence(status), refresh,
+                     fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n", html_escaped(counts_sentence(status)),
+                                 html_escaped(work_sentence(status))) +
+                         next_step(status, campaign_file.string()) + counts(status) + note(when) +
+                         answer_html(whole ? "The answer" : "The answer so far", find_answer(evidence)) +
+                         section(whole ? "Precision" : "Precision so far", precision(evidence, status.stop)) +
+                         failed(status) +
+                         section("The run", run(status) + timed("Running members, longest first", status.under_way) +
+                                                timed("Slowest members", status.slowest)));
 }
 
 }  // namespace floes

@@ -1,10 +1,12 @@
 #pragma once
 // The report of a campaign: one self-contained HTML page for the engineer who has to defend a design load.
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "findings/catalogue.hpp"
+#include "run/campaign_status.hpp"
 
 namespace floes {
 
@@ -30,5 +32,15 @@ struct ReportData {
 /// The page: no scripts, no external resources, for light and dark screens and for print. Reads the campaign file.
 /// Throws InputError as read_campaign_file() does.
 std::string report_page(ReportData data);
+
+// A campaign under way as one HTML page: what is done, the answer so far and how precise it is, who computes, and what
+// failed. While a run is active the page asks the browser to load it again every half minute.
+
+inline constexpr int status_page_seconds = 30;  ///< from one page to the next
+
+/// No scripts, no external resources, for light and dark screens. `campaign_file`: as the user names it, for the
+/// commands that the page tells. `now`: when the snapshot was taken, UTC.
+std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem::path& campaign_file,
+                        const std::string& now);
 
 }  // namespace floes

@@ -1,12 +1,16 @@
 #include "page/section_html.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <ranges>
 #include <sstream>
 #include <utility>
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "page/plot.hpp"
+#include "core/contract.hpp"
+#include "tables/table.hpp"
 
 namespace floes {
 
@@ -126,6 +130,220 @@ std::string figure_file(const Figure& figure, const Units& units) {
                                   style_with_colours()));
     drawn.insert(drawn.find(' '), " xmlns=\"http://www.w3.org/2000/svg\"");
     return drawn;
+}
+
+namespace {
+
+constexpr double right = 16;
+constexpr double top = 28;  // height of the legend's row
+constexpr double bottom = 46;
+constexpr double letter = 7;  // approximate width of one
+
+double width_of(std::string_view text) {
+    return letter * static_cast<double>(text_width(text));
+}
+
+std::string tick_text(double value) {
+    return fmt::format("{:.6g}", std::abs(value) < 1e-12 ? 0.0 : value);
+}
+
+/// Share of the axis that lies below the value.
+double share_of(const Axis& axis, double value) {
+    return axis.logarithmic ? std::log(value / axis.low) / std::log(axis.high / axis.low)
+                            : (value - axis.low) / (axis.high - axis.low);
+}
+
+/// The axis in units of which `factor` are one of its own.
+Axis in_units(Axis axis, double factor) {
+    axis.low *= factor;
+    axis.high *= factor;
+    return axis;
+}
+
+/// Draws one mark after the other.
+class Drawing {
+  public:
+    Drawing(const Figure& figure, const Units& units) : figure_(figure), units_(units) {
+        for (const std::string& name : figure.y.names) left_ = std::max(left_, 24 + width_of(name));
+        draw_axes();
+        for (const Figure::Mark& mark : figure.marks) std::visit(*this, mark);
+        figure.heat_scale.empty() ? draw_legend() : draw_heat_scale();
+    }
+
+    /// Drawn `above()` units lower than the figure's own coordinates say, which begin below the first rows of a legend
+    /// of several.
+    std::string body() const {
+        return above_ == 0 ? body_ : fmt::format("<g transform=\"translate(0 {:g})\">{}</g>", above_, body_);
+    }
+    double above() const { return above_; }
+
+    void operator()(const Figure::Line& mark) {
+        body_ += fmt::format("<path class=\"line {}\" d=\"{}\"/>", mark.style, path(mark.points, false));
+    }
+    void operator()(const Figure::Area& mark) {
+        body_ += fmt::format("<path class=\"area {}\" d=\"{}\"/>", mark.style, path(mark.outline, true));
+    }
+    void operator()(const Figure::Dot& mark) {
+        const double x = at_x(mark.x);
+        const double y = at_y(mark.y);
+        if (!std::isfinite(x) || !std::isfinite(y)) return;
+        body_ += mark.cross ? fmt::format(
+                                  "<path class=\"line {0}\" d=\"M{1:.1f} {2:.1f}l{3:.1f} {3:.1f}m0 -{3:.1f}l-{3:.1f} "
+                                  "{3:.1f}\"/>",
+                                  mark.style, x - mark.radius, y - mark.radius, 2 * mark.radius)
+                            : fmt::format("<circle class=\"dot {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>",
+                                          mark.style, x, y, mark.radius);
+    }
+    void operator()(const Figure::Cell& mark) {
+        if (!(mark.share > 0)) return;
+        const double low = at_y(mark.y);
+        const double high = at_y(mark.y + mark.height);
+        body_ += fmt::format(
+            "<rect class=\"area {}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
+            "fill-opacity=\"{:.2f}\"/>",
+            mark.style, at_x(mark.x), high, at_x(mark.x + mark.width) - at_x(mark.x), low - high, mark.share);
+    }
+    void operator()(const Figure::Words& mark) {
+        if (std::isfinite(at_x(mark.x)) && std::isfinite(at_y(mark.y)))
+            write(at_x(mark.x), at_y(mark.y), mark.words, mark.anchor, mark.style);
+    }
+
+  private:
+    double at_x(double value) const {
+        return left_ + share_of(figure_.x, value) * (figure_.size.width - left_ - right);
+    }
+    double at_y(double value) const {
+        return floor_ - share_of(figure_.y, value) * (figure_.size.height - top - bottom);
+    }
+    void write(double x, double y, std::string_view words, std::string_view anchor, std::string_view style = {}) {
+        body_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, x, y,
+                             anchor, html_escaped(words));
+    }
+    void draw_axes();
+    void draw_legend();
+    void draw_heat_scale();
+    std::string path(const Figure::Points& points, bool closed) const;
+
+    const Figure& figure_;
+    const Units& units_;
+    double floor_ = figure_.size.height - bottom;
+    double end_ = figure_.size.width - right;
+    double left_ = 64;  // wider if names need it
+    double above_ = 0;  // height of the legend's rows but the last
+    std::string body_;
+};
+
+void Drawing::draw_axes() {
+    const Axis& x = figure_.x;
+    const Axis& y = figure_.y;
+    const auto row = [&](double value, const std::string& words) { write(left_ - 6, at_y(value) + 4, words, "end"); };
+    for (std::size_t i = 0; i < y.names.size(); ++i) row(static_cast<double>(i) + 0.5, y.names[i]);
+    // Ticks are round in the units that are shown; marks stand in those that are stored.
+    const double of_x = units_.of(x.unit).factor;
+    for (const double value : ticks(in_units(x, of_x), std::max(2, static_cast<int>(figure_.size.width / 90)))) {
+        const double at = at_x(value / of_x);
+        body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", at, floor_, top);
+        write(at, floor_ + 16, tick_text(value), "middle");
+    }
+    if (y.names.empty()) {
+        const double of_y = units_.of(y.unit).factor;
+        for (const double value : ticks(in_units(y, of_y), std::max(2, static_cast<int>(figure_.size.height / 50)))) {
+            const double at = value / of_y;
+            body_ += fmt::format("<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>", left_, at_y(at), end_);
+            row(at, tick_text(value));
+        }
+    }
+    body_ += fmt::format("<path class=\"frame\" d=\"M{:.1f} {:.1f}V{:.1f}H{:.1f}\"/>", left_, top, floor_, end_);
+    write((left_ + end_) / 2, figure_.size.height - 8, units_.heading(x.label, x.unit), "middle", "label");
+    body_ += fmt::format(
+        "<text class=\"label\" transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+        (top + floor_) / 2, html_escaped(units_.heading(y.label, y.unit)));
+}
+
+std::string Drawing::path(const Figure::Points& points, bool closed) const {
+    std::string d;
+    bool pen_down = false;
+    for (const auto& [x, y] : points) {
+        const double px = at_x(x);
+        const double py = at_y(y);
+        if (!std::isfinite(px) || !std::isfinite(py)) {
+            pen_down = closed && pen_down;
+            continue;
+        }
+        d += fmt::format("{}{:.1f} {:.1f}", pen_down ? "L" : "M", px, py);
+        pen_down = true;
+    }
+    return closed && pen_down ? d + "Z" : d;
+}
+
+void Drawing::draw_legend() {
+    constexpr double row = 18;
+    double x = left_ + 4;
+    std::vector<std::pair<double, double>> places;  // x, and the row
+    double rows = 0;
+    for (const auto& [style, name] : figure_.legend) {
+        if (x > left_ + 4 && x + width_of(name) > figure_.size.width) {
+            x = left_ + 4;
+            ++rows;
+        }
+        places.emplace_back(x, rows);
+        x += width_of(name) + 3 * letter;
+    }
+    above_ = rows * row;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const auto& [style, name] = figure_.legend[k];
+        write(places[k].first, top - 12 - (rows - places[k].second) * row, name, "start", "key " + style);
+    }
+}
+
+void Drawing::draw_heat_scale() {
+    constexpr int steps = 10;
+    for (int k = 1; k <= steps; ++k)
+        body_ += fmt::format(
+            "<rect class=\"area heat\" x=\"{:.1f}\" y=\"6\" width=\"9\" height=\"11\" fill-opacity=\"{:.2f}\"/>",
+            left_ + 9 * (k - 1), 1.0 * k / steps);
+    write(left_ + 9 * steps + 6, 16, figure_.heat_scale, "start");
+}
+
+}  // namespace
+
+std::vector<double> ticks(const Axis& axis, int most) {
+    FLOES_EXPECTS(axis.low < axis.high && most >= 1 && (!axis.logarithmic || axis.low > 0));
+    std::vector<double> found;
+    if (axis.logarithmic) {
+        const double first = std::ceil(std::log10(axis.low) - 1e-9);
+        const double last = std::floor(std::log10(axis.high) + 1e-9);
+        const double step = std::max(1.0, std::ceil((last - first) / most));
+        for (double decade = first; decade <= last; decade += step) found.push_back(std::pow(10.0, decade));
+        if (last - first >= 2) return found;
+        // Too few decades to read a value: 2 and 5 times each as well.
+        for (double decade = first - 1; decade <= last; ++decade)
+            for (const double digit : {2.0, 5.0})
+                if (const double value = digit * std::pow(10.0, decade); value >= axis.low && value <= axis.high)
+                    found.push_back(value);
+        std::ranges::sort(found);
+        return found;
+    }
+    const double rough = (axis.high - axis.low) / most;
+    const double power = std::pow(10.0, std::floor(std::log10(rough)));
+    double step = 10 * power;
+    for (const double digit : {1.0, 2.0, 5.0}) {
+        if (digit * power >= rough) {
+            step = digit * power;
+            break;
+        }
+    }
+    if (axis.step > 0) step = axis.step;
+    const double slack = 1e-9 * (axis.high - axis.low);
+    for (double i = std::ceil((axis.low - slack) / step); i * step <= axis.high + slack; ++i) found.push_back(i * step);
+    return found;
+}
+
+std::string svg(const Figure& figure, const Units& units) {
+    const Drawing drawing(figure, units);
+    return fmt::format(
+        "<svg viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-label=\"{2}\">{3}</svg>\n",
+        figure.size.width, figure.size.height + drawing.above(), html_escaped(figure.description), drawing.body());
 }
 
 }  // namespace floes

@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include "findings/answer.hpp"
+#include "tables/figure.hpp"
 #include "tables/section.hpp"
 #include "tables/table.hpp"
+#include "tables/units.hpp"
 
 namespace floes {
 
@@ -124,5 +126,14 @@ std::string sections_page(const std::string& title, std::span<const Section> sec
 
 /// An SVG file with the styles of the pages.
 std::string figure_file(const Figure& figure, const Units& units = {});
+
+// A figure as SVG. Its styles are classes of the page's style sheet, so that it works on light and dark screens and on
+// paper. For this module only.
+
+/// Multiples of the axis's step, or of 1, 2 or 5 times a power of ten, from low to high, at most about `most` of them;
+/// decades on a logarithmic axis.
+std::vector<double> ticks(const Axis& axis, int most);
+
+std::string svg(const Figure& figure, const Units& units = {});
 
 }  // namespace floes

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
+
+#include <fmt/format.h>
+
+#include "core/units.hpp"
 
 namespace floes {
 
@@ -73,25 +76,24 @@ namespace {
 using hdf5::Handle;
 using hdf5::Scale;
 
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-
-/// Corners of elements where some are no squares, NaN where an element has fewer.
-void write_corners(hid_t group, const IceLayout& layout, const Scale& element) {
-    if (std::ranges::all_of(layout.elements, &IceLayout::LaidElement::square)) return;
+/// Corners of outlines in their own axes, a row each, NaN behind the last one of each. `whose`: "a floe".
+void write_corners(hid_t group, const std::vector<const Outline*>& outlines, const Scale& row, const char* whose) {
     std::size_t most = 0;
-    for (const IceLayout::LaidElement& one : layout.elements) most = std::max(most, one.corners.size());
-    std::vector<double> x(most * layout.elements.size(), std::numeric_limits<double>::quiet_NaN());
+    for (const Outline* one : outlines) most = std::max(most, one->size());
+    if (most == 0) return;
+    std::vector<double> x(most * outlines.size(), undefined);
     std::vector<double> z = x;
-    for (std::size_t i = 0; i < layout.elements.size(); ++i) {
-        const Outline& corners = layout.elements[i].corners;
-        for (std::size_t k = 0; k < corners.size(); ++k) {
-            x[most * i + k] = corners[k].x;
-            z[most * i + k] = corners[k].z;
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        for (std::size_t k = 0; k < outlines[i]->size(); ++k) {
+            x[most * i + k] = (*outlines[i])[k].x;
+            z[most * i + k] = (*outlines[i])[k].z;
         }
     }
-    const Scale corner = hdf5::write_index_scale(group, "corner", "corner of an element, in order", most);
-    hdf5::write_values(group, {"corner_x", "m", "of an element's corners, in its own axes"}, {element, corner}, x);
-    hdf5::write_values(group, {"corner_z", "m", "of an element's corners, in its own axes"}, {element, corner}, z);
+    const Scale corner =
+        hdf5::write_index_scale(group, "corner", fmt::format("corner of {}, in order", whose).c_str(), most);
+    const std::string text = fmt::format("of {}'s corners, in its own axes", whose);
+    hdf5::write_values(group, {"corner_x", "m", text}, {row, corner}, x);
+    hdf5::write_values(group, {"corner_z", "m", text}, {row, corner}, z);
 }
 
 }  // namespace
@@ -114,7 +116,10 @@ void write_ice(hid_t file, const FloeShape& usual, const IceLayout& layout, cons
     hdf5::write_values(group.id(), {"floe", "1", "floe of each element"}, {element}, floe);
     hdf5::write_values(group.id(), {"sides", "m", "length of an element's sides along its own axes"},
                        {element, scales.coordinate}, sides);
-    write_corners(group.id(), layout, element);
+    if (std::ranges::all_of(layout.elements, &IceLayout::LaidElement::square)) return;
+    std::vector<const Outline*> outlines;
+    for (const IceLayout::LaidElement& one : layout.elements) outlines.push_back(&one.corners);
+    write_corners(group.id(), outlines, element, "an element");
 }
 
 void write_floes(hid_t file, const FloeSet& floes, const std::vector<int>& numbers) {
@@ -135,21 +140,9 @@ void write_floes(hid_t file, const FloeSet& floes, const std::vector<int>& numbe
     std::vector<std::int32_t> patterns;
     for (std::size_t i = 0; i < floes.size(); ++i) patterns.push_back(floes.shape(i).pattern);
     hdf5::write_values(group.id(), {"pattern", "1", "of its cells; -1: squares"}, {floe}, patterns);
-    std::size_t most = 0;
-    for (std::size_t i = 0; i < floes.size(); ++i) most = std::max(most, floes.shape(i).outline.size());
-    if (most == 0) return;
-    std::vector<double> x(most * floes.size(), missing);
-    std::vector<double> z = x;
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-        const Outline& outline = floes.shape(i).outline;
-        for (std::size_t k = 0; k < outline.size(); ++k) {
-            x[most * i + k] = outline[k].x;
-            z[most * i + k] = outline[k].z;
-        }
-    }
-    const Scale corner = hdf5::write_index_scale(group.id(), "corner", "corner of a floe, in order", most);
-    hdf5::write_values(group.id(), {"corner_x", "m", "of a floe's corners, in its own axes"}, {floe, corner}, x);
-    hdf5::write_values(group.id(), {"corner_z", "m", "of a floe's corners, in its own axes"}, {floe, corner}, z);
+    std::vector<const Outline*> outlines;
+    for (std::size_t i = 0; i < floes.size(); ++i) outlines.push_back(&floes.shape(i).outline);
+    write_corners(group.id(), outlines, floe, "a floe");
 }
 
 void write_joints(hid_t file, const IceLayout& layout, const std::vector<BreakEvent>& breaks) {
@@ -160,7 +153,7 @@ void write_joints(hid_t file, const IceLayout& layout, const std::vector<BreakEv
         a.push_back(joint.a);
         b.push_back(joint.b);
     }
-    std::vector<double> time(joints.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> time(joints.size(), undefined);
     std::vector<std::int8_t> mode(joints.size(), -1);
     for (const BreakEvent& event : breaks) {
         const std::size_t joint = layout.joint(event.floe, event.joint);

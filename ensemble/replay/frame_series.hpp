@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "hdf5/columns.hpp"
-#include "hdf5/write.hpp"
+#include "hdf5/dataset.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/ice_field.hpp"
 #include "scenario/floes.hpp"
-#include "simulation/frame.hpp"
+#include "simulation/record.hpp"
 #include "simulation/simulation.hpp"
 
 namespace floes {

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <system_error>
@@ -77,8 +75,7 @@ FloeSet read_floes(hid_t file, Scenario scenario, const Draw& draw, const std::v
     return floes;
 }
 
-}  // namespace
-
+/// Both throw InputError for files that are damaged.
 RecordingSubject read_subject(hid_t file) {
     RecordingSubject subject;
     subject.campaign = hdf5::read_text_attribute(file, "campaign");
@@ -122,8 +119,6 @@ RecordingOutcome read_outcome(hid_t file, const IceLayout& layout) {
     std::ranges::stable_sort(outcome.breaks, {}, &BreakEvent::time);
     return outcome;
 }
-
-namespace {
 
 Vec3 vector_at(std::span<const float> values, std::size_t index) {
     return {values[3 * index], values[3 * index + 1], values[3 * index + 2]};

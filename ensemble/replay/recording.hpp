@@ -13,8 +13,7 @@
 #include "replay/frame_series.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
-#include "simulation/frame.hpp"
-#include "simulation/histories.hpp"
+#include "simulation/record.hpp"
 #include "simulation/sheets.hpp"
 
 namespace floes {
@@ -97,11 +96,5 @@ class Recording {
     class File;
     std::unique_ptr<File> file_;
 };
-
-// What a recording has once, read: its subject and its outcome. For this module only.
-
-/// Both throw InputError for files that are damaged.
-RecordingSubject read_subject(hid_t file);
-RecordingOutcome read_outcome(hid_t file, const IceLayout& layout);
 
 }  // namespace floes

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign/write.hpp"
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "campaign_file/campaign_file.hpp"
 #include "campaign_file/campaign_table.hpp"
+#include "campaign_file/read.hpp"
 #include "member/result.hpp"
 #include "replay/recording.hpp"
 

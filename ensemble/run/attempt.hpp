@@ -1,6 +1,8 @@
 #pragma once
-// Limits of one attempt at a member, and reasons for attempts without a result. If possible, a reason depends on the
-// member alone, because it is stored in the campaign file.
+// One attempt at a member, in this process or in one of its own: its limits, and reasons for attempts without a result.
+// If possible, a reason depends on the member alone, because it is stored in the campaign file.
+
+#include <sys/types.h>
 
 #include <cstdint>
 #include <functional>
@@ -9,6 +11,8 @@
 #include <string>
 
 #include "campaign/campaign.hpp"
+#include "core/descriptor.hpp"
+#include "core/error.hpp"
 #include "member/result.hpp"
 
 namespace floes {
@@ -32,9 +36,6 @@ struct Ending {
 /// "The process of the member was killed by SIGSEGV (Segmentation fault)."
 std::string reason_of(const Ending& ending, const AttemptLimits& limits);
 
-std::string deadline_reason(const AttemptLimits& limits);
-std::string memory_reason(const AttemptLimits& limits);
-
 // The function that computes a member. It is an argument of the driver, so that tests can pass fast, slow or broken
 // members.
 
@@ -55,9 +56,6 @@ struct Attempted {
     std::uint64_t peak_memory = 0;  ///< of the process that computed it, bytes
 };
 
-/// The result of a member that failed for `reason`.
-MemberResult failed_result(std::string reason);
-
 /// Returns the result if it is a failed one or if its statistics are numbers. Throws MemberFailure otherwise: NaN must
 /// not pass as a measured value.
 MemberResult checked(MemberResult result);
@@ -67,5 +65,50 @@ MemberResult checked(MemberResult result);
 /// after it cannot be ended in this process: `stuck` is then called, once, from another thread.
 Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
                        std::stop_token stop, const std::function<void()>& stuck);
+
+// Members in isolated processes. A process with threads, or with MPI started, must not fork: the child would inherit
+// locks that nobody releases. So a helper is forked before either starts, stays small and single-threaded, and forks a
+// child for each attempt on request; the result comes back over a socket. A member that crashes, hangs or exhausts
+// memory takes down only its child, and the helper reports how it ended.
+//
+//     Helper helper(compute);             // first thing in main()
+//     helper.prepare(campaign);
+//     Attempted attempt = helper.run(number, limits, stop);   // from any thread
+//
+// The memory limit is RLIMIT_AS, counted beyond what the helper has mapped. A child has one thread and maps hardly
+// anything that it does not use, so the address space is a fair measure. The limit acts at once, without polling, and
+// mostly shows as a failed allocation, which can be distinguished from a crash.
+//
+// Children die with their helper, the helper dies with the process that started it (PR_SET_PDEATHSIG).
+
+/// The helper is gone or does not answer: this process can run no more isolated members.
+class HelperLost : public RunError {
+  public:
+    using RunError::RunError;
+};
+
+class Helper {
+  public:
+    /// Forks the helper, which will compute members with `compute`. Must be called from the main thread while it is the
+    /// only one, before MPI is started. Throws RunError if the system refuses.
+    explicit Helper(MemberFunction compute);
+    Helper(const Helper&) = delete;
+    Helper& operator=(const Helper&) = delete;
+    /// Ends the helper and its children.
+    ~Helper();
+
+    /// Sets the campaign of all following run() calls.
+    void prepare(const Campaign& campaign);
+
+    /// One attempt at the member in an isolated process: the result, a failed result with the reason of the crash, or
+    /// none if `stop` is requested first. Throws HelperLost.
+    Attempted run(int number, const AttemptLimits& limits, const std::stop_token& stop) const;
+
+    pid_t pid() const { return pid_; }
+
+  private:
+    Descriptor control_;
+    pid_t pid_ = -1;
+};
 
 }  // namespace floes

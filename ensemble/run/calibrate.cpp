@@ -13,7 +13,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "scenario/keys.hpp"
-#include "simulation/plate_tests.hpp"
+#include "simulation/laboratory.hpp"
 
 namespace floes {
 

@@ -7,7 +7,7 @@
 #include "campaign/campaign.hpp"
 #include "run/progress.hpp"
 #include "run/recorder.hpp"
-#include "simulation/plate_tests.hpp"
+#include "simulation/laboratory.hpp"
 #include "store/member_record.hpp"
 
 namespace floes {

@@ -1,6 +1,6 @@
 #include "run/crew.hpp"
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 
 #include <utility>
 

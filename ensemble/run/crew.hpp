@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "run/attempt.hpp"
-#include "run/helper.hpp"
 #include "store/member_record.hpp"
 
 namespace floes {

@@ -4,13 +4,13 @@
 #include <functional>
 #include <utility>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 
 namespace floes {
 
 namespace {
 
-constexpr std::size_t most_told = 20;  // running members
+constexpr std::size_t most_running = 20;  // running members
 
 }  // namespace
 
@@ -72,7 +72,7 @@ Heartbeat Tally::heartbeat(Time now) const {
     for (const auto& [member, one] : under_way_)
         heartbeat.under_way.push_back({one.number, one.attempt, seconds(one.since)});
     std::ranges::sort(heartbeat.under_way, std::greater(), &Heartbeat::UnderWay::seconds);
-    if (heartbeat.under_way.size() > most_told) heartbeat.under_way.resize(most_told);
+    if (heartbeat.under_way.size() > most_running) heartbeat.under_way.resize(most_running);
     return heartbeat;
 }
 

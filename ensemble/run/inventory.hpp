@@ -12,9 +12,9 @@
 #include "campaign_file/campaign_table.hpp"
 #include "inference/precision_stop.hpp"
 #include "run/progress.hpp"
-#include "schedule/scheduler.hpp"
+#include "run/scheduler.hpp"
+#include "store/member_record.hpp"
 #include "store/session.hpp"
-#include "store/stored_members.hpp"
 
 namespace floes {
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "run/parts.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "run/inventory.hpp"
-#include "run/keeper.hpp"
+#include "run/writer.hpp"
 
 namespace floes {
 

@@ -1,26 +1,536 @@
 #include "run/run_campaign.hpp"
 
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
+#include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
+#include "campaign/write.hpp"
+#include "core/descriptor.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "run/crew.hpp"
 #include "run/link.hpp"
-#include "run/master.hpp"
-#include "run/ranks.hpp"
+#include "run/messages.hpp"
+#include "run/progress.hpp"
+#include "run/recorder.hpp"
+#include "run/scheduler.hpp"
+#include "run/signals.hpp"
 #include "run/worker.hpp"
+#include "run/writer.hpp"
 
 namespace floes {
 
 namespace {
+
+// The master's view of the ranks: gathered before the first member is handed out, watched for heartbeats, and dismissed
+// at the end.
+
+struct Muster {
+    std::vector<Hello> hellos;    ///< by rank
+    bool stop_requested = false;  ///< a rank received a signal meanwhile
+
+    /// Of all ranks.
+    int cores() const {
+        int sum = 0;
+        for (const Hello& hello : hellos) sum += hello.cores;
+        return sum;
+    }
+};
+
+using Clock = std::chrono::steady_clock;
+
+// A process by descriptor, because its number may be reused before it is needed. (The wrappers of glibc 2.36 have no
+// C++ linkage.)
+Descriptor open_process(int pid) {
+    return Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
+}
+
+void kill_process(const Descriptor& process) {
+    ::syscall(SYS_pidfd_send_signal, process.get(), SIGKILL, nullptr, 0);
+}
+
+Post post_of(int rank, const Groups& groups, const std::filesystem::path& journal) {
+    const int writer = groups.writer_of(rank);
+    if (writer != rank) return {writer, ""};
+    return {writer, std::filesystem::absolute(piece_path(journal, groups.piece_of(rank))).string()};
+}
+
+void check_hello(int from, const Hello& hello, const std::string& fingerprint) {
+    if (hello.fingerprint != fingerprint) {
+        throw RunError(
+            fmt::format("Rank {} on {} read a different campaign than the master ({} instead of {}): the "
+                        "ranks run different builds of floes.",
+                        from, hello.host, hello.fingerprint, fingerprint));
+    }
+}
+
+/// Sends the campaign to every other rank, in a run with several writers with its post, and waits until each has said
+/// hello. `journal`: whose pieces the writers open. `own`: the master's own hello. Throws
+/// RunError if a rank read a different campaign, reports trouble, or if those that have not answered are silent for
+/// twice the patience with a worker.
+Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const std::filesystem::path& journal,
+              const Hello& own, const SilenceLimits& patience) {
+    Muster result{std::vector<Hello>(static_cast<std::size_t>(link.size())), false};
+    result.hellos[0] = own;
+    const Bytes text = link.size() > 1 ? encode_text(write_campaign(campaign)) : Bytes{};
+    const bool has_writers = !groups.writers().empty();
+    for (int rank = 1; rank < link.size(); ++rank) {
+        if (has_writers) link.send(rank, Tag::post, encode(post_of(rank, groups, journal)));
+        link.send(rank, Tag::campaign, text);
+    }
+    Pause pause = pause_between_polls(link.size());
+    // Ranks begin at different speeds, so they have twice the time that is allowed to them later.
+    const std::chrono::duration<double> longest_silence{2 * patience.with_a_worker};
+    auto last_word = Clock::now();
+    for (int present = 1; present < link.size();) {
+        const auto message = link.poll();
+        if (!message) {
+            if (Clock::now() - last_word > longest_silence) {
+                throw RunError(fmt::format("Only {} of {} ranks have answered after {:g} s of silence.", present,
+                                           link.size(), longest_silence.count()));
+            }
+            std::this_thread::sleep_for(pause.next());
+            continue;
+        }
+        last_word = Clock::now();
+        pause.something_happened();
+        if (message->tag == Tag::trouble) {
+            throw RunError(fmt::format("Rank {}: {}", message->from, decode_text(message->bytes)));
+        }
+        if (message->tag == Tag::stop_request) {
+            result.stop_requested = true;
+            continue;
+        }
+        if (message->tag == Tag::alive) continue;  // it has said hello, and waits for slower ones
+        if (message->tag != Tag::hello) throw RunError(fmt::format("Rank {} did not begin with hello.", message->from));
+        const Hello hello = decode_hello(message->bytes);
+        check_hello(message->from, hello, own.fingerprint);
+        result.hellos[static_cast<std::size_t>(message->from)] = hello;
+        ++present;
+    }
+    return result;
+}
+
+class RankWatch {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    struct Lost {
+        int rank = 0;
+        double silence = 0;  ///< s
+    };
+
+    /// `link` must outlive the watch. `mustered`: of muster().
+    RankWatch(Link& link, const Muster& mustered, const SilenceLimits& patience, Time now)
+        : link_(link), patience_(patience), silence_(link.size(), now) {
+        const std::string& here = mustered.hellos.at(master_rank).host;
+        for (int rank = 1; rank < link.size(); ++rank) {
+            const Hello& hello = mustered.hellos.at(static_cast<std::size_t>(rank));
+            if (hello.host == here) processes_.emplace(rank, open_process(hello.pid));
+        }
+    }
+
+    /// To be called when a message of the rank has arrived.
+    void heard(int rank) { silence_.heard(rank); }
+
+    /// To be called after all arrived messages were taken. Sends the other ranks a sign of life when it is due. Returns
+    /// the ranks that have now been silent for too long; the link has abandoned them.
+    std::vector<Lost> watch(Time now) {
+        silence_.listened(now);
+        if (silence_.total() < next_sign_) return {};
+        next_sign_ = silence_.total() + patience_.sign_of_life;
+        std::vector<Lost> newly_lost;
+        for (int rank = 1; rank < link_.size(); ++rank) {
+            if (lost_.contains(rank)) continue;
+            link_.send(rank, Tag::alive, {});
+            if (silence_.of(rank) < patience_.with_a_worker) continue;
+            lost_.insert(rank);
+            link_.abandon(rank);
+            newly_lost.push_back({rank, silence_.of(rank)});
+        }
+        return newly_lost;
+    }
+
+    /// Kills lost ranks of this machine that still exist, because mpirun would wait for them, and lets the others leave
+    /// without them. Does nothing if no rank was lost.
+    void part() {
+        if (lost_.empty()) return;
+        for (const int rank : lost_) {
+            if (const auto found = processes_.find(rank); found != processes_.end()) kill_process(found->second);
+        }
+        for (int rank = 1; rank < link_.size(); ++rank) link_.send(rank, Tag::part, {});
+    }
+
+  private:
+    Link& link_;
+    SilenceLimits patience_;
+    Silence silence_;
+    double next_sign_ = 0;                 // of life, in time listened
+    std::map<int, Descriptor> processes_;  // of the ranks on this machine, by descriptors that stay valid
+    std::set<int> lost_;
+};
+
+// The loop of rank 0: it passes events to the scheduler and obeys its commands, keeps the results, and shows the
+// progress. The cores of rank 0 compute like those of any other rank; this thread mostly sleeps.
+
+constexpr int self = 0;
+
+/// The reasons of all attempts, in order; identical ones are given once.
+std::string reason_of_all(std::span<const std::string> reasons) {
+    if (reasons.size() == 1) return reasons[0];
+    const bool all_equal =
+        std::ranges::all_of(reasons, [&](const std::string& reason) { return reason == reasons[0]; });
+    if (all_equal) return fmt::format("{} ({} attempts)", reasons[0], reasons.size());
+    std::string all;
+    for (std::size_t i = 0; i < reasons.size(); ++i) {
+        all += fmt::format("{}attempt {}: {}", i == 0 ? "" : " ", i + 1, reasons[i]);
+    }
+    return all;
+}
+
+/// What the master uses besides its crew.
+struct MasterTools {
+    Link& link;
+    const Groups& groups;
+    Recorder& recorder;
+    Progress& progress;
+    const StopSignals& signals;
+};
+
+/// Time limits of a run.
+struct MasterLimits {
+    Walltime walltime;
+    SilenceLimits patience;
+};
+
+class Master {
+  public:
+    /// `campaign` and the tools must outlive the master. `setup`: of the crew of this rank. `mustered`: of muster().
+    Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
+           const MasterLimits& limits)
+        : campaign_(campaign),
+          link_(tools.link),
+          groups_(tools.groups),
+          recorder_(tools.recorder),
+          progress_(tools.progress),
+          signals_(tools.signals),
+          walltime_(limits.walltime),
+          scheduler_(recorder_.tally().found().tasks, campaign.run.attempts),
+          scribe_(campaign, self),
+          crew_(campaign, setup),
+          pause_(pause_between_polls(link_.size())),
+          ranks_(link_, mustered, limits.patience, begin_),
+          pace_(recorder_.tally().found().pace) {
+        for (const int writer : groups_.writers()) open_pieces_.insert(writer);
+        if (mustered.stop_requested) request_stop("another rank");
+        tell_time_left();
+        for (int rank = 0; rank < link_.size(); ++rank) {
+            const int cores = mustered.hellos.at(static_cast<std::size_t>(rank)).cores;
+            handle(WorkerJoined{rank, cores, cores});  // one member ahead for each core
+        }
+    }
+
+    /// Returns when every member has an answer or the run was stopped, every worker has said farewell, and every writer
+    /// has closed its journal. Stops when no rank is left that computes. Throws RunError if a rank reports trouble or
+    /// the journal cannot be written.
+    void run() {
+        while (!scheduler_.finished()) {
+            advance();
+            crew_.wait(pause_.next());
+        }
+        close_pieces();
+        progress_.show_last(state());
+    }
+
+    /// RankWatch::part(), to be called when everything is on the disk.
+    void part() { ranks_.part(); }
+
+    /// A writer was lost, and perhaps its last second with it.
+    bool lost_a_writer() const { return lost_a_writer_; }
+
+    /// What stopped the run, e.g. "SIGTERM"; empty if nothing did, or if all members were done nevertheless.
+    std::string stopped_by() const { return scheduler_.done() < scheduler_.total() ? stop_reason_ : ""; }
+
+  private:
+    void advance() {
+        bool something = link_.moving();
+        while (const auto message = link_.poll()) {
+            ranks_.heard(message->from);
+            receive(*message);
+            something = true;
+        }
+        for (Outcome& outcome : crew_.take()) {
+            const int number = outcome.assignment.number;
+            if (outcome.result) finished(self, number, scribe_.record(std::move(outcome)));
+            something = true;
+        }
+        if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
+        if (dismissed_ && !left_ && crew_.held() == 0) {
+            left_ = true;
+            handle(WorkerLeft{self});
+        }
+        if (scheduler_.workers() == 0) request_stop("the loss of all ranks that compute");
+        if (signals_.received() != 0) request_stop(signal_name(signals_.received()));
+        if (recorder_.together()) request_stop("the stop rule");
+        const auto now = std::chrono::steady_clock::now();
+        watch_ranks(now);
+        watch_time(now);
+        hand_out();
+        if (const std::string trouble = recorder_.tend(now); !trouble.empty()) progress_.say(trouble);
+        progress_.show(state(), now);
+        if (something) pause_.something_happened();
+    }
+
+    void receive(const Message& message) {
+        switch (message.tag) {
+            case Tag::answer:
+                for (Answer& answer : decode_answers(message.bytes)) {
+                    finished(message.from, answer.number, std::move(answer.record));
+                }
+                return;
+            case Tag::kept:
+                for (const Kept& kept : decode_kept(message.bytes)) finished_in_piece(kept);
+                return;
+            case Tag::farewell:
+                handle(WorkerLeft{message.bytes.empty() ? message.from : decode_status(message.bytes)});
+                return;
+            case Tag::closed:
+                open_pieces_.erase(message.from);
+                return;
+            case Tag::alive:
+                return;
+            case Tag::stop_request:
+                request_stop(fmt::format("a signal to rank {}", message.from));
+                return;
+            case Tag::trouble:
+                throw RunError(fmt::format("Rank {}: {}", message.from, decode_text(message.bytes)));
+            default:
+                throw RunError(fmt::format("The master cannot interpret message {} of rank {}.",
+                                           static_cast<int>(message.tag), message.from));
+        }
+    }
+
+    void finished(int worker, int number, MemberRecord record) {
+        const auto end = record.result.status == MemberStatus::done ? AttemptEnd::done : AttemptEnd::failed;
+        if (end == AttemptEnd::done) note_pace(number, record.result.wall_time);
+        tell_time_left();
+        handle(MemberFinished{worker, number, record.attempt, end, record.result.wall_time}, &record);
+        end_when_precise();
+    }
+
+    void finished_in_piece(const Kept& kept) {
+        note_pace(kept.number, kept.wall_time);
+        tell_time_left();
+        handle(MemberFinished{kept.worker, kept.number, kept.attempt, AttemptEnd::done, kept.wall_time}, nullptr,
+               &kept);
+        end_when_precise();
+    }
+
+    void note_pace(int number, double wall_time) {
+        pace_ = std::max(pace_, wall_time / expected_cost(campaign_, number));
+    }
+
+    void give_up(const CrewTrouble& trouble) {
+        if (trouble.stuck) {
+            recorder_.sync();
+            progress_.say(fmt::format(
+                "{} The run ends immediately; --resume computes that member in an isolated process", trouble.sentence));
+            std::_Exit(exit_stopped);
+        }
+        progress_.say(fmt::format("rank 0 stopped computing: {}", trouble.sentence));
+        crew_.abandon();
+        dismissed_ = true;
+    }
+
+    void tell_time_left() {
+        const std::optional<double> left = walltime_.left(std::chrono::steady_clock::now());
+        if (left && pace_ > 0) handle(TimeLeft{*left / pace_});
+    }
+
+    void watch_ranks(std::chrono::steady_clock::time_point now) {
+        for (const auto& [rank, silence] : ranks_.watch(now)) {
+            progress_.say(
+                fmt::format("rank {} has been silent for {:.0f} s: others compute its members", rank, silence));
+            lose(rank);
+        }
+    }
+
+    void watch_time(std::chrono::steady_clock::time_point now) {
+        const std::optional<double> left = walltime_.left(now);
+        if (!left) return;
+        if (*left <= 0) request_stop("the end of the time limit");
+        if (scheduler_.assigned() == 0 && scheduler_.pending() > 0) {
+            request_stop("the end of the time limit, before which no further member could finish,");
+        }
+    }
+
+    void request_stop(const std::string& reason) {
+        if (scheduler_.stopping()) return;
+        stop_reason_ = reason;
+        handle(StopRequested{});
+    }
+
+    void end_when_precise() {
+        if (recorder_.tally().precise() && !scheduler_.stopping()) handle(StopRequested{});
+    }
+
+    /// Without its writer a group can bring its members nowhere.
+    void lose(int rank) {
+        handle(WorkerLost{rank});
+        if (open_pieces_.erase(rank) == 0) return;
+        lost_a_writer_ = true;
+        const std::vector<int> group = groups_.group_of(rank);
+        if (group.size() > 1)
+            progress_.say(fmt::format("ranks {} to {} stop, since it kept their results", rank + 1, group.back()));
+        for (const int other : group) {
+            if (other == rank) continue;
+            handle(WorkerLost{other});
+            link_.send(other, Tag::dismiss, {});
+        }
+    }
+
+    /// Everybody has left: nothing more comes into the pieces.
+    void close_pieces() {
+        for (const int writer : open_pieces_) link_.send(writer, Tag::close, {});
+        while (!open_pieces_.empty()) {
+            while (const auto message = link_.poll()) {
+                ranks_.heard(message->from);
+                receive(*message);
+            }
+            watch_ranks(std::chrono::steady_clock::now());
+            if (!open_pieces_.empty()) std::this_thread::sleep_for(pause_.next());
+        }
+    }
+
+    void handle(const Event& event, MemberRecord* record = nullptr, const Kept* in_piece = nullptr) {
+        for (const Command& command : scheduler_.handle(event)) {
+            if (const auto* assign = std::get_if<Assign>(&command)) {
+                handed_out_[assign->worker].push_back({assign->number, assign->attempt, assign->apart});
+            }
+            if (const auto* dismiss = std::get_if<Dismiss>(&command)) obey(*dismiss);
+            if (const auto* retry = std::get_if<Retry>(&command)) note_failure(*retry, *record);
+            if (const auto* kept = std::get_if<Keep>(&command)) {
+                if (in_piece == nullptr) keep(kept->number, *record);
+                if (in_piece != nullptr) keep(*in_piece);
+            }
+        }
+    }
+
+    void keep(int number, MemberRecord& record) {
+        if (record.result.status == MemberStatus::failed) {
+            std::vector<std::string> reasons = failures_[number];
+            reasons.push_back(record.result.reason);
+            record.result.reason = reason_of_all(reasons);
+            progress_.say(fmt::format("{} failed and was set aside: {}", name_of(number), record.result.reason));
+        }
+        failures_.erase(number);
+        recorder_.keep(record);
+    }
+
+    void keep(const Kept& in_piece) {
+        failures_.erase(in_piece.number);
+        recorder_.kept_in_piece(in_piece.number, in_piece.record);
+    }
+
+    void note_failure(const Retry& retry, const MemberRecord& record) {
+        failures_[retry.number].push_back(record.result.reason);
+        progress_.say(fmt::format("{} failed and will be retried: {}", name_of(retry.number), record.result.reason));
+    }
+
+    void obey(const Dismiss& command) {
+        hand_out();
+        if (command.worker == self) {
+            crew_.abandon();
+            dismissed_ = true;
+        } else {
+            link_.send(command.worker, Tag::dismiss, {});
+        }
+    }
+
+    /// Sends the latest assignments, in one message to each worker. The journal notes an attempt before it begins.
+    void hand_out() {
+        if (handed_out_.empty()) return;
+        for (const auto& [worker, assignments] : handed_out_) {
+            for (const Assignment& assignment : assignments) recorder_.started(assignment.number, assignment.attempt);
+        }
+        recorder_.hand_over();
+        for (const auto& [worker, assignments] : handed_out_) {
+            if (worker == self) {
+                for (const Assignment& assignment : assignments) crew_.begin(assignment);
+            } else {
+                link_.send(worker, Tag::assign, encode(assignments));
+            }
+        }
+        handed_out_.clear();
+    }
+
+    std::string name_of(int number) const {
+        const MemberKey key = member_key(campaign_, number);
+        const std::string& name = campaign_.cases[static_cast<std::size_t>(key.case_index)].name;
+        return fmt::format("member {} (case {}, arrangement {})", number, name, key.arrangement);
+    }
+
+    ProgressState state() const {
+        const Tally& tally = recorder_.tally();
+        ProgressState state;
+        state.total = tally.found().total;
+        state.done = tally.done();
+        state.failed = tally.failed();
+        state.running = scheduler_.running();
+        if (const auto& precision = tally.precision()) {
+            state.half_width = precision->achieved();
+            state.half_width_target = precision->target();
+            state.in_order = precision->judged();
+            state.obstacle = precision->obstacle();
+        }
+        state.finished_now = scheduler_.done();
+        state.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+        state.finished_cost = scheduler_.done_cost();
+        state.remaining_cost = scheduler_.remaining_cost();
+        return state;
+    }
+
+    const Campaign& campaign_;
+    Link& link_;
+    const Groups& groups_;
+    Recorder& recorder_;
+    Progress& progress_;
+    const StopSignals& signals_;
+    Walltime walltime_;
+    Scheduler scheduler_;
+    Scribe scribe_;
+    Crew crew_;
+    Pause pause_;
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    std::map<int, std::vector<Assignment>> handed_out_;  // by worker, since the last hand_out()
+    std::map<int, std::vector<std::string>> failures_;   // by member, the reasons of failed attempts that are retried
+    RankWatch ranks_;
+    double pace_;                // s per unit of cost, of the slowest member so far; 0: unknown
+    std::set<int> open_pieces_;  // writers that have not closed theirs
+    bool lost_a_writer_ = false;
+    std::string stop_reason_;
+    bool dismissed_ = false;  // the crew of this rank
+    bool left_ = false;
+};
+
+// The run from its beginning to its end.
 
 std::string opening(const Campaign& campaign, const RunOptions& options, int ranks, int cores) {
     return fmt::format("{}: {} = {} x {} on {}{}, into {}", campaign.name, counted(member_count(campaign), "member"),

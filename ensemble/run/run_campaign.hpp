@@ -1,12 +1,12 @@
 #pragma once
 // Runs a campaign from the state of its journal to its end: the entry point of the driver on rank 0. The other ranks
-// run serve_campaign() (driver/worker.hpp) meanwhile.
+// run serve_campaign() (run/worker.hpp) meanwhile.
 
 #include <functional>
 #include <ostream>
 #include <string>
 
-#include "run/helper.hpp"
+#include "run/attempt.hpp"
 #include "run/link.hpp"
 #include "run/progress.hpp"
 #include "run/recorder.hpp"

@@ -14,12 +14,11 @@
 
 #include <fmt/format.h>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "run/messages.hpp"
 #include "run/signals.hpp"
-#include "run/worker.hpp"
 #include "run/writer.hpp"
 #include "store/session.hpp"
 

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <vector>
 
-#include "run/helper.hpp"
+#include "run/attempt.hpp"
 #include "run/link.hpp"
 
 namespace floes {

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "campaign/identity.hpp"
-#include "campaign_file/campaign_file.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"

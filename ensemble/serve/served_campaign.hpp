@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "run/helper.hpp"
+#include "run/attempt.hpp"
 #include "serve/served_model.hpp"
 
 namespace floes {

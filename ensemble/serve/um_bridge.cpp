@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.hpp"
-#include "keys/edit_distance.hpp"
+#include "keys/meant.hpp"
 #include "member/quantity.hpp"
 
 namespace floes {

@@ -21,7 +21,7 @@
 #include <fmt/ranges.h>
 #include <boost/crc.hpp>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"

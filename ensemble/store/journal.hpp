@@ -1,7 +1,6 @@
 #pragma once
 // The contents of a journal, and how each record changes them, both when appended and when read.
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <filesystem>
@@ -16,7 +15,6 @@
 #include "store/file_calls.hpp"
 #include "store/member_record.hpp"
 #include "store/session.hpp"
-#include "store/stored_members.hpp"
 
 namespace floes {
 

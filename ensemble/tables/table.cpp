@@ -127,8 +127,7 @@ std::string html_table(const Table& table) {
         rows += "<tr>";
         for (const Cell& cell : row) {
             std::string content = (cell.value.starts_with("  ") ? "&emsp;" : "") + html_escaped(cell.value);
-            for (const auto& below : {cell.range, cell.further})
-                if (below) content += fmt::format("<br><small>{}</small>", html_escaped(*below));
+            if (cell.range) content += fmt::format("<br><small>{}</small>", html_escaped(*cell.range));
             rows += fmt::format("<{0}>{1}</{0}>", kind, content);
         }
         rows += "</tr>\n";
@@ -139,22 +138,16 @@ std::string html_table(const Table& table) {
 std::string html_escaped(std::string_view text) {
     std::string escaped;
     for (const char c : text) {
-        switch (c) {
-            case '<':
-                escaped += "&lt;";
-                break;
-            case '>':
-                escaped += "&gt;";
-                break;
-            case '&':
-                escaped += "&amp;";
-                break;
-            case '"':
-                escaped += "&quot;";
-                break;
-            default:
-                escaped += c;
-        }
+        if (c == '<')
+            escaped += "&lt;";
+        else if (c == '>')
+            escaped += "&gt;";
+        else if (c == '&')
+            escaped += "&amp;";
+        else if (c == '"')
+            escaped += "&quot;";
+        else
+            escaped += c;
     }
     return escaped;
 }

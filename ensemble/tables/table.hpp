@@ -14,12 +14,9 @@ struct Cell {
     Cell(std::string text) : value(std::move(text)) {}  // NOLINT: a text is a cell
     Cell(const char* text) : value(text) {}             // NOLINT
     Cell(std::string text, std::string beside) : value(std::move(text)), range(std::move(beside)) {}
-    Cell(std::string text, std::string beside, std::string below)
-        : value(std::move(text)), range(std::move(beside)), further(std::move(below)) {}
 
     std::string value;
-    std::optional<std::string> range = {};    ///< after the value; on a page below it
-    std::optional<std::string> further = {};  ///< below that, on a page only
+    std::optional<std::string> range = {};  ///< after the value; on a page below it
 };
 
 /// Rows have equal length. The first row is the heading, and the first cell of each row is its label.
@@ -43,8 +40,6 @@ std::size_t text_width(std::string_view text);
 
 /// The text with HTML markup characters escaped.
 std::string html_escaped(std::string_view text);
-
-// Sentences for a screen.
 
 /// The text with lines of at most `width` characters, broken at spaces; not wider than people like to read. Lines that
 /// begin with a space are commands to copy, and stand as they are; what two spaces part from such a command goes to a

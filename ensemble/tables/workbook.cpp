@@ -26,8 +26,7 @@ struct Writer {
     lxw_row_t row;
     lxw_col_t column;
 
-    void operator()(Absent) const {}
-    void operator()(Undefined) const {}
+    void operator()(const auto&) const {}  // none, or an estimate, which has columns of its own
     void operator()(bool value) const { worksheet_write_boolean(sheet, row, column, value ? 1 : 0, nullptr); }
     void operator()(std::int64_t value) const {
         worksheet_write_number(sheet, row, column, static_cast<double>(value), nullptr);
@@ -35,9 +34,6 @@ struct Writer {
     void operator()(double value) const {
         if (std::isfinite(value)) worksheet_write_number(sheet, row, column, value, nullptr);
     }
-    void operator()(const Estimate& one) const { (*this)(one.value); }
-    void operator()(const Bracket&) const {}
-    void operator()(const Named& one) const { (*this)(one.name); }
     void operator()(const std::string& text) const {
         worksheet_write_string(sheet, row, column, text.substr(0, longest_text).c_str(), nullptr);
     }
@@ -170,10 +166,9 @@ void write_workbook(const std::filesystem::path& path, std::span<const Sheet> sh
                     const FrontSheet* front) {
     for (const Sheet& sheet : sheets)
         if (sheet.records.rows.size() > most_rows)
-            throw InputError(
-                fmt::format("The sheet {} would have {} lines and a sheet has at most {}; --format csv "
-                            "has no such limit.",
-                            sheet.name, sheet.records.rows.size(), most_rows));
+            throw InputError(fmt::format(
+                "The sheet {} would have {} lines and a sheet has at most {}; --format csv has no such limit.",
+                sheet.name, sheet.records.rows.size(), most_rows));
     const auto refuse = [&](std::string_view reason) {
         std::error_code ignored;
         std::filesystem::remove(path, ignored);

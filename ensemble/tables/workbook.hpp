@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tables/data_rows.hpp"
-#include "tables/results.hpp"
+#include "tables/section.hpp"
 #include "tables/units.hpp"
 
 namespace floes {

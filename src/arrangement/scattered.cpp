@@ -37,24 +37,20 @@ PlanarPose throw_anywhere(const Walls& walls, RandomStream& random) {
     return pose;
 }
 
-/// Numbers of the floes that overlap most, one for each floes_per_redraw.
-std::vector<std::size_t> most_pressed(const Crowd& crowd) {
+/// Numbers of the floes that overlap most: one of so many.
+std::vector<std::size_t> most_pressed(const Crowd& crowd, std::size_t of) {
     const std::vector<double> overlaps = crowd.overlaps();
     std::vector<std::size_t> floes(overlaps.size());
     std::iota(floes.begin(), floes.end(), std::size_t{0});
     std::ranges::stable_sort(floes, std::ranges::greater(), [&](std::size_t floe) { return overlaps[floe]; });
-    floes.resize(1 + (floes.size() - 1) / floes_per_redraw);
+    floes.resize(1 + (floes.size() - 1) / of);
     return floes;
 }
 
 /// With mixed sizes, the smallest of the floes that overlap most, where it overlaps least among many throws: a pocket
 /// that a small floe fills loosens the rest, and large floes stay as they were thrown.
 void fill_a_pocket(Crowd& crowd, std::span<const Outline> outlines, const Walls& thrown, RandomStream& random) {
-    const std::vector<double> overlaps = crowd.overlaps();
-    std::vector<std::size_t> floes(overlaps.size());
-    std::iota(floes.begin(), floes.end(), std::size_t{0});
-    std::ranges::stable_sort(floes, std::ranges::greater(), [&](std::size_t floe) { return overlaps[floe]; });
-    floes.resize(1 + (floes.size() - 1) / pocket_choice);
+    const std::vector<std::size_t> floes = most_pressed(crowd, pocket_choice);
     const std::size_t floe = *std::ranges::min_element(floes, {}, [&](std::size_t i) { return reach_of(outlines[i]); });
     PlanarPose best = throw_anywhere(thrown, random);
     double least = crowd.overlap_at(floe, best);
@@ -106,7 +102,8 @@ std::optional<std::vector<PlanarPose>> attempt_alike(const Room& room, std::span
             if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
         // Some floes are wedged: most often a straight row from wall to wall that is a little too long. Pushing does
         // not bend it, and one floe less loosens it.
-        for (const std::size_t floe : most_pressed(crowd)) crowd.put(floe, throw_anywhere(room.again, random));
+        for (const std::size_t floe : most_pressed(crowd, floes_per_redraw))
+            crowd.put(floe, throw_anywhere(room.again, random));
     }
     return {};
 }

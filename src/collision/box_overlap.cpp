@@ -1,16 +1,118 @@
+// Where two boxes overlap.
+//
 // After ODE's box-box test as redistributed with Bullet 3.24 under the zlib licence (btBoxBoxDetector.cpp; original
 // version Copyright (C) 2001, 2002 Russell L. Smith, Bullet Copyright (c) 2003-2006 Erwin Coumans). Altered: written
 // anew, with the same operations in the same order, so that it finds the same to the last bit.
 
-#include "collision/box_overlap.hpp"
+#include "collision/overlap.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cfloat>
 #include <cmath>
 
-#include "collision/face_clip.hpp"
-
 namespace floes {
+
 namespace {
+
+constexpr int most_points = 8;
+
+/// What is left of a polygon on the inner side of sign * x = half, where x is coordinate `axis`. Stops at eight points.
+int cut(const double* from, int count, int axis, double sign, double half, double* to) {
+    const int other = 1 - axis;
+    int found = 0;
+    for (int i = 0; i < count; ++i) {
+        const double* here = from + 2 * i;
+        const double* next = i + 1 < count ? here + 2 : from;
+        const bool inside = sign * here[axis] < half;
+        if (inside) {
+            to[2 * found] = here[0];
+            to[2 * found + 1] = here[1];
+            if (++found == most_points) return found;
+        }
+        if (inside != (sign * next[axis] < half)) {
+            to[2 * found + other] =
+                here[other] + (next[other] - here[other]) / (next[axis] - here[axis]) * (sign * half - here[axis]);
+            to[2 * found + axis] = sign * half;
+            if (++found == most_points) return found;
+        }
+    }
+    return found;
+}
+
+struct Middle {
+    double x, y;
+};
+
+/// Centroid of the polygon.
+Middle middle_of(int count, const double* p) {
+    if (count == 1) return {p[0], p[1]};
+    if (count == 2) return {0.5 * (p[0] + p[2]), 0.5 * (p[1] + p[3])};
+    double area = 0;
+    double x = 0;
+    double y = 0;
+    for (int i = 0; i < count - 1; ++i) {
+        const double q = p[2 * i] * p[2 * i + 3] - p[2 * i + 2] * p[2 * i + 1];
+        area += q;
+        x += q * (p[2 * i] + p[2 * i + 2]);
+        y += q * (p[2 * i + 1] + p[2 * i + 3]);
+    }
+    const double q = p[2 * count - 2] * p[1] - p[0] * p[2 * count - 1];
+    const double scale = std::abs(area + q) > DBL_EPSILON ? 1.0 / (3.0 * (area + q)) : 1e30;
+    return {scale * (x + q * (p[2 * count - 2] + p[0])), scale * (y + q * (p[2 * count - 1] + p[1]))};
+}
+
+/// Corners of what the rectangle |x| <= half[0], |y| <= half[1] has in common with a parallelogram of four corners (x,
+/// y), at most eight; an edge of the rectangle itself is outside. Returns their number.
+int clip_to_rectangle(const double* half, const double* corners, double* found) {
+    std::array<double, 2 * most_points> buffer;
+    const double* from = corners;
+    double* to = found;
+    int count = 4;
+    for (int axis = 0; axis <= 1; ++axis) {
+        for (const double sign : {-1.0, 1.0}) {
+            count = cut(from, count, axis, sign, half[axis], to);
+            from = to;
+            if (count == most_points) {
+                if (from != found) std::copy_n(from, 2 * count, found);
+                return count;
+            }
+            to = from == found ? buffer.data() : found;
+        }
+    }
+    if (from != found) std::copy_n(from, 2 * count, found);
+    return count;
+}
+
+/// Chooses `wanted` of `count` points in a plane, spread evenly by angle round their middle; the first is `first`.
+void spread_evenly(int count, const double* points, int wanted, int first, int* chosen) {
+    constexpr double pi = static_cast<double>(3.14159265F);
+    const Middle middle = middle_of(count, points);
+    std::array<double, most_points> angle;
+    std::array<bool, most_points> free{};
+    for (int i = 0; i < count; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        angle[at] = std::atan2(points[2 * i + 1] - middle.y, points[2 * i] - middle.x);
+        free[at] = i != first;
+    }
+    chosen[0] = first;
+    for (int k = 1; k < wanted; ++k) {
+        double aim = k * (2 * pi / wanted) + angle[static_cast<std::size_t>(first)];
+        if (aim > pi) aim -= 2 * pi;
+        double nearest = 1e9;
+        chosen[k] = first;
+        for (int i = 0; i < count; ++i) {
+            if (!free[static_cast<std::size_t>(i)]) continue;
+            double apart = std::abs(angle[static_cast<std::size_t>(i)] - aim);
+            if (apart > pi) apart = 2 * pi - apart;
+            if (apart < nearest) {
+                nearest = apart;
+                chosen[k] = i;
+            }
+        }
+        free[static_cast<std::size_t>(chosen[k])] = false;
+    }
+}
 
 const double* half_of(const PrismPlace& box) {
     return box.shape->half_extent.data();
@@ -36,7 +138,7 @@ struct LeastOverlap {
 
 BoxPair seen_from_a(const PrismPlace& a, const PrismPlace& b) {
     BoxPair pair;
-    const Triple p{b.position[0] - a.position[0], b.position[1] - a.position[1], b.position[2] - a.position[2]};
+    const Triple p = centre_of(b) - centre_of(a);
     const double* ra = a.rotation;
     const double* rb = b.rotation;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -94,8 +196,7 @@ bool every_face(const PrismPlace& one, const PrismPlace& other, const BoxPair& p
     const double* a = half_of(one);
     const double* b = half_of(other);
     const Triple& pp = pair.between;
-    const Triple p{other.position[0] - one.position[0], other.position[1] - one.position[1],
-                   other.position[2] - one.position[2]};
+    const Triple p = centre_of(other) - centre_of(one);
     for (int i = 0; i < 3; ++i) {
         const double* row = q + 3 * i;
         if (!search.face(pp[static_cast<std::size_t>(i)], a[i] + b[0] * row[0] + b[1] * row[1] + b[2] * row[2], 1 + i))
@@ -163,7 +264,7 @@ double of_axes(const double* one, int i, const double* other, int k) {
 
 /// The corner of the box that lies farthest along `side` times the normal.
 Triple farthest(const PrismPlace& box, const Triple& normal, double side) {
-    Triple corner{box.position[0], box.position[1], box.position[2]};
+    Triple corner = centre_of(box);
     for (int axis = 0; axis < 3; ++axis) {
         const double sign = along_axis(normal, box.rotation, axis) > 0 ? side : -side;
         for (std::size_t i = 0; i < 3; ++i)
@@ -304,7 +405,7 @@ double box_face_gap(const PrismPlace& a, const PrismPlace& b, int axis) {
     const PrismPlace& other = axis < 3 ? b : a;
     const int i = axis % 3;
     const Triple out{one.rotation[i], one.rotation[3 + i], one.rotation[6 + i]};
-    const Triple between{b.position[0] - a.position[0], b.position[1] - a.position[1], b.position[2] - a.position[2]};
+    const Triple between = centre_of(b) - centre_of(a);
     double gap = std::abs(dot(out, between)) - half_of(one)[i];
     for (int k = 0; k < 3; ++k) gap -= half_of(other)[k] * std::abs(along_axis(out, other.rotation, k));
     return gap;

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/box_overlap.hpp"
-#include "collision/directions.hpp"
-
 namespace floes {
 namespace {
+
+Triple scaled(const Triple& a, double s) {
+    return {s * a[0], s * a[1], s * a[2]};
+}
 
 constexpr double edges_over_faces = 1.05;  // an edge has to be that much better: faces give four points
 constexpr double parallel = 1e-4;          // axes that differ by less make no axis of their own
@@ -73,8 +74,7 @@ struct Best {
 double gap_along(const PrismPlace& one, const PrismPlace& other, int face) {
     const Triple own = own_normal(*one.shape, face);
     const Triple axis = out_of(one, own);
-    const Triple between{other.position[0] - one.position[0], other.position[1] - one.position[1],
-                         other.position[2] - one.position[2]};
+    const Triple between = centre_of(other) - centre_of(one);
     return dot(axis, between) + reach_along(*other.shape, into(other, axis)).low - face_offset(*one.shape, face);
 }
 
@@ -92,13 +92,13 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, Best& best) {
     std::array<Triple, 40> of_b;
     const std::size_t count_a = edge_directions(a, of_a);
     const std::size_t count_b = edge_directions(b, of_b);
-    const Triple tilt = cross_of(of_a[0], of_b[0]);
+    const Triple tilt = cross(of_a[0], of_b[0]);
     if (dot(tilt, tilt) < parallel * parallel) return true;  // flat on each other: edges say what faces say
-    const Triple between{b.position[0] - a.position[0], b.position[1] - a.position[1], b.position[2] - a.position[2]};
+    const Triple between = centre_of(b) - centre_of(a);
     double face_gap = best.gap;
     for (std::size_t i = 0; i < count_a; ++i) {
         for (std::size_t k = 0; k < count_b; ++k) {
-            Triple axis = cross_of(of_a[i], of_b[k]);
+            Triple axis = cross(of_a[i], of_b[k]);
             const double length = std::sqrt(dot(axis, axis));
             if (length < parallel) continue;
             axis = scaled(axis, 1 / length);
@@ -124,8 +124,7 @@ void touch_by_edges(const PrismPlace& a, const PrismPlace& b, const Best& best, 
     const double together = dot(best.along_a, best.along_b);
     const double rest = 1 - together * together;
     if (rest > 1e-4)
-        on_b = sum(on_b,
-                   scaled(best.along_b, (together * dot(best.along_a, between) - dot(best.along_b, between)) / rest));
+        on_b = on_b + scaled(best.along_b, (together * dot(best.along_a, between) - dot(best.along_b, between)) / rest);
     found.count = 1;
     found.points[0] = {on_b, -best.gap};
 }
@@ -157,7 +156,7 @@ void cut(Points& polygon, Points& spare, const Triple& normal, double bound) {
         const double room = bound - dot(normal, here);
         const double room_next = bound - dot(normal, next);
         if (room >= 0) spare.push_back(here);
-        if ((room >= 0) != (room_next >= 0)) spare.push_back(sum(here, scaled(next - here, room / (room - room_next))));
+        if ((room >= 0) != (room_next >= 0)) spare.push_back(here + scaled(next - here, room / (room - room_next)));
     }
     polygon.swap(spare);
 }
@@ -181,7 +180,7 @@ std::array<int, 4> spread(const Points& points, const std::vector<double>& depth
     count = 1;
     if (far < 0) return chosen;
     chosen[static_cast<std::size_t>(count++)] = far;
-    const Triple side = cross_of(normal, points[static_cast<std::size_t>(far)] - first);
+    const Triple side = cross(normal, points[static_cast<std::size_t>(far)] - first);
     for (const double sign : {1.0, -1.0}) {
         const int next = farthest_by([&](const Triple& p) { return sign * dot(side, p - first); });
         if (next >= 0 && next != far) chosen[static_cast<std::size_t>(count++)] = next;
@@ -206,7 +205,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
     Points spare;
     std::vector<double> depth;
     corners_of(other, incident, points);
-    const Triple centre{one.position[0], one.position[1], one.position[2]};
+    const Triple centre = centre_of(one);
     const auto cut_by = [&](const Triple& own, double offset) {
         const Triple normal = out_of(one, own);
         if (!points.empty()) cut(points, spare, normal, offset + dot(normal, centre));
@@ -240,7 +239,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
         const auto from = static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)]);
         Overlap::Point& to = found.points[static_cast<std::size_t>(i)];
         to.depth = depth[from];
-        to.on_b = best.face.of_a ? points[from] : sum(points[from], scaled(out, depth[from]));
+        to.on_b = best.face.of_a ? points[from] : points[from] + scaled(out, depth[from]);
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Where two prisms overlap: by separating axes, along the one of least overlap. A face clips the other's face, and two
-// edges touch at a point, as btBoxBoxDetector does for boxes: of two boxes with its bits (collision/box_overlap.hpp).
+// edges touch at a point, as btBoxBoxDetector does for boxes: of two boxes with its bits (box_overlap.cpp).
 
 #include <array>
 
@@ -28,5 +28,13 @@ double face_gap(const PrismPlace& a, const PrismPlace& b, int axis);
 
 /// Refills `found`; its count is 0 where the prisms are apart.
 void find_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found);
+
+// The same of two boxes, for the two above: as Bullet's btBoxBoxDetector finds them, to the last bit.
+
+/// As face_gap(), along one of the six normals of their faces: 0, 1, 2 of a, 3, 4, 5 of b.
+double box_face_gap(const PrismPlace& a, const PrismPlace& b, int axis);
+
+/// As find_overlap().
+void find_box_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found);
 
 }  // namespace floes

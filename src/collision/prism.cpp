@@ -7,7 +7,7 @@
 namespace floes {
 namespace {
 
-/// As of boxes (solver/contact_limits.inl): flush faces reach their whole area within micrometres.
+/// As of boxes (solver/contact_setup.inl): flush faces reach their whole area within micrometres.
 constexpr double flattest = 1e-5;
 
 /// For the part of a polygon whose height n . p lies below a bound: its area and the chord at the bound over |n|.

@@ -14,6 +14,14 @@ inline Triple operator-(const Triple& a, const Triple& b) {
     return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+inline Triple operator+(const Triple& a, const Triple& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+
+inline Triple cross(const Triple& a, const Triple& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 inline double dot(const Triple& a, const Triple& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -37,20 +45,30 @@ struct PrismPlace {
     const double* rotation;  ///< 9, prism -> world, row by row
 };
 
-/// A point of the prism in world axes, and the other way round.
-inline Triple to_world(const PrismPlace& prism, const Triple& p) {
+inline Triple centre_of(const PrismPlace& prism) {
+    return {prism.position[0], prism.position[1], prism.position[2]};
+}
+
+/// A direction in the axes of the prism in those of the world, and the other way round.
+inline Triple out_of(const PrismPlace& prism, const Triple& d) {
     const double* r = prism.rotation;
-    return {r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + prism.position[0],
-            r[3] * p[0] + r[4] * p[1] + r[5] * p[2] + prism.position[1],
-            r[6] * p[0] + r[7] * p[1] + r[8] * p[2] + prism.position[2]};
+    return {r[0] * d[0] + r[1] * d[1] + r[2] * d[2], r[3] * d[0] + r[4] * d[1] + r[5] * d[2],
+            r[6] * d[0] + r[7] * d[1] + r[8] * d[2]};
+}
+
+inline Triple into(const PrismPlace& prism, const Triple& d) {
+    const double* r = prism.rotation;
+    return {r[0] * d[0] + r[3] * d[1] + r[6] * d[2], r[1] * d[0] + r[4] * d[1] + r[7] * d[2],
+            r[2] * d[0] + r[5] * d[1] + r[8] * d[2]};
+}
+
+/// The same of a point.
+inline Triple to_world(const PrismPlace& prism, const Triple& p) {
+    return out_of(prism, p) + centre_of(prism);
 }
 
 inline Triple to_own(const PrismPlace& prism, const Triple& p) {
-    const double* r = prism.rotation;
-    const double x = p[0] - prism.position[0];
-    const double y = p[1] - prism.position[1];
-    const double z = p[2] - prism.position[2];
-    return {r[0] * x + r[3] * y + r[6] * z, r[1] * x + r[4] * y + r[7] * z, r[2] * x + r[5] * y + r[8] * z};
+    return into(prism, p - centre_of(prism));
 }
 
 /// Area that a plane cuts from a prism at a depth below its first point, m², and what it gains per depth, m.

@@ -5,10 +5,6 @@
 namespace floes {
 namespace {
 
-Triple cross(const Triple& a, const Triple& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 double square(const Triple& a) {
     return dot(a, a);
 }

@@ -1,9 +1,9 @@
 #include "core/text.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstdint>
-
-#include <fmt/format.h>
 
 namespace floes {
 
@@ -61,6 +61,16 @@ std::string duration_in_figures(double seconds) {
     if (seconds < 2 * 3600) return fmt::format("{:.3g} min", seconds / 60);
     if (seconds < 100 * 3600) return fmt::format("{:.3g} h", seconds / 3600);
     return fmt::format("{:.3g} d", seconds / 86400);
+}
+
+std::string shell_word(const std::string& word) {
+    const bool plain = !word.empty() && word.find_first_not_of(
+                                            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                            "0123456789_-+=.,/:@%") == std::string::npos;
+    if (plain) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
 }
 
 }  // namespace floes

@@ -1,15 +1,15 @@
 #pragma once
 // What every text of floes is.
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace floes {
 
@@ -39,5 +39,10 @@ inline std::string name_list(const std::vector<std::string>& names) {
     if (names.size() <= most) return fmt::format("{}", fmt::join(names, ", "));
     return fmt::format("{} … ({} in all)", fmt::join(std::span(names).first(first), ", "), names.size());
 }
+
+// Words of commands that the program names, for people to copy.
+
+/// The word as a shell takes it for one: "a.h5", "'my file.h5'".
+std::string shell_word(const std::string& word);
 
 }  // namespace floes

@@ -1,7 +1,15 @@
 #pragma once
 // Plain SI doubles inside, other units only at input and output: value_in_SI = value_in_unit * unit.
 
+#include <limits>
 #include <numbers>
+
+namespace floes {
+
+/// A value that is not known or cannot be: NaN in files and arrays, an empty cell in tables.
+inline constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace floes
 
 namespace floes::unit {
 

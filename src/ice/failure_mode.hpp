@@ -1,5 +1,5 @@
 #pragma once
-// How joints fail, and the largest reactions that they carried.
+// How joints fail, the largest reactions that they carried, and what floes fell into.
 
 #include <array>
 #include <cstdint>
@@ -36,6 +36,12 @@ struct PeakReactions {
     double torsion = 0;
     double in_plane_bending = 0;
     friend bool operator==(const PeakReactions&, const PeakReactions&) = default;
+};
+
+/// A piece of a floe that cracked through, at the end of a run.
+struct PieceArea {
+    int floe = 0;     ///< its number in the order of entry: its index in the arrangement, if the field has an end
+    double area = 0;  ///< of the upper side, m²
 };
 
 }  // namespace floes

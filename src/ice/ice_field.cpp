@@ -1,5 +1,7 @@
 #include "ice/ice_field.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,15 +10,28 @@
 #include <optional>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "core/error.hpp"
 #include "core/turn.hpp"
 #include "core/vector.hpp"
 #include "ice/joint_stress.hpp"
-#include "ice/scenario_world.hpp"
 
 namespace floes {
+
+double size_of_ice(const Scenario& scenario) {
+    constexpr double tank = 0.033;  // m
+    return scenario.floe.thickness / tank;
+}
+
+World scenario_world(const Scenario& scenario) {
+    const General& general = scenario.general;
+    return World({.time_step = general.time_step,
+                  .iterations = general.iterations,
+                  .tolerance = general.tolerance,
+                  .gravity = general.gravity / (1 + scenario.water.isotropic_mass()),  // the added mass has no weight
+                  .contact = scenario.contact_law(),
+                  .solver = general.solver,
+                  .length_unit = size_of_ice(scenario)});
+}
 
 IceLayout::IceLayout(const FloeSet& floes) : first_joint{0} {
     std::vector<CutFloe> cuts;

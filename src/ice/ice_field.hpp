@@ -1,5 +1,5 @@
 #pragma once
-// How IceField numbers the elements and joints of floes: floe by floe, within a floe as its CutFloe has them.
+// All floes of a run: their elements and joints in a World, and how they break.
 
 #include <algorithm>
 #include <cstddef>
@@ -12,7 +12,6 @@
 #include "core/vector.hpp"
 #include "ice/failure.hpp"
 #include "ice/failure_mode.hpp"
-#include "ice/piece_area.hpp"
 #include "ice/stress_field.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
@@ -20,6 +19,17 @@
 #include "world/world.hpp"
 
 namespace floes {
+
+// How IceField numbers the elements and joints of floes: floe by floe, within a floe as its CutFloe has them.
+
+// The empty world of a scenario, the common start of a tow and of a laboratory test.
+
+/// Thickness of the scenario's ice over that of the paper's tank, 0.033 m: the scale of lengths that have no key.
+double size_of_ice(const Scenario& scenario);
+
+/// Time step, iterations, solver, gravity and contacts are those of the scenario; the unit of length is the size of its
+/// ice, so that Bullet's margins keep their share of the thickness. Throws InputError for values that World refuses.
+World scenario_world(const Scenario& scenario);
 
 struct IceLayout {
     struct LaidElement {

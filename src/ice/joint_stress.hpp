@@ -22,7 +22,7 @@
 
 #include "ice/failure.hpp"
 #include "scenario/scenario.hpp"
-#include "solver/joint_spring.hpp"
+#include "solver/solver_parts.hpp"
 #include "world/state.hpp"
 
 namespace floes {

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
-#include "keys/decimal_comma.hpp"
+#include "keys/meant.hpp"
 
 namespace floes {
 

@@ -7,8 +7,8 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "keys/decimal_comma.hpp"
 #include "keys/key.hpp"
+#include "keys/meant.hpp"
 
 // toml++ as headers, not as a library, because some of its macros are replaced: what it assumes never to happen must do
 // no harm, since a text may come from anywhere.

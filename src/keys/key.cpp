@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "keys/edit_distance.hpp"
+#include "keys/meant.hpp"
 
 namespace floes {
 

@@ -1,5 +1,5 @@
 #pragma once
-// Allowed ranges of numbers.
+// The keys of a configuration, and the ranges and texts of their values.
 
 #include <cstdint>
 #include <functional>

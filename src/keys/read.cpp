@@ -7,9 +7,8 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "keys/decimal_comma.hpp"
-#include "keys/edit_distance.hpp"
 #include "keys/key.hpp"
+#include "keys/meant.hpp"
 
 namespace floes {
 namespace {

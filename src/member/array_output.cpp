@@ -36,6 +36,21 @@ std::vector<double> history_times(const Scenario& scenario) {
     return times;
 }
 
+/// Of the values of a history, which members have where `has` holds of the scenario.
+template <auto has>
+constexpr ArrayAxis history_axis(std::string_view key, std::string_view long_name) {
+    const auto places = [](const Scenario& scenario) {
+        return has(scenario) ? history_times(scenario) : std::vector<double>{};
+    };
+    return {.key = key,
+            .unit = "s",
+            .long_name = long_name,
+            .kind = AxisKind::counted,
+            .places = places,
+            .whole_numbers = false,
+            .unlike = "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+}
+
 constexpr const char* pose_words[]{"x", "z", "yaw"};
 
 constexpr auto property_words = [] {
@@ -93,65 +108,22 @@ const ArrayAxis part_axis{"part", "1", "part of the structure, by /cases/parts",
                               return counted_to(parts > 1 ? parts : 0);
                           }};
 
-const ArrayAxis time_axis{"time",
-                          "s",
-                          "end of the time steps of a value",
-                          AxisKind::counted,
-                          history_times,
-                          false,
-                          {},
-                          {},
-                          "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+const ArrayAxis time_axis =
+    history_axis<[](const Scenario&) { return true; }>("time", "end of the time steps of a value");
 
-const ArrayAxis motion_axis{"motion_time",
-                            "s",
-                            "end of the time steps of a value, of structures that are not towed straight on",
-                            AxisKind::counted,
-                            [](const Scenario& scenario) {
-                                return scenario.towed_straight() ? std::vector<double>{} : history_times(scenario);
-                            },
-                            false,
-                            {},
-                            {},
-                            "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+const ArrayAxis motion_axis = history_axis<[](const Scenario& scenario) { return !scenario.towed_straight(); }>(
+    "motion_time", "end of the time steps of a value, of structures that are not towed straight on");
 
-const ArrayAxis mooring_axis{"mooring_time",
-                             "s",
-                             "end of the time steps of a value, of moored structures",
-                             AxisKind::counted,
-                             [](const Scenario& scenario) {
-                                 return scenario.moorings.give_way() ? history_times(scenario) : std::vector<double>{};
-                             },
-                             false,
-                             {},
-                             {},
-                             "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+const ArrayAxis mooring_axis = history_axis<[](const Scenario& scenario) { return scenario.moorings.give_way(); }>(
+    "mooring_time", "end of the time steps of a value, of moored structures");
 
-const ArrayAxis thrust_axis{"thrust_time",
-                            "s",
-                            "end of the time steps of a value, of structures with thrusters",
-                            AxisKind::counted,
-                            [](const Scenario& scenario) {
-                                const bool any = scenario.moorings.give_way() && scenario.moorings.thrusters.any();
-                                return any ? history_times(scenario) : std::vector<double>{};
-                            },
-                            false,
-                            {},
-                            {},
-                            "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+const ArrayAxis thrust_axis = history_axis<[](const Scenario& scenario) {
+    return scenario.moorings.give_way() && scenario.moorings.thrusters.any();
+}>("thrust_time", "end of the time steps of a value, of structures with thrusters");
 
-const ArrayAxis floating_axis{"floating_time",
-                              "s",
-                              "end of the time steps of a value, of structures that heave, pitch or roll",
-                              AxisKind::counted,
-                              [](const Scenario& scenario) {
-                                  const bool any = scenario.moorings.give_way() && scenario.moorings.floats();
-                                  return any ? history_times(scenario) : std::vector<double>{};
-                              },
-                              false,
-                              {},
-                              {},
-                              "number of the value from 1; times /cases/time_step and /cases/history_stride"};
+const ArrayAxis floating_axis =
+    history_axis<[](const Scenario& scenario) { return scenario.moorings.give_way() && scenario.moorings.floats(); }>(
+        "floating_time", "end of the time steps of a value, of structures that heave, pitch or roll");
 
 const ArrayAxis line_axis{
     "mooring_line", "1", "mooring line, in the order of moorings.lines and hanging_lines", AxisKind::counted,

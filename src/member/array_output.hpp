@@ -1,5 +1,5 @@
 #pragma once
-// The axes along which the arrays of a member lie.
+// The arrays of a member: their axes, how they are taken out of a result, the list of them all, and results as bytes.
 
 #include <algorithm>
 #include <array>
@@ -217,16 +217,34 @@ struct ArrayOutput {
 // them to the journal and to the campaign file, and are read again. A new array is its field in MemberResult, one line
 // here, and its computation in run_member.cpp.
 
-/// A history of how the structure moved.
-template <auto history>
-constexpr ArrayOutput motion_output(std::string_view path, std::string_view unit, std::string_view long_name,
-                                    const ArrayAxis& axis) {
+/// A history of the load, or of how the structure moved.
+template <auto owner, auto history>
+constexpr ArrayOutput history_output(std::string_view path, std::string_view unit, std::string_view long_name,
+                                     const ArrayAxis& axis) {
     return {.path = path,
             .unit = unit,
             .long_name = long_name,
             .axes = {&axis},
-            .access = at_vector<&MemberResult::motion, history>(),
+            .access = at_vector<owner, history>(),
             .chunks = ArrayChunks::of_its_own};
+}
+
+template <auto history>
+constexpr ArrayOutput motion_output(std::string_view path, std::string_view unit, std::string_view long_name,
+                                    const ArrayAxis& axis) {
+    return history_output<&MemberResult::motion, history>(path, unit, long_name, axis);
+}
+
+/// One number of each element of a vector, which is read with the quantities.
+template <auto elements, auto number>
+constexpr ArrayOutput table_output(std::string_view path, std::string_view unit, std::string_view long_name,
+                                   const ArrayAxis& axis) {
+    return {.path = path,
+            .unit = unit,
+            .long_name = long_name,
+            .axes = {&axis},
+            .access = at_each<elements, number>(),
+            .in_table = true};
 }
 
 /// In the order in which they are stored and set: what others need comes first.
@@ -244,42 +262,24 @@ inline constexpr std::array array_outputs{
                 .axes = {&floe_axis, &property_axis},
                 .access = at_row_list<floe_properties.size(), &MemberResult::floe_properties>(),
                 .chunks = ArrayChunks::of_its_own},
-    ArrayOutput{.path = "exceedance/steps_above",
-                .unit = "1",
-                .long_name = "steps of the window with a surge load above the level",
-                .axes = {&level_axis},
-                .access = at_each<&MemberResult::levels, &LevelCount::steps_above>(),
-                .in_table = true},
-    ArrayOutput{.path = "exceedance/upcrossings",
-                .unit = "1",
-                .long_name = "rises of the surge load through the level within the window",
-                .axes = {&level_axis},
-                .access = at_each<&MemberResult::levels, &LevelCount::upcrossings>(),
-                .in_table = true},
+    table_output<&MemberResult::levels, &LevelCount::steps_above>(
+        "exceedance/steps_above", "1", "steps of the window with a surge load above the level", level_axis),
+    table_output<&MemberResult::levels, &LevelCount::upcrossings>(
+        "exceedance/upcrossings", "1", "rises of the surge load through the level within the window", level_axis),
     ArrayOutput{.path = "averaging_time",
                 .unit = "s",
                 .long_name = "time that the surge load is averaged over",
                 .axes = {&averaging_axis},
                 .access = at_each<&MemberOutputs::averaged, &AveragedLoad::time>()},
-    ArrayOutput{.path = "averaged/sd_load",
-                .unit = "N",
-                .long_name = "population standard deviation of the surge load over the window, of its running means",
-                .axes = {&averaging_axis},
-                .access = at_each<&MemberOutputs::averaged, &AveragedLoad::sd>(),
-                .in_table = true},
-    ArrayOutput{.path = "averaged/mean_maximum",
-                .unit = "N",
-                .long_name = "mean of the segment maxima of the surge load, of its running means",
-                .axes = {&averaging_axis},
-                .access = at_each<&MemberOutputs::averaged, &AveragedLoad::mean_maximum>(),
-                .in_table = true},
-    ArrayOutput{.path = "averaged/sd_maximum",
-                .unit = "N",
-                .long_name = "population standard deviation of the segment maxima of the surge load, of its running "
-                             "means",
-                .axes = {&averaging_axis},
-                .access = at_each<&MemberOutputs::averaged, &AveragedLoad::sd_maximum>(),
-                .in_table = true},
+    table_output<&MemberOutputs::averaged, &AveragedLoad::sd>(
+        "averaged/sd_load", "N",
+        "population standard deviation of the surge load over the window, of its running means", averaging_axis),
+    table_output<&MemberOutputs::averaged, &AveragedLoad::mean_maximum>(
+        "averaged/mean_maximum", "N", "mean of the segment maxima of the surge load, of its running means",
+        averaging_axis),
+    table_output<&MemberOutputs::averaged, &AveragedLoad::sd_maximum>(
+        "averaged/sd_maximum", "N",
+        "population standard deviation of the segment maxima of the surge load, of its running means", averaging_axis),
     ArrayOutput{.path = "averaged/segment_maximum",
                 .unit = "N",
                 .long_name = "largest running mean that ends in each segment",
@@ -292,36 +292,16 @@ inline constexpr std::array array_outputs{
                 .axes = {&averaging_axis, &peak_axis},
                 .access = at_rows<&MemberOutputs::averaged, &AveragedLoad::peaks>(),
                 .in_table = true},
-    ArrayOutput{.path = "parts/mean_load",
-                .unit = "N",
-                .long_name = "mean surge load on the part over the window",
-                .axes = {&part_axis},
-                .access = at_each<&MemberOutputs::parts, &PartLoad::mean>(),
-                .in_table = true},
-    ArrayOutput{.path = "parts/sd_load",
-                .unit = "N",
-                .long_name = "population standard deviation of the surge load on the part over the window",
-                .axes = {&part_axis},
-                .access = at_each<&MemberOutputs::parts, &PartLoad::sd>(),
-                .in_table = true},
-    ArrayOutput{.path = "parts/maximum_load",
-                .unit = "N",
-                .long_name = "largest surge load on the part in the window",
-                .axes = {&part_axis},
-                .access = at_each<&MemberOutputs::parts, &PartLoad::maximum>(),
-                .in_table = true},
-    ArrayOutput{.path = "parts/mean_sway",
-                .unit = "N",
-                .long_name = "mean load on the part towards +z over the window",
-                .axes = {&part_axis},
-                .access = at_each<&MemberOutputs::parts, &PartLoad::mean_sway>(),
-                .in_table = true},
-    ArrayOutput{.path = "parts/mean_heave",
-                .unit = "N",
-                .long_name = "mean load on the part upwards over the window",
-                .axes = {&part_axis},
-                .access = at_each<&MemberOutputs::parts, &PartLoad::mean_heave>(),
-                .in_table = true},
+    table_output<&MemberOutputs::parts, &PartLoad::mean>("parts/mean_load", "N",
+                                                         "mean surge load on the part over the window", part_axis),
+    table_output<&MemberOutputs::parts, &PartLoad::sd>(
+        "parts/sd_load", "N", "population standard deviation of the surge load on the part over the window", part_axis),
+    table_output<&MemberOutputs::parts, &PartLoad::maximum>("parts/maximum_load", "N",
+                                                            "largest surge load on the part in the window", part_axis),
+    table_output<&MemberOutputs::parts, &PartLoad::mean_sway>(
+        "parts/mean_sway", "N", "mean load on the part towards +z over the window", part_axis),
+    table_output<&MemberOutputs::parts, &PartLoad::mean_heave>(
+        "parts/mean_heave", "N", "mean load on the part upwards over the window", part_axis),
     ArrayOutput{.path = "parts/mean_maximum",
                 .unit = "N",
                 .long_name = "mean of the segment maxima of the surge load on the part, of its running means",
@@ -346,24 +326,12 @@ inline constexpr std::array array_outputs{
                 .long_name = "fourfold orientational order of the arrangement",
                 .access = at_number<&MemberResult::psi4>(),
                 .of_arrangement = true},
-    ArrayOutput{.path = "history/surge_load",
-                .unit = "N",
-                .long_name = "contact force on the structure against the tow",
-                .axes = {&time_axis},
-                .access = at_vector<&MemberResult::history, &LoadHistory::surge>(),
-                .chunks = ArrayChunks::of_its_own},
-    ArrayOutput{.path = "history/sway_load",
-                .unit = "N",
-                .long_name = "contact force on the structure towards +z",
-                .axes = {&time_axis},
-                .access = at_vector<&MemberResult::history, &LoadHistory::sway>(),
-                .chunks = ArrayChunks::of_its_own},
-    ArrayOutput{.path = "history/heave_load",
-                .unit = "N",
-                .long_name = "contact force on the structure upwards",
-                .axes = {&time_axis},
-                .access = at_vector<&MemberResult::history, &LoadHistory::heave>(),
-                .chunks = ArrayChunks::of_its_own},
+    history_output<&MemberResult::history, &LoadHistory::surge>(
+        "history/surge_load", "N", "contact force on the structure against the tow", time_axis),
+    history_output<&MemberResult::history, &LoadHistory::sway>("history/sway_load", "N",
+                                                               "contact force on the structure towards +z", time_axis),
+    history_output<&MemberResult::history, &LoadHistory::heave>("history/heave_load", "N",
+                                                                "contact force on the structure upwards", time_axis),
     motion_output<&MotionHistory::x>("history/structure_x", "m", "x of the structure's axis", motion_axis),
     motion_output<&MotionHistory::z>("history/structure_z", "m", "z of the structure's axis", motion_axis),
     motion_output<&MotionHistory::yaw>("history/structure_yaw", "rad",

@@ -1,5 +1,5 @@
 #pragma once
-// A short text that is a value of its own: constants of the compiler and what is made at run time alike.
+// The numbers of a member: what each is, and the list of them all.
 
 #include <algorithm>
 #include <array>
@@ -15,6 +15,7 @@
 
 namespace floes {
 
+/// A short text that is a value of its own: constants of the compiler and what is made at run time alike.
 class ShortText {
   public:
     constexpr ShortText() = default;

@@ -8,10 +8,9 @@
 
 #include "core/vector.hpp"
 #include "ice/failure_mode.hpp"
-#include "ice/piece_area.hpp"
 #include "member/member_outputs.hpp"
 #include "scenario/floes.hpp"
-#include "simulation/histories.hpp"
+#include "simulation/record.hpp"
 #include "statistics/load_map.hpp"
 #include "statistics/load_statistics.hpp"
 

@@ -34,14 +34,12 @@ void check_rest(const Scenario& scenario, Contradictions& found) {
           Mover{"field.confining_N_m", scenario.field.confining, "no rigid sheet is as long as the field"},
           Mover{"field.wake_radius_m", scenario.field.wake_radius, "field.ahead_m already says which floes rest"}}) {
         if (one.value == 0) continue;
-        found.push_back({{one.key, far_end},
-                         fmt::format("{} does not go together with {}: {}; take 0, or a field with an end",
-                                     given(scenario, one.key), given(scenario, far_end), one.why)});
+        refuse(scenario, found, {one.key, far_end},
+               "<{}> does not go together with <{}>: {}; take 0, or a field with an end", one.key, far_end, one.why);
     }
     if (scenario.general.solver == SolverKind::stock) {
-        found.push_back({{"general.solver", far_end},
-                         fmt::format("{} cannot let floes rest, as {} asks; take \"direct\" or \"lanes\"",
-                                     given(scenario, "general.solver"), given(scenario, far_end))});
+        refuse(scenario, found, {"general.solver", far_end},
+               "<general.solver> cannot let floes rest, as <{}> asks; take \"direct\" or \"lanes\"", far_end);
     }
 }
 
@@ -54,14 +52,12 @@ void check_way_back(const Scenario& scenario, Contradictions& found) {
         const double x = place.pose.x;
         farthest = std::max(farthest, x);
         if (farthest - x > room - length_rounding) {
-            found.push_back(
-                {{scenario.path.legs.empty() ? "path.places" : "path.legs", far_end, "field.behind_m"},
-                 fmt::format("the path takes the structure back by {:.4g} m to x = {:.4g} m after {:.6g} s, "
-                             "and with {} floes more than {:.4g} m behind the farthest place that it has "
-                             "been to are gone, so {:.4g} m is the most; go on along +x, take a larger "
-                             "field.behind_m or a field with an end",
-                             farthest - x, scenario.structure.start + x, time, given(scenario, far_end),
-                             scenario.window_behind(), room)});
+            refuse(scenario, found,
+                   {scenario.path.legs.empty() ? "path.places" : "path.legs", far_end, "field.behind_m"},
+                   "the path takes the structure back by {:.4g} m to x = {:.4g} m after {:.6g} s, and with <{}> floes "
+                   "more than {:.4g} m behind the farthest place that it has been to are gone, so {:.4g} m is the "
+                   "most; go on along +x, take a larger field.behind_m or a field with an end",
+                   farthest - x, scenario.structure.start + x, time, far_end, scenario.window_behind(), room);
             return;
         }
         time += scenario.general.time_step;
@@ -71,16 +67,15 @@ void check_way_back(const Scenario& scenario, Contradictions& found) {
 void check_tiles(const Scenario& scenario, Contradictions& found) {
     const ArrangementRule& rule = scenario.arrangement;
     if (rule.method != ArrangementMethod::scattered) {
-        found.push_back(
-            {{"arrangement.method", far_end},
-             fmt::format("{} does not go together with {}, whose parts are laid beside one another without a seam; "
-                         "take \"scattered\", or a field with an end",
-                         given(scenario, "arrangement.method"), given(scenario, far_end))});
+        refuse(scenario, found, {"arrangement.method", far_end},
+               "<arrangement.method> does not go together with <{}>, whose parts are laid beside one another without a "
+               "seam; take \"scattered\", or a field with an end",
+               far_end);
     } else if (rule.ordering_sweeps > 0) {
-        found.push_back({{"arrangement.ordering_sweeps", far_end},
-                         fmt::format("{} would move floes that lie already, which {} does not allow; take 0, or a "
-                                     "field with an end",
-                                     given(scenario, "arrangement.ordering_sweeps"), given(scenario, far_end))});
+        refuse(scenario, found, {"arrangement.ordering_sweeps", far_end},
+               "<arrangement.ordering_sweeps> would move floes that lie already, which <{}> does not allow; take 0, or "
+               "a field with an end",
+               far_end);
     }
 }
 
@@ -88,19 +83,18 @@ void check_window(const Scenario& scenario, Contradictions& found) {
     const double least = window_least(scenario);
     const auto check = [&](const std::string& key, double length, const char* what) {
         if (length > least) return;
-        found.push_back({{key, "structure.profile_m", "field.half_width_m"},
-                         fmt::format("{} is {:.4g} m, and {} nearer than the structure's radius and a floe's diagonal, "
-                                     "{:.4g} m; take more",
-                                     given(scenario, key), length, what, least)});
+        refuse(scenario, found, {key, "structure.profile_m", "field.half_width_m"},
+               "<{}> is {:.4g} m, and {} nearer than the structure's radius and a floe's diagonal, {:.4g} m; take more",
+               key, length, what, least);
     };
     check("field.ahead_m", scenario.window_ahead(), "the structure would strike floes at rest when they are");
     check("field.behind_m", scenario.window_behind(), "floes would be taken out while they touch it when they are");
     const double towed = scenario.reach();
     if (towed + scenario.window_ahead() > longest_tow) {
-        found.push_back({{"analysis.window_s", "structure.speed_m_s", "field.ahead_m"},
-                         fmt::format("the tow comes {:.4g} m far and looks {:.4g} m ahead, and the sides of a field "
-                                     "without end reach {:.4g} m; tow for a shorter time",
-                                     towed, scenario.window_ahead(), longest_tow)});
+        refuse(found, {"analysis.window_s", "structure.speed_m_s", "field.ahead_m"},
+               fmt::format("the tow comes {:.4g} m far and looks {:.4g} m ahead, and the sides of a field without end "
+                           "reach {:.4g} m; tow for a shorter time",
+                           towed, scenario.window_ahead(), longest_tow));
     }
 }
 
@@ -128,21 +122,20 @@ void check_endless(const Scenario& scenario, Contradictions& found) {
 void check_shapes(const Scenario& scenario, Contradictions& found) {
     if (!scenario.shapes.any()) return;
     const std::size_t before = found.size();
-    const auto refuse = [&](const std::string& with, const std::string& reason, const std::string& instead) {
-        found.push_back({{with, "shapes.kind"},
-                         fmt::format("{} is not possible with {}: {}; take {}", given(scenario, "shapes.kind"),
-                                     given(scenario, with), reason, instead)});
+    const auto cannot = [&](const std::string& with, const std::string& reason, const std::string& instead) {
+        refuse(scenario, found, {with, "shapes.kind"}, "<shapes.kind> is not possible with <{}>: {}; take {}", with,
+               reason, instead);
     };
     const bool voronoi = scenario.shapes.kind == ShapeKind::voronoi;
     if (scenario.joint.model != JointModel::beam)
-        refuse("joint.model", "Σ and Γ are fitted to square elements", "joint.model = \"beam\"");
+        cannot("joint.model", "Σ and Γ are fitted to square elements", "joint.model = \"beam\"");
     const ArrangementMethod method = scenario.arrangement.method;  // check_traced() has looked at traced
     if (method == ArrangementMethod::lattice || method == ArrangementMethod::file)
-        refuse("arrangement.method",
+        cannot("arrangement.method",
                voronoi ? "cells of a Voronoi diagram lie where they grew" : "polygons fit on no lattice of rectangles",
                "arrangement.method = \"scattered\" or \"monte_carlo\"");
     if (voronoi && scenario.sizes.law != SizeLaw::one)
-        refuse("sizes.law", "the diagram decides the areas",
+        cannot("sizes.law", "the diagram decides the areas",
                "sizes.law = \"one\", shapes.kind = \"polygon\", or another number of shapes.relaxations");
     if (found.size() > before) return;
     try {
@@ -190,12 +183,11 @@ void check_added(const TracedOutlines& traced, Contradictions& found) {
     const auto worst = std::ranges::max_element(added);
     const auto above = std::ranges::count_if(added, [&](double one) { return one > traced.most_added; });
     if (above == 0) return;
-    found.push_back(
-        {{"shapes.most_added_percent", "shapes.file"},
-         fmt::format("{} has holes: filled it would cover {:.3g} % more, above shapes.most_added_percent = {:g}{}; "
-                     "trace it as several floes, allow more, or leave it out",
-                     outline_name(traced, static_cast<std::size_t>(worst - added.begin())), 100 * *worst,
-                     100 * traced.most_added, and_more(above - 1))});
+    refuse(found, {"shapes.most_added_percent", "shapes.file"},
+           fmt::format("{} has holes: filled it would cover {:.3g} % more, above shapes.most_added_percent = {:g}{}; "
+                       "trace it as several floes, allow more, or leave it out",
+                       outline_name(traced, static_cast<std::size_t>(worst - added.begin())), 100 * *worst,
+                       100 * traced.most_added, and_more(above - 1)));
 }
 
 /// Each has to be a sheet, wider than it is thick; one smaller than an element is one element.
@@ -213,13 +205,11 @@ void check_sheets(const Scenario& scenario, Contradictions& found) {
     const auto below =
         std::ranges::count_if(floes, [&](const auto& one) { return width_of(one) < scenario.floe.thickness; });
     if (below == 0) return;
-    found.push_back(
-        {{"ice.thickness_m", "shapes.scale", "shapes.file", "shapes.outlines"},
-         fmt::format(
-             "{}{} is thinner than the ice: the widest circle in a convex part of it has a diameter of {:.4g} m, "
-             "less than {}; leave such floes out of the file, or change shapes.scale or shapes.unit",
-             outline_name(traced, static_cast<std::size_t>(narrowest - floes.begin())), and_more(below - 1),
-             width_of(*narrowest), given(scenario, "ice.thickness_m"))});
+    refuse(scenario, found, {"ice.thickness_m", "shapes.scale", "shapes.file", "shapes.outlines"},
+           "{}{} is thinner than the ice: the widest circle in a convex part of it has a diameter of {:.4g} m, less "
+           "than <ice.thickness_m>; leave such floes out of the file, or change shapes.scale or shapes.unit",
+           outline_name(traced, static_cast<std::size_t>(narrowest - floes.begin())), and_more(below - 1),
+           width_of(*narrowest));
 }
 
 }  // namespace
@@ -228,26 +218,23 @@ void check_traced(const Scenario& scenario, Contradictions& found) {
     const Shapes& shapes = scenario.shapes;
     const bool as_they_lie = scenario.arrangement.method == ArrangementMethod::traced;
     if (as_they_lie && !shapes.from_file())
-        found.push_back({{"arrangement.method", "shapes.kind"},
-                         fmt::format("{} needs shapes.kind = \"file\", whose outlines have places",
-                                     given(scenario, "arrangement.method"))});
+        refuse(scenario, found, {"arrangement.method", "shapes.kind"},
+               "<arrangement.method> needs shapes.kind = \"file\", whose outlines have places");
     if (!shapes.from_file()) return;
     const TracedOutlines& traced = shapes.traced;
     if (traced.outlines.empty()) {
-        found.push_back({outline_keys, fmt::format("{} needs outlines; give shapes.file or shapes.outlines",
-                                                   given(scenario, "shapes.kind"))});
+        refuse(scenario, found, outline_keys, "<shapes.kind> needs outlines; give shapes.file or shapes.outlines");
         return;
     }
     if (scenario.sizes.law != SizeLaw::one)
-        found.push_back({{"sizes.law", "shapes.kind"},
-                         fmt::format("{} is not possible with {}: the outlines have their own sizes; take sizes.law = "
-                                     "\"one\", and shapes.scale for larger or smaller ones",
-                                     given(scenario, "shapes.kind"), given(scenario, "sizes.law"))});
+        refuse(scenario, found, {"sizes.law", "shapes.kind"},
+               "<shapes.kind> is not possible with <sizes.law>: the outlines have their own sizes; take sizes.law = "
+               "\"one\", and shapes.scale for larger or smaller ones");
     if (as_they_lie && traced.outlines.size() != static_cast<std::size_t>(scenario.field.floes))
-        found.push_back({{"field.floes", "shapes.file", "shapes.outlines"},
-                         fmt::format("{} is not the number of outlines, {}, which all lie where they were traced; "
-                                     "make them agree, or take arrangement.method = \"scattered\"",
-                                     given(scenario, "field.floes"), traced.outlines.size())});
+        refuse(scenario, found, {"field.floes", "shapes.file", "shapes.outlines"},
+               "<field.floes> is not the number of outlines, {}, which all lie where they were traced; make them "
+               "agree, or take arrangement.method = \"scattered\"",
+               traced.outlines.size());
     if (const auto fault = fault_of(traced)) found.push_back({outline_keys, *fault});
     if (!found.empty()) return;
     check_added(traced, found);

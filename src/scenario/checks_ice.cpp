@@ -35,18 +35,16 @@ void check_side(const Scenario& scenario, double side, const std::string& key, C
     const double ratio = side / scenario.floe.element;
     if (is_whole(ratio) && ratio > 0.5) return;
     const double pieces = std::max(1.0, std::round(ratio));
-    found.push_back({{"floe.element_m", key},
-                     fmt::format("{} does not divide {}; the nearest side that does is {:.6g}",
-                                 given(scenario, "floe.element_m"), given(scenario, key), side / pieces)});
+    refuse(scenario, found, {"floe.element_m", key},
+           "<floe.element_m> does not divide <{}>; the nearest side that does is {:.6g}", key, side / pieces);
 }
 
 void check_whole_steps(const Scenario& scenario, double time, const std::string& key, Contradictions& found) {
     const double step = scenario.general.time_step;
     if (is_whole(time / step)) return;
-    found.push_back(
-        {{key, "general.time_step_s"},
-         fmt::format("{} is not a whole number of steps of {}; the nearest that is: {:.6g}", given(scenario, key),
-                     given(scenario, "general.time_step_s"), std::max(1.0, std::round(time / step)) * step)});
+    refuse(scenario, found, {key, "general.time_step_s"},
+           "<{}> is not a whole number of steps of <general.time_step_s>; the nearest that is: {:.6g}", key,
+           std::max(1.0, std::round(time / step)) * step);
 }
 
 }  // namespace
@@ -67,43 +65,39 @@ void check_elements(const Scenario& scenario, Contradictions& found) {
 
 void check_element_count(const Scenario& scenario, double elements, Contradictions& found) {
     if (elements > most_elements) {
-        found.push_back(
-            {{"floe.element_m", "field.floes"},
-             fmt::format("{} with {} makes {:.4g} elements, more than the {:.0e} a member may have; take larger "
-                         "elements or fewer floes",
-                         given(scenario, "floe.element_m"), given(scenario, "field.floes"), elements, most_elements)});
+        refuse(scenario, found, {"floe.element_m", "field.floes"},
+               "<floe.element_m> with <field.floes> makes {:.4g} elements, more than the {:.0e} a member may have; "
+               "take larger elements or fewer floes",
+               elements, most_elements);
     }
 }
 
 void check_floating(const Scenario& scenario, Contradictions& found) {
     if (scenario.ice.density >= scenario.water.density) {
-        found.push_back({{"ice.density_kg_m3", "water.density_kg_m3"},
-                         fmt::format("{} is not below {}, so the ice sinks; lower the ice's density",
-                                     given(scenario, "ice.density_kg_m3"), given(scenario, "water.density_kg_m3"))});
+        refuse(scenario, found, {"ice.density_kg_m3", "water.density_kg_m3"},
+               "<ice.density_kg_m3> is not below <water.density_kg_m3>, so the ice sinks; lower the ice's density");
         return;
     }
     // An element heaves as a spring of stiffness ρ_w g L_e² under a mass ρ_i T_e L_e²; explicit forces need ω Δt < 2.
     const double heave =
         std::sqrt(scenario.water.density * scenario.general.gravity / (scenario.ice.density * scenario.floe.thickness));
     if (heave * scenario.general.time_step >= 2) {
-        found.push_back(
-            {{"general.time_step_s", "ice.thickness_m", "ice.density_kg_m3", "water.density_kg_m3",
-              "general.gravity_m_s2"},
-             fmt::format("{} is too long for {}: floating ice heaves at {:.4g} rad/s there and diverges; take a step "
-                         "below {:.4g}",
-                         given(scenario, "general.time_step_s"), given(scenario, "ice.thickness_m"), heave,
-                         2 / heave)});
+        refuse(scenario, found,
+               {"general.time_step_s", "ice.thickness_m", "ice.density_kg_m3", "water.density_kg_m3",
+                "general.gravity_m_s2"},
+               "<general.time_step_s> is too long for <ice.thickness_m>: floating ice heaves at {:.4g} rad/s there and "
+               "diverges; take a step below {:.4g}",
+               heave, 2 / heave);
     }
 }
 
 void check_stress_averaging(const Scenario& scenario, Contradictions& found) {
     constexpr int most_steps = 1000;  // each keeps the reactions of all joints
     if (!scenario.joint.fails_by_stress() || scenario.stress_steps() <= most_steps) return;
-    found.push_back({{"joint.averaging_s", "general.time_step_s"},
-                     fmt::format("the stress at joints is averaged over {:.4g} s, {} steps of {}, more than the {} "
-                                 "that are kept; take longer steps or a shorter joint.averaging_s",
-                                 scenario.stress_averaging(), scenario.stress_steps(),
-                                 given(scenario, "general.time_step_s"), most_steps)});
+    refuse(scenario, found, {"joint.averaging_s", "general.time_step_s"},
+           "the stress at joints is averaged over {:.4g} s, {} steps of <general.time_step_s>, more than the {} that "
+           "are kept; take longer steps or a shorter joint.averaging_s",
+           scenario.stress_averaging(), scenario.stress_steps(), most_steps);
 }
 
 void check_proportions(const Scenario& scenario, Contradictions& found) {
@@ -115,25 +109,22 @@ void check_proportions(const Scenario& scenario, Contradictions& found) {
         for (const FloeShape& shape : floe_sizes(scenario)) side = std::min({side, shape.length, shape.breadth});
     }
     if (scenario.floe.thickness > side) {
-        found.push_back({{"ice.thickness_m", "floe.length_m", "floe.breadth_m"},
-                         fmt::format("{} is more than the floe's side of {:g} m, so that it would lie on its edge; a "
-                                     "floe is a sheet. Take thinner ice or larger floes",
-                                     given(scenario, "ice.thickness_m"), side)});
+        refuse(scenario, found, {"ice.thickness_m", "floe.length_m", "floe.breadth_m"},
+               "<ice.thickness_m> is more than the floe's side of {:g} m, so that it would lie on its edge; a floe is "
+               "a sheet. Take thinner ice or larger floes",
+               side);
     }
     if (scenario.ice.bending_strength > largest_strain * scenario.ice.elastic_modulus) {
-        found.push_back(
-            {{"ice.bending_strength_kPa", "ice.elastic_modulus_MPa"},
-             fmt::format("{} is more than a tenth of {}: such ice is rubber, and joints are elastic only as "
-                         "long as they turn little. Sea ice has some 500 kPa and 5000 MPa, model ice some "
-                         "40 kPa and 60 MPa; mind that one is in kPa and the other in MPa",
-                         given(scenario, "ice.bending_strength_kPa"), given(scenario, "ice.elastic_modulus_MPa"))});
+        refuse(scenario, found, {"ice.bending_strength_kPa", "ice.elastic_modulus_MPa"},
+               "<ice.bending_strength_kPa> is more than a tenth of <ice.elastic_modulus_MPa>: such ice is rubber, and "
+               "joints are elastic only as long as they turn little. Sea ice has some 500 kPa and 5000 MPa, model ice "
+               "some 40 kPa and 60 MPa; mind that one is in kPa and the other in MPa");
     }
     if (scenario.field.concentration < least_concentration && !scenario.arrangement.given()) {
-        found.push_back(
-            {{"field.concentration_percent"},
-             fmt::format("{} is less than 1 percent, a field of {:.4g} m almost without ice; write 75 for three "
-                         "quarters. For single floes in open water give their places: arrangement.method = \"file\"",
-                         given(scenario, "field.concentration_percent"), scenario.field_length())});
+        refuse(scenario, found, {"field.concentration_percent"},
+               "<field.concentration_percent> is less than 1 percent, a field of {:.4g} m almost without ice; write 75 "
+               "for three quarters. For single floes in open water give their places: arrangement.method = \"file\"",
+               scenario.field_length());
     }
 }
 
@@ -147,9 +138,8 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
     if (scenario.water.added_mass_from == WaterFrom::outline) add(refused_water(solver));
     if (scenario.field.wake_radius > 0) add(refused_sleep(solver));
     for (const auto& [key, with, reason, instead] : refused) {
-        found.push_back({{std::string(key), std::string(with)},
-                         fmt::format("{} is not possible with {}: {}; take {}", given(scenario, std::string(key)),
-                                     given(scenario, std::string(with)), reason, instead)});
+        refuse(scenario, found, {std::string(key), std::string(with)}, "<{}> is not possible with <{}>: {}; take {}",
+               std::string(key), std::string(with), reason, instead);
     }
 }
 
@@ -176,13 +166,10 @@ void check_time(const Scenario& scenario, Contradictions& found) {
     const Analysis& analysis = scenario.analysis;
     const double steps = (analysis.steady_start + analysis.window) / scenario.general.time_step;
     if (steps > most_steps) {
-        found.push_back(
-            {{"general.time_step_s", "analysis.steady_start_s", "analysis.window_s"},
-             fmt::format(
-                 "{} with {} and {} makes {:.4g} steps, more than the {:.0e} a run may have; take a longer step "
-                 "or a shorter run",
-                 given(scenario, "general.time_step_s"), given(scenario, "analysis.steady_start_s"),
-                 given(scenario, "analysis.window_s"), steps, most_steps)});
+        refuse(scenario, found, {"general.time_step_s", "analysis.steady_start_s", "analysis.window_s"},
+               "<general.time_step_s> with <analysis.steady_start_s> and <analysis.window_s> makes {:.4g} steps, more "
+               "than the {:.0e} a run may have; take a longer step or a shorter run",
+               steps, most_steps);
         return;
     }
     const std::size_t before = found.size();
@@ -191,18 +178,18 @@ void check_time(const Scenario& scenario, Contradictions& found) {
     if (found.size() > before) return;
     const int window_steps = scenario.step_count() - scenario.first_window_step();
     if (window_steps % analysis.segments != 0 || window_steps / analysis.segments < 2) {
-        found.push_back({{"analysis.segments", "analysis.window_s", "general.time_step_s"},
-                         fmt::format("{} does not cut {} ({} steps) into equal parts of at least 2 steps; take {}",
-                                     given(scenario, "analysis.segments"), given(scenario, "analysis.window_s"),
-                                     window_steps, what_cuts(analysis, window_steps, scenario.general.time_step))});
+        refuse(scenario, found, {"analysis.segments", "analysis.window_s", "general.time_step_s"},
+               "<analysis.segments> does not cut <analysis.window_s> ({} steps) into equal parts of at least 2 steps; "
+               "take {}",
+               window_steps, what_cuts(analysis, window_steps, scenario.general.time_step));
     }
     if (analysis.keep_history &&
         (window_steps % analysis.history_stride != 0 || scenario.first_window_step() % analysis.history_stride != 0)) {
-        found.push_back(
-            {{"analysis.history_steps", "analysis.steady_start_s", "analysis.window_s", "general.time_step_s"},
-             fmt::format("{} does not divide both the {} steps before the window and the {} in it, so that a value "
-                         "of the history would lie across its edge; take a divisor of both",
-                         given(scenario, "analysis.history_steps"), scenario.first_window_step(), window_steps)});
+        refuse(scenario, found,
+               {"analysis.history_steps", "analysis.steady_start_s", "analysis.window_s", "general.time_step_s"},
+               "<analysis.history_steps> does not divide both the {} steps before the window and the {} in it, so that "
+               "a value of the history would lie across its edge; take a divisor of both",
+               scenario.first_window_step(), window_steps);
     }
 }
 
@@ -211,12 +198,11 @@ void check_levels(const Scenario& scenario, Contradictions& found) {
     const std::vector<double>& levels = scenario.analysis.exceedance_levels;
     const std::string key = "analysis.exceedance_levels_N";
     if (std::ranges::adjacent_find(levels, std::greater_equal()) != levels.end()) {
-        found.push_back({{key}, fmt::format("{} does not rise from each to the next", given(scenario, key))});
+        refuse(scenario, found, {key}, "<{}> does not rise from each to the next", key);
     }
     if (levels.size() > most_levels) {
-        found.push_back(
-            {{key},
-             fmt::format("{} has {} levels, more than the {} that a member counts", key, levels.size(), most_levels)});
+        refuse(found, {key},
+               fmt::format("{} has {} levels, more than the {} that a member counts", key, levels.size(), most_levels));
     }
 }
 
@@ -225,24 +211,21 @@ void check_averaging(const Scenario& scenario, Contradictions& found) {
     const std::vector<double>& times = scenario.analysis.averaging;
     const std::string key = "analysis.averaging_s";
     if (std::ranges::adjacent_find(times, std::greater_equal()) != times.end())
-        found.push_back({{key}, fmt::format("{} does not rise from each to the next", given(scenario, key))});
+        refuse(scenario, found, {key}, "<{}> does not rise from each to the next", key);
     if (times.size() > most_times)
-        found.push_back(
-            {{key},
-             fmt::format("{} has {} times, more than the {} that a member takes", key, times.size(), most_times)});
+        refuse(found, {key},
+               fmt::format("{} has {} times, more than the {} that a member takes", key, times.size(), most_times));
     const double step = scenario.general.time_step;
     const double segment = scenario.analysis.window / scenario.analysis.segments;
     for (const double time : scenario.averaging_times()) {
         if (scenario.is_averaging_time(time)) continue;
         if (time > segment) {
-            found.push_back({{key, "analysis.window_s", "analysis.segments"},
-                             fmt::format("{}: {:g} s is longer than a segment of {:.6g} s; take a shorter time",
-                                         given(scenario, key), time, segment)});
+            refuse(scenario, found, {key, "analysis.window_s", "analysis.segments"},
+                   "<{}>: {:g} s is longer than a segment of {:.6g} s; take a shorter time", key, time, segment);
         } else {
-            found.push_back({{key, "general.time_step_s"},
-                             fmt::format("{}: {:g} s is not a whole number of steps of {}; the nearest that is: {:.6g}",
-                                         given(scenario, key), time, given(scenario, "general.time_step_s"),
-                                         std::max(1.0, std::round(time / step)) * step)});
+            refuse(scenario, found, {key, "general.time_step_s"},
+                   "<{}>: {:g} s is not a whole number of steps of <general.time_step_s>; the nearest that is: {:.6g}",
+                   key, time, std::max(1.0, std::round(time / step)) * step);
         }
         return;  // one message is enough
     }
@@ -258,27 +241,24 @@ void check_list(const Scenario& scenario, Contradictions& found) {
     const std::string key = "sizes.list_m";
     const std::vector<ListedSize>& list = scenario.sizes.list;
     if (list.empty()) {
-        found.push_back({{"sizes.law", key},
-                         fmt::format("{} needs sizes.list_m = [[length_m, breadth_m, share_percent], ...]",
-                                     given(scenario, "sizes.law"))});
+        refuse(scenario, found, {"sizes.law", key},
+               "<sizes.law> needs sizes.list_m = [[length_m, breadth_m, share_percent], ...]");
         return;
     }
     double sum = 0;
     for (const ListedSize& one : list) sum += one.share;
     if (std::abs(sum - 1) > 1e-6)
-        found.push_back(
-            {{key}, fmt::format("the shares of {} sum to {:.6g} %; they are to sum to 100 %", key, 100 * sum)});
+        refuse(found, {key}, fmt::format("the shares of {} sum to {:.6g} %; they are to sum to 100 %", key, 100 * sum));
     if (scenario.sizes.element != ElementSide::given || scenario.has_cells()) return;
     const double element = scenario.floe.element;
     for (const ListedSize& one : list) {
         for (const double side : {one.length, one.breadth}) {
             const double ratio = side / element;
             if (std::abs(ratio - std::round(ratio)) <= 1e-9 * ratio && ratio > 0.5) continue;
-            found.push_back(
-                {{key, "floe.element_m"},
-                 fmt::format("{} does not divide the side of {:g} m in {}; the nearest side that does is "
-                             "{:.6g}, or take sizes.element = \"of_floe\"",
-                             given(scenario, "floe.element_m"), side, key, side / std::max(1.0, std::round(ratio)))});
+            refuse(scenario, found, {key, "floe.element_m"},
+                   "<floe.element_m> does not divide the side of {:g} m in {}; the nearest side that does is {:.6g}, "
+                   "or take sizes.element = \"of_floe\"",
+                   side, key, side / std::max(1.0, std::round(ratio)));
             return;
         }
     }
@@ -287,25 +267,22 @@ void check_list(const Scenario& scenario, Contradictions& found) {
 void check_size_law(const Scenario& scenario, Contradictions& found) {
     const Sizes& sizes = scenario.sizes;
     if (sizes.smallest >= sizes.largest) {
-        found.push_back({{"sizes.smallest_m", "sizes.largest_m"},
-                         fmt::format("{} is not below {}", given(scenario, "sizes.smallest_m"),
-                                     given(scenario, "sizes.largest_m"))});
+        refuse(scenario, found, {"sizes.smallest_m", "sizes.largest_m"},
+               "<sizes.smallest_m> is not below <sizes.largest_m>");
         return;
     }
     if (sizes.least_ratio > sizes.largest_ratio)
-        found.push_back({{"sizes.ratio_lowest", "sizes.ratio_highest"},
-                         fmt::format("{} is above {}", given(scenario, "sizes.ratio_lowest"),
-                                     given(scenario, "sizes.ratio_highest"))});
+        refuse(scenario, found, {"sizes.ratio_lowest", "sizes.ratio_highest"},
+               "<sizes.ratio_lowest> is above <sizes.ratio_highest>");
     if (sizes.law != SizeLaw::lognormal) return;
     const LognormalSizes law{sizes.mean, sizes.cov};
     const double mass =
         cut_off(sizes.by == SharesOf::area ? number_law(law) : law, {sizes.smallest, sizes.largest}).mass();
     if (mass < least_mass)
-        found.push_back({{"sizes.smallest_m", "sizes.largest_m", "sizes.mean_m", "sizes.cov"},
-                         fmt::format("{} and {} leave {:.2g} of the lognormal law of {} and {}; take bounds on both "
-                                     "sides of most floes",
-                                     given(scenario, "sizes.smallest_m"), given(scenario, "sizes.largest_m"), mass,
-                                     given(scenario, "sizes.mean_m"), given(scenario, "sizes.cov"))});
+        refuse(scenario, found, {"sizes.smallest_m", "sizes.largest_m", "sizes.mean_m", "sizes.cov"},
+               "<sizes.smallest_m> and <sizes.largest_m> leave {:.2g} of the lognormal law of <sizes.mean_m> and "
+               "<sizes.cov>; take bounds on both sides of most floes",
+               mass);
 }
 
 /// The shortest and the longest side of any floe before it is rounded, m.
@@ -326,18 +303,17 @@ void check_size_elements(const Scenario& scenario, Contradictions& found) {
         const double side = element_side(scenario, shorter);
         const std::string key = sizes.element == ElementSide::given ? "floe.element_m" : "sizes.element_share";
         if (side > shorter * (1 + 1e-9)) {
-            found.push_back(
-                {{key, "sizes.smallest_m", "sizes.list_m"},
-                 fmt::format("{} makes elements of {:.4g} m, larger than the side of {:.4g} m of the smallest "
-                             "floe; take smaller elements or larger floes",
-                             given(scenario, key), side, shorter)});
+            refuse(scenario, found, {key, "sizes.smallest_m", "sizes.list_m"},
+                   "<{}> makes elements of {:.4g} m, larger than the side of {:.4g} m of the smallest floe; take "
+                   "smaller elements or larger floes",
+                   key, side, shorter);
             return;
         }
         constexpr double most_along = 1e4;
         if (longest > most_along * side) {
-            found.push_back({{key, "sizes.largest_m", "sizes.list_m"},
-                             fmt::format("{} makes elements of {:.4g} m, more than {:g} of them along the largest floe",
-                                         given(scenario, key), side, most_along)});
+            refuse(scenario, found, {key, "sizes.largest_m", "sizes.list_m"},
+                   "<{}> makes elements of {:.4g} m, more than {:g} of them along the largest floe", key, side,
+                   most_along);
             return;
         }
     }
@@ -352,9 +328,8 @@ void check_sizes(const Scenario& scenario, Contradictions& found) {
     const Sizes& sizes = scenario.sizes;
     if (sizes.law == SizeLaw::one) return;
     if (scenario.arrangement.method == ArrangementMethod::file) {
-        found.push_back({{"sizes.law", "arrangement.method"},
-                         fmt::format("{} does not suit {}; give the sizes as columns of arrangement.file",
-                                     given(scenario, "sizes.law"), given(scenario, "arrangement.method"))});
+        refuse(scenario, found, {"sizes.law", "arrangement.method"},
+               "<sizes.law> does not suit <arrangement.method>; give the sizes as columns of arrangement.file");
         return;
     }
     if (sizes.law == SizeLaw::list)
@@ -388,28 +363,23 @@ void check_laws(const Scenario& scenario, Contradictions& found) {
         const std::string bounds = law + "_within";
         const std::vector<double>& within = spread->within;
         if (within.size() != 2 || within[0] >= within[1]) {
-            found.push_back(
-                {{bounds}, fmt::format("{} is not two rising factors, such as [0.5, 2.0]", given(scenario, bounds))});
+            refuse(scenario, found, {bounds}, "<{}> is not two rising factors, such as [0.5, 2.0]", bounds);
         } else if (const double mass = Factors(spread->factors()).mass(); mass < least_mass) {
-            found.push_back(
-                {{bounds, law, law + "_cov"},
-                 fmt::format("{} leaves {:.2g} of the law {} with {}; take bounds on both sides of 1",
-                             given(scenario, bounds), mass, given(scenario, law), given(scenario, law + "_cov"))});
+            refuse(scenario, found, {bounds, law, law + "_cov"},
+                   "<{}> leaves {:.2g} of the law <{}> with <{}>; take bounds on both sides of 1", bounds, mass, law,
+                   law + "_cov");
         }
     }
 }
 
 void check_springs(const Scenario& scenario, Contradictions& found) {
     if (scenario.joint.model == JointModel::beam) return;
-    const auto refuse = [&](const std::string& key) {
-        found.push_back(
-            {{key, "joint.model"},
-             fmt::format("{} needs joint.model = \"beam\": with \"cfm\" joints do not follow the modulus of "
-                         "each floe",
-                         given(scenario, key))});
+    const auto needs_beams = [&](const std::string& key) {
+        refuse(scenario, found, {key, "joint.model"},
+               "<{}> needs joint.model = \"beam\": with \"cfm\" joints do not follow the modulus of each floe", key);
     };
-    if (scenario.spread.elastic_modulus.any()) refuse("spread.elastic_modulus");
-    if (scenario.brine.salinity > 0) refuse("brine.salinity_ppt");
+    if (scenario.spread.elastic_modulus.any()) needs_beams("spread.elastic_modulus");
+    if (scenario.brine.salinity > 0) needs_beams("brine.salinity_ppt");
 }
 
 void check_brine(const Scenario& scenario, Contradictions& found) {
@@ -420,24 +390,23 @@ void check_brine(const Scenario& scenario, Contradictions& found) {
     for (const auto& [one, key] :
          {std::pair(&spread.salinity, "spread.salinity"), {&spread.temperature, "spread.temperature"}})
         if (one->any() && brine.salinity == 0)
-            found.push_back({{key}, fmt::format("{} needs brine.salinity_ppt above 0", given(scenario, key))});
+            refuse(scenario, found, {key}, "<{}> needs brine.salinity_ppt above 0", key);
     if (brine.salinity == 0 || !found.empty()) return;
     const double warm = brine.temperature * least_factor(spread.temperature);
     const double cold = brine.temperature * largest_factor(spread.temperature);
     if (warm > warmest || cold < coldest) {
-        found.push_back({{"spread.temperature_within", "brine.temperature_C"},
-                         fmt::format("{} with {} reaches from {:.3g} to {:.3g} °C; the formula is for {:g} to {:g} °C",
-                                     given(scenario, "brine.temperature_C"),
-                                     given(scenario, "spread.temperature_within"), cold, warm, coldest, warmest)});
+        refuse(scenario, found, {"spread.temperature_within", "brine.temperature_C"},
+               "<brine.temperature_C> with <spread.temperature_within> reaches from {:.3g} to {:.3g} °C; the formula "
+               "is for {:g} to {:g} °C",
+               cold, warm, coldest, warmest);
         return;
     }
     const double most = brine_volume(brine.salinity * largest_factor(spread.salinity), warm);
     if (brine_modulus(most) <= 0)
-        found.push_back(
-            {{"brine.salinity_ppt", "brine.temperature_C", "spread.salinity_within"},
-             fmt::format("{} with {} makes up to {:.3g} of the ice brine, where the formulas leave it no "
-                         "stiffness; take colder or fresher ice, or narrower bounds",
-                         given(scenario, "brine.salinity_ppt"), given(scenario, "brine.temperature_C"), most)});
+        refuse(scenario, found, {"brine.salinity_ppt", "brine.temperature_C", "spread.salinity_within"},
+               "<brine.salinity_ppt> with <brine.temperature_C> makes up to {:.3g} of the ice brine, where the "
+               "formulas leave it no stiffness; take colder or fresher ice, or narrower bounds",
+               most);
 }
 
 /// Ice as [brine] says at one end of its laws.

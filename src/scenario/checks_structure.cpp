@@ -20,28 +20,21 @@ namespace floes {
 
 namespace {
 
-void refuse(Contradictions& found, std::vector<std::string> keys, std::string sentence) {
-    found.push_back({std::move(keys), std::move(sentence)});
-}
-
 void check_legs(const Scenario& scenario, Contradictions& found) {
     const Path& path = scenario.path;
     if (!path.table.empty()) {
-        refuse(found, {"path.places", "path.legs"},
-               fmt::format("path.legs and path.places are two paths; leave one out"));
+        refuse(found, {"path.places", "path.legs"}, "path.legs and path.places are two paths; leave one out");
         return;
     }
     const double shortest = std::ranges::min(path.legs, {}, &PathLeg::time).time;
     if (path.ramp > shortest) {
-        refuse(found, {"path.ramp_s", "path.legs"},
-               fmt::format("{} is longer than the shortest leg, {:g} s; take at most that",
-                           given(scenario, "path.ramp_s"), shortest));
+        refuse(scenario, found, {"path.ramp_s", "path.legs"},
+               "<path.ramp_s> is longer than the shortest leg, {:g} s; take at most that", shortest);
     }
     if (path.of == PathOf::ice && path.bow == PathBow::ahead) {
         refuse(found, {"path.bow", "path.of"},
-               fmt::format(
-                   "path.bow = \"ahead\" turns the structure with the heading, and path.of = \"ice\" has it stand; "
-                   "take path.bow = \"unturned\""));
+               "path.bow = \"ahead\" turns the structure with the heading, and path.of = \"ice\" has it stand; take "
+               "path.bow = \"unturned\"");
     }
 }
 
@@ -95,9 +88,8 @@ void check_way(const Scenario& scenario, const std::vector<PathPlace>& places, C
                             speed, time, given(scenario, "general.runaway_speed_m_s")));
     }
     if (!meets)
-        refuse(found, {key, "structure.start_m", "field.begin_m"},
-               fmt::format("the path never reaches the ice that begins at {}; start nearer or go farther",
-                           given(scenario, "field.begin_m")));
+        refuse(scenario, found, {key, "structure.start_m", "field.begin_m"},
+               "the path never reaches the ice that begins at <field.begin_m>; start nearer or go farther");
 }
 
 void check_lines(const Scenario& scenario, Contradictions& found) {
@@ -106,11 +98,9 @@ void check_lines(const Scenario& scenario, Contradictions& found) {
     if (!curve.empty()) {
         if (moorings.lines.empty())
             refuse(found, {"moorings.line_curve", "moorings.lines"},
-                   fmt::format(
-                       "moorings.line_curve is of moorings.lines, and there are none; give lines or leave it out"));
+                   "moorings.line_curve is of moorings.lines, and there are none; give lines or leave it out");
         if (curve.size() < 2)
-            refuse(found, {"moorings.line_curve"},
-                   fmt::format("moorings.line_curve has one row; two or more are a curve"));
+            refuse(found, {"moorings.line_curve"}, "moorings.line_curve has one row; two or more are a curve");
         for (std::size_t row = 1; row < curve.size(); ++row) {
             if (curve[row].extension > curve[row - 1].extension && curve[row].tension > curve[row - 1].tension)
                 continue;
@@ -192,9 +182,8 @@ void check_thrusters(const Scenario& scenario, Contradictions& found) {
     for (int k = 0; k < 3; ++k) {
         if (thrusters.limit[k] == 0 || thrusters.gain[k] > 0) continue;
         const auto [gain, limit] = directions.at(static_cast<std::size_t>(k));
-        refuse(found, {limit, gain},
-               fmt::format("{} limits thrusters that {} = 0 leaves out; give both or neither", given(scenario, limit),
-                           gain));
+        refuse(scenario, found, {limit, gain}, "<{}> limits thrusters that {} = 0 leaves out; give both or neither",
+               limit, gain);
     }
 }
 
@@ -203,11 +192,11 @@ void check_mass(const Scenario& scenario, Contradictions& found) {
     constexpr double least = 10;
     const double ratio = structure_over_floe(scenario);
     if (ratio >= least) return;
-    refuse(found, {"moorings.mass_t", "floe.length_m"},
-           fmt::format("{} and the water that moves with it are {:.4g} times the heaviest floe, and {:g} times is the "
-                       "least: a floe that strikes the structure would push it {:.2g} % too hard, since the structure "
-                       "moves after each step only; take smaller floes or moorings.mass_t = 0",
-                       given(scenario, "moorings.mass_t"), ratio, least, 100 / ratio));
+    refuse(scenario, found, {"moorings.mass_t", "floe.length_m"},
+           "<moorings.mass_t> and the water that moves with it are {:.4g} times the heaviest floe, and {:g} times is "
+           "the least: a floe that strikes the structure would push it {:.2g} % too hard, since the structure moves "
+           "after each step only; take smaller floes or moorings.mass_t = 0",
+           ratio, least, 100 / ratio);
 }
 
 void check_periods(const Scenario& scenario, Contradictions& found) {
@@ -215,12 +204,11 @@ void check_periods(const Scenario& scenario, Contradictions& found) {
     for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
         const std::string_view word = motion_names.at(at(mode.motion));
         if (std::isnan(mode.period)) {
-            refuse(found, {"moorings.centre_m", "moorings.mass_t"},
-                   fmt::format(
-                       "the hull does not float upright: with its centre at {}, in {} its weight turns it over; "
-                       "take a lower centre, or a moorings.free without {}; a hull of a file that lies on its side "
-                       "wants another hull.up",
-                       given(scenario, "moorings.centre_m"), word, word));
+            refuse(scenario, found, {"moorings.centre_m", "moorings.mass_t"},
+                   "the hull does not float upright: with its centre at <moorings.centre_m>, in {} its weight turns it "
+                   "over; take a lower centre, or a moorings.free without {}; a hull of a file that lies on its side "
+                   "wants another hull.up",
+                   word, word);
         } else if (!std::isfinite(mode.period)) {
             refuse(
                 found, {"moorings.free", "moorings.lines"},
@@ -228,10 +216,10 @@ void check_periods(const Scenario& scenario, Contradictions& found) {
                             "take a moorings.free without {}",
                             word, word));
         } else if (mode.period < fewest_steps * scenario.general.time_step) {
-            refuse(found, {"moorings.mass_t", "general.time_step_s"},
-                   fmt::format("the moored structure's natural period in {} is {:.4g} s, fewer than {:g} steps "
-                               "of {}; take softer moorings, a shorter step or moorings.mass_t = 0",
-                               word, mode.period, fewest_steps, given(scenario, "general.time_step_s")));
+            refuse(scenario, found, {"moorings.mass_t", "general.time_step_s"},
+                   "the moored structure's natural period in {} is {:.4g} s, fewer than {:g} steps of "
+                   "<general.time_step_s>; take softer moorings, a shorter step or moorings.mass_t = 0",
+                   word, mode.period, fewest_steps);
         }
     }
 }
@@ -335,7 +323,7 @@ void check_moorings(const Scenario& scenario, Contradictions& found) {
     check_inertia(scenario, found);
     if (scenario.path.any() && scenario.path.bow == PathBow::ahead && !scenario.path.legs.empty()) {
         refuse(found, {"path.bow", "moorings.mass_t"},
-               fmt::format("path.bow = \"ahead\" would turn the moorings with the heading; take \"unturned\""));
+               "path.bow = \"ahead\" would turn the moorings with the heading; take \"unturned\"");
     }
     if (std::ranges::any_of(scenario.path.table, [](const PathPoint& at) { return at.yaw != 0; })) {
         refuse(
@@ -356,11 +344,10 @@ void check_added_volume(const Structure& structure, Contradictions& found) {
     if (structure.shape.kind() != HullKind::file || own == 0) return;
     const double added = structure.shape.volume() / own - 1;
     if (added <= structure.hull_file.most_added) return;
-    found.push_back(
-        {{"hull.most_added_percent", "hull.file"},
-         fmt::format("the convex pieces of the hull fill {:.3g} % more than it, over hull.most_added_percent = {:g}; "
-                     "cut the hull into bodies that are convex yourself, or allow more",
-                     100 * added, 100 * structure.hull_file.most_added)});
+    refuse(found, {"hull.most_added_percent", "hull.file"},
+           fmt::format("the convex pieces of the hull fill {:.3g} % more than it, over hull.most_added_percent = {:g}; "
+                       "cut the hull into bodies that are convex yourself, or allow more",
+                       100 * added, 100 * structure.hull_file.most_added));
 }
 
 }  // namespace
@@ -370,16 +357,16 @@ void check_shape(const Scenario& scenario, Contradictions& found) {
     const bool by_profile = structure.shape.kind() == HullKind::profile;
     const std::string key = by_profile ? "structure.profile_m" : "hull.shape";
     if (const auto fault = structure.shape.fault()) {
-        found.push_back({{key}, fmt::format("{} {}", given(scenario, key), *fault)});
+        refuse(scenario, found, {key}, "<{}> {}", key, *fault);
         return;
     }
     check_added_volume(structure, found);
     const double breadth = 2 * structure.shape.waterline_radius();
     if (by_profile || breadth >= 0.5 * scenario.floe.element) return;
-    found.push_back({{key, "floe.element_m"},
-                     fmt::format("the structure is {:.4g} m wide at the waterline, less than half of {}; take smaller "
-                                 "elements, or look at hull.unit",
-                                 breadth, given(scenario, "floe.element_m"))});
+    refuse(scenario, found, {key, "floe.element_m"},
+           "the structure is {:.4g} m wide at the waterline, less than half of <floe.element_m>; take smaller "
+           "elements, or look at hull.unit",
+           breadth);
 }
 
 void check_tow(const Scenario& scenario, Contradictions& found) {
@@ -394,61 +381,52 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
         return fmt::format("{} and {}", given(scenario, "structure.start_m"), given(scenario, "structure.speed_m_s"));
     };
     if (structure.speed >= scenario.general.runaway_speed) {
-        found.push_back(
-            {{"structure.speed_m_s", "general.runaway_speed_m_s"},
-             fmt::format("{} is not below {}, so ice pushed by the structure would count as run away; raise the limit",
-                         given(scenario, "structure.speed_m_s"), given(scenario, "general.runaway_speed_m_s"))});
+        refuse(scenario, found, {"structure.speed_m_s", "general.runaway_speed_m_s"},
+               "<structure.speed_m_s> is not below <general.runaway_speed_m_s>, so ice pushed by the structure would "
+               "count as run away; raise the limit");
     }
     if (radius >= scenario.field.half_width) {
-        found.push_back(
-            {{"structure.profile_m", "field.half_width_m"},
-             fmt::format(
-                 "the structure's waterline radius of {:.4g} m does not fit between the ice sheets at {}; widen "
-                 "the field or make the structure slimmer",
-                 radius, given(scenario, "field.half_width_m"))});
+        refuse(scenario, found, {"structure.profile_m", "field.half_width_m"},
+               "the structure's waterline radius of {:.4g} m does not fit between the ice sheets at "
+               "<field.half_width_m>; widen the field or make the structure slimmer",
+               radius);
     }
     if (structure.start + ahead > scenario.field.begin + length_rounding) {
-        found.push_back(
-            {{"structure.start_m", "field.begin_m"},
-             fmt::format("{} puts the structure's waterline to x = {:.4g} m, inside the ice that begins at {}; start "
-                         "before {:.4g}",
-                         given(scenario, "structure.start_m"), structure.start + ahead,
-                         given(scenario, "field.begin_m"), scenario.field.begin - ahead)});
+        refuse(scenario, found, {"structure.start_m", "field.begin_m"},
+               "<structure.start_m> puts the structure's waterline to x = {:.4g} m, inside the ice that begins at "
+               "<field.begin_m>; start before {:.4g}",
+               structure.start + ahead, scenario.field.begin - ahead);
     } else if (end + ahead < scenario.field.begin && !scenario.path.any()) {
-        found.push_back(
-            {{"field.begin_m", "structure.start_m", "structure.speed_m_s", "analysis.window_s",
-              "analysis.steady_start_s"},
-             fmt::format(
-                 "the tow never reaches the ice: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} "
-                 "s, before {}; start nearer, tow faster or longer",
-                 course(), end + ahead, duration, given(scenario, "field.begin_m"))});
+        refuse(scenario, found,
+               {"field.begin_m", "structure.start_m", "structure.speed_m_s", "analysis.window_s",
+                "analysis.steady_start_s"},
+               "the tow never reaches the ice: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, "
+               "before <field.begin_m>; start nearer, tow faster or longer",
+               course(), end + ahead, duration);
     }
     if (!scenario.field.endless() && end + ahead > scenario.field_end() + length_rounding && !scenario.path.any()) {
         const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
-        found.push_back(
-            {{"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m",
-              "field.floes"},
-             fmt::format(
-                 "the tow runs {}: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, past the "
-                 "field's end at {:.4g} m; tow for a shorter time or take more floes",
-                 closed ? "into the ice sheet at the far end" : "out of the ice", course(), end + ahead, duration,
-                 scenario.field_end())});
+        refuse(
+            found,
+            {"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m", "field.floes"},
+            fmt::format("the tow runs {}: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, past "
+                        "the field's end at {:.4g} m; tow for a shorter time or take more floes",
+                        closed ? "into the ice sheet at the far end" : "out of the ice", course(), end + ahead,
+                        duration, scenario.field_end()));
     }
 }
 
 void check_boundaries(const Scenario& scenario, Contradictions& found) {
     const Field& field = scenario.field;
     if (field.confining > 0 && field.sides == FieldSides::open && field.far_end == FarEnd::open) {
-        found.push_back({{"field.confining_N_m", "field.sides", "field.far_end"},
-                         fmt::format("{} needs an ice sheet that presses; close the sides or the far end, or take 0",
-                                     given(scenario, "field.confining_N_m"))});
+        refuse(scenario, found, {"field.confining_N_m", "field.sides", "field.far_end"},
+               "<field.confining_N_m> needs an ice sheet that presses; close the sides or the far end, or take 0");
     }
     for (const std::string key : {"water.current_m_s", "wind.speed_m_s"}) {
         const double speed = key.starts_with("wind") ? scenario.wind.speed : scenario.water.current;
         if (speed == 0 || field.wake_radius == 0) continue;
-        found.push_back({{"field.wake_radius_m", key},
-                         fmt::format("{} lets no floe rest, so {} cannot stand; take 0 for none at rest",
-                                     given(scenario, key), given(scenario, "field.wake_radius_m"))});
+        refuse(scenario, found, {"field.wake_radius_m", key},
+               "<{}> lets no floe rest, so <field.wake_radius_m> cannot stand; take 0 for none at rest", key);
     }
 }
 
@@ -462,12 +440,10 @@ void check_wake(const Scenario& scenario, Contradictions& found) {
                                                          : std::hypot(shape.length, shape.breadth));
     const double least = scenario.structure.shape.largest_radius() + 0.5 * diagonal;
     if (radius < least) {
-        found.push_back(
-            {{"field.wake_radius_m", "structure.profile_m", "floe.length_m", "floe.breadth_m"},
-             fmt::format(
-                 "{} lets the structure strike a floe at rest, whose middle may be {:.4g} m from its axis then; "
-                 "take more than that, or 0 for none at rest",
-                 given(scenario, "field.wake_radius_m"), least)});
+        refuse(scenario, found, {"field.wake_radius_m", "structure.profile_m", "floe.length_m", "floe.breadth_m"},
+               "<field.wake_radius_m> lets the structure strike a floe at rest, whose middle may be {:.4g} m from its "
+               "axis then; take more than that, or 0 for none at rest",
+               least);
     }
 }
 
@@ -481,10 +457,10 @@ void check_widest(const Scenario& scenario, Contradictions& found) {
         widest = std::max(widest, std::min(floes.shape(i).length, floes.shape(i).breadth));
     const double room = 2 * (scenario.field.half_width - scenario.arrangement.clearance);
     if (widest <= room) return;
-    refuse(found, {"field.half_width_m", "sizes.law", "shapes.file"},
-           fmt::format("{} leaves {:.4g} m for floes, and one is {:.4g} m wide where it is narrowest; widen the field "
-                       "or take smaller floes",
-                       given(scenario, "field.half_width_m"), room, widest));
+    refuse(scenario, found, {"field.half_width_m", "sizes.law", "shapes.file"},
+           "<field.half_width_m> leaves {:.4g} m for floes, and one is {:.4g} m wide where it is narrowest; widen the "
+           "field or take smaller floes",
+           room, widest);
 }
 
 }  // namespace
@@ -508,15 +484,13 @@ void check_lattice(const Scenario& scenario, Contradictions& found) {
     const double rows = fitting(2 * scenario.field.half_width, cell.breadth);
     const double columns = fitting(scenario.field_length(), cell.length);
     if (rows * columns >= scenario.field.floes) return;
-    found.push_back(
-        {{"field.concentration_percent", "arrangement.clearance_m", "field.half_width_m", "field.floes",
-          "floe.length_m", "floe.breadth_m"},
-         fmt::format(
-             "{} cannot hold {} with {}: the field of {:.4g} m x {:.4g} m has room for {} rows of {}; lower the "
-             "concentration or the clearance, or change the width so that whole rows fit",
-             given(scenario, "field.concentration_percent"), given(scenario, "field.floes"),
-             given(scenario, "arrangement.clearance_m"), scenario.field_length(), 2 * scenario.field.half_width, rows,
-             columns)});
+    refuse(scenario, found,
+           {"field.concentration_percent", "arrangement.clearance_m", "field.half_width_m", "field.floes",
+            "floe.length_m", "floe.breadth_m"},
+           "<field.concentration_percent> cannot hold <field.floes> with <arrangement.clearance_m>: the field of "
+           "{:.4g} m x {:.4g} m has room for {} rows of {}; lower the concentration or the clearance, or change the "
+           "width so that whole rows fit",
+           scenario.field_length(), 2 * scenario.field.half_width, rows, columns);
 }
 
 void check_given_floes(const Scenario& scenario, Contradictions& found) {
@@ -525,15 +499,15 @@ void check_given_floes(const Scenario& scenario, Contradictions& found) {
     if (rule.columns.empty()) {
         const auto longer = std::ranges::find_if(rule.values, [](const auto& values) { return !values.empty(); });
         if (longer == rule.values.end()) return;
-        found.push_back(
-            {keys, fmt::format("arrangement.poses[{}] has more than x_m, z_m and yaw_deg; name what follows "
-                               "them in arrangement.columns",
-                               longer - rule.values.begin())});
+        refuse(found, keys,
+               fmt::format("arrangement.poses[{}] has more than x_m, z_m and yaw_deg; name what follows them in "
+                           "arrangement.columns",
+                           longer - rule.values.begin()));
         return;
     }
     if (rule.method != ArrangementMethod::file || rule.poses.empty()) {
-        found.push_back({keys, fmt::format("{} needs arrangement.method = \"file\" and poses with these columns",
-                                           given(scenario, "arrangement.columns"))});
+        refuse(scenario, found, keys,
+               "<arrangement.columns> needs arrangement.method = \"file\" and poses with these columns");
         return;
     }
     try {
@@ -565,23 +539,19 @@ void check_poses(const Scenario& scenario, Contradictions& found) {
     const std::vector<PlanarPose>& poses = scenario.arrangement.poses;
     if (scenario.arrangement.method != ArrangementMethod::file) {
         if (poses.empty()) return;
-        found.push_back(
-            {{"arrangement.method", "arrangement.poses", "arrangement.file"},
-             fmt::format(
-                 "{} does not use arrangement.poses; write arrangement.method = \"file\" or leave the poses out",
-                 given(scenario, "arrangement.method"))});
+        refuse(scenario, found, {"arrangement.method", "arrangement.poses", "arrangement.file"},
+               "<arrangement.method> does not use arrangement.poses; write arrangement.method = \"file\" or leave the "
+               "poses out");
         return;
     }
     if (poses.empty()) {
-        found.push_back({{"arrangement.method", "arrangement.poses", "arrangement.file"},
-                         fmt::format("{} needs poses; give arrangement.file or arrangement.poses",
-                                     given(scenario, "arrangement.method"))});
+        refuse(scenario, found, {"arrangement.method", "arrangement.poses", "arrangement.file"},
+               "<arrangement.method> needs poses; give arrangement.file or arrangement.poses");
         return;
     }
     if (poses.size() != static_cast<std::size_t>(scenario.field.floes)) {
-        found.push_back({{"field.floes", "arrangement.poses", "arrangement.file"},
-                         fmt::format("{} is not the number of poses given, {}; make them agree",
-                                     given(scenario, "field.floes"), poses.size())});
+        refuse(scenario, found, {"field.floes", "arrangement.poses", "arrangement.file"},
+               "<field.floes> is not the number of poses given, {}; make them agree", poses.size());
     }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
-// Strength and stiffness of sea ice from its salinity and temperature, by way of the share of brine in it.
+// Laws that floes differ by: ice from its brine, factors on a property, and sizes.
 
 #include <memory>
 
 namespace floes {
+
+// Strength and stiffness of sea ice from its salinity and temperature, by way of the share of brine in it.
 
 /// Volume of brine over that of the ice: S (49.185 / |T| + 0.532), S in parts, T in °C from -0.5 to -22.9. Frankenstein
 /// and Garner, "Equations for determining the brine volume of sea ice from -0.5° to -22.9°C", J. Glaciology 6(48),

@@ -1,5 +1,6 @@
 #pragma once
-// Sets of contact laws that belong together, docs/contact.md.
+// All that is fixed for one simulation: Tables 1 and 2 of the paper, and what the paper leaves open, as one value.
+// SI units throughout. Keys and ranges: scenario/tables_*.cpp.
 
 #include <array>
 #include <compare>
@@ -21,6 +22,8 @@
 #include "solver/solver_kind.hpp"
 
 namespace floes {
+
+// Sets of contact laws that belong together, docs/contact.md.
 
 enum class ContactPreset {
     paper,     ///< what Bullet does by default: friction in one direction, rigid contacts, internal edges act
@@ -146,9 +149,6 @@ struct Brine {
     double salinity = 0;      ///< in parts; 0: from [ice]
     double temperature = -5;  ///< °C
 };
-
-// All that is fixed for one simulation: Tables 1 and 2 of the paper, and what the paper leaves open, as one value.
-// SI units throughout. Keys and ranges: scenario/tables_*.cpp.
 
 enum class JointModel { cfm, beam };  ///< Σ and Γ, or an elastic beam from centre to centre
 /// What is compared with the bending strength: the moment of a joint, Eq. (3), or the stress of its outer fibres.

@@ -258,18 +258,10 @@ namespace {
 
 RowsField size_rows(Sizes& sizes) {
     const Range side = above(0).at_most(1000);
-    return {{{"length_m", unit::one, side},
-             {"breadth_m", unit::one, side},
-             {"share_percent", unit::percent, above(0).at_most(100)}},
-            [&sizes] {
-                std::vector<std::vector<double>> rows;
-                for (const ListedSize& one : sizes.list) rows.push_back({one.length, one.breadth, one.share});
-                return rows;
-            },
-            [&sizes](const std::vector<std::vector<double>>& rows) {
-                sizes.list.clear();
-                for (const std::vector<double>& row : rows) sizes.list.push_back({row[0], row[1], row[2]});
-            }};
+    return rows_of<ListedSize>(sizes.list,
+                               {{{"length_m", unit::one, side}, &ListedSize::length},
+                                {{"breadth_m", unit::one, side}, &ListedSize::breadth},
+                                {{"share_percent", unit::percent, above(0).at_most(100)}, &ListedSize::share}});
 }
 
 /// The three keys of one property; paths and settings are literals because keys keep no words of their own.

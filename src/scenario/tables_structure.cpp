@@ -142,90 +142,52 @@ namespace {
 constexpr double farthest_way = 1e5;  // m and s, as for the straight tow
 
 RowsField leg_rows(std::vector<PathLeg>& legs) {
-    return {{{"heading_deg", unit::degree, at_least(-3600).at_most(3600)},
-             {"speed_m_s", unit::one, at_least(0).at_most(100)},
-             {"time_s", unit::one, above(0).at_most(farthest_way)},
-             {"turn_deg_s", unit::degree, at_least(-90).at_most(90)}},
-            [&legs] {
-                std::vector<std::vector<double>> rows;
-                for (const PathLeg& leg : legs) rows.push_back({leg.heading, leg.speed, leg.time, leg.turn});
-                return rows;
-            },
-            [&legs](const std::vector<std::vector<double>>& rows) {
-                legs.clear();
-                for (const std::vector<double>& row : rows) legs.push_back({row[0], row[1], row[2], row[3]});
-            }};
+    return rows_of<PathLeg>(legs, {{{"heading_deg", unit::degree, at_least(-3600).at_most(3600)}, &PathLeg::heading},
+                                   {{"speed_m_s", unit::one, at_least(0).at_most(100)}, &PathLeg::speed},
+                                   {{"time_s", unit::one, above(0).at_most(farthest_way)}, &PathLeg::time},
+                                   {{"turn_deg_s", unit::degree, at_least(-90).at_most(90)}, &PathLeg::turn}});
 }
 
 RowsField place_rows(std::vector<PathPoint>& places) {
     const Range place = at_least(-farthest_way).at_most(farthest_way);
-    return {{{"time_s", unit::one, at_least(0).at_most(farthest_way)},
-             {"x_m", unit::one, place},
-             {"z_m", unit::one, place},
-             {"yaw_deg", unit::degree, at_least(-3600).at_most(3600)}},
-            [&places] {
-                std::vector<std::vector<double>> rows;
-                for (const PathPoint& at : places) rows.push_back({at.time, at.x, at.z, at.yaw});
-                return rows;
-            },
-            [&places](const std::vector<std::vector<double>>& rows) {
-                places.clear();
-                for (const std::vector<double>& row : rows) places.push_back({row[0], row[1], row[2], row[3]});
-            }};
+    return rows_of<PathPoint>(places, {{{"time_s", unit::one, at_least(0).at_most(farthest_way)}, &PathPoint::time},
+                                       {{"x_m", unit::one, place}, &PathPoint::x},
+                                       {{"z_m", unit::one, place}, &PathPoint::z},
+                                       {{"yaw_deg", unit::degree, at_least(-3600).at_most(3600)}, &PathPoint::yaw}});
 }
 
 RowsField line_rows(std::vector<MooringLine>& lines) {
     const Range arm = at_least(-1000).at_most(1000);
     const Range load = at_least(0).at_most(1e6);
-    return {{{"x_m", unit::one, arm},
-             {"z_m", unit::one, arm},
-             {"azimuth_deg", unit::degree, at_least(-360).at_most(360)},
-             {"distance_m", unit::one, above(0).at_most(farthest_way)},
-             {"pretension_kN", unit::kilonewton, load},
-             {"stiffness_kN_m", unit::kilonewton, load},
-             {"break_load_kN", unit::kilonewton, load}},
-            [&lines] {
-                std::vector<std::vector<double>> rows;
-                for (const MooringLine& line : lines)
-                    rows.push_back({line.x, line.z, line.azimuth, line.distance, line.pretension, line.stiffness,
-                                    line.break_load});
-                return rows;
-            },
-            [&lines](const std::vector<std::vector<double>>& rows) {
-                lines.clear();
-                for (const std::vector<double>& row : rows)
-                    lines.push_back({row[0], row[1], row[2], row[3], row[4], row[5], row[6]});
-            }};
+    return rows_of<MooringLine>(lines,
+                                {{{"x_m", unit::one, arm}, &MooringLine::x},
+                                 {{"z_m", unit::one, arm}, &MooringLine::z},
+                                 {{"azimuth_deg", unit::degree, at_least(-360).at_most(360)}, &MooringLine::azimuth},
+                                 {{"distance_m", unit::one, above(0).at_most(farthest_way)}, &MooringLine::distance},
+                                 {{"pretension_kN", unit::kilonewton, load}, &MooringLine::pretension},
+                                 {{"stiffness_kN_m", unit::kilonewton, load}, &MooringLine::stiffness},
+                                 {{"break_load_kN", unit::kilonewton, load}, &MooringLine::break_load}});
 }
 
 RowsField hanging_rows(std::vector<HangingLine>& lines) {
     const Range way = at_least(-farthest_way).at_most(farthest_way);
     const Range length = above(0).at_most(farthest_way);
-    return {{{"x_m", unit::one, way},
-             {"height_m", unit::one, way},
-             {"z_m", unit::one, way},
-             {"azimuth_deg", unit::degree, at_least(-360).at_most(360)},
-             {"distance_m", unit::one, length},
-             {"depth_m", unit::one, length},
-             {"length_m", unit::one, length},
-             {"weight_N_m", unit::one, above(0).at_most(1e6)},
-             {"stiffness_kN", unit::kilonewton, above(0).at_most(1e12)},
-             {"friction", unit::one, at_least(0).at_most(10)},
-             {"break_load_kN", unit::kilonewton, at_least(0).at_most(1e9)}},
-            [&lines] {
-                std::vector<std::vector<double>> rows;
-                for (const HangingLine& line : lines)
-                    rows.push_back({line.fairlead.x(), line.fairlead.y(), line.fairlead.z(), line.azimuth,
-                                    line.distance, line.depth, line.cable.length, line.cable.weight,
-                                    line.cable.stiffness, line.cable.friction, line.break_load});
-                return rows;
-            },
-            [&lines](const std::vector<std::vector<double>>& rows) {
-                lines.clear();
-                for (const std::vector<double>& row : rows)
-                    lines.push_back(
-                        {{row[0], row[1], row[2]}, row[3], row[4], row[5], {row[6], row[7], row[8], row[9]}, row[10]});
-            }};
+    const auto fairlead = [](int axis) { return [axis](HangingLine& line) -> double& { return line.fairlead[axis]; }; };
+    const auto cable = [](double Cable::*number) {
+        return [number](HangingLine& line) -> double& { return line.cable.*number; };
+    };
+    return rows_of<HangingLine>(
+        lines, {{{"x_m", unit::one, way}, fairlead(0)},
+                {{"height_m", unit::one, way}, fairlead(1)},
+                {{"z_m", unit::one, way}, fairlead(2)},
+                {{"azimuth_deg", unit::degree, at_least(-360).at_most(360)}, &HangingLine::azimuth},
+                {{"distance_m", unit::one, length}, &HangingLine::distance},
+                {{"depth_m", unit::one, length}, &HangingLine::depth},
+                {{"length_m", unit::one, length}, cable(&Cable::length)},
+                {{"weight_N_m", unit::one, above(0).at_most(1e6)}, cable(&Cable::weight)},
+                {{"stiffness_kN", unit::kilonewton, above(0).at_most(1e12)}, cable(&Cable::stiffness)},
+                {{"friction", unit::one, at_least(0).at_most(10)}, cable(&Cable::friction)},
+                {{"break_load_kN", unit::kilonewton, at_least(0).at_most(1e9)}, &HangingLine::break_load}});
 }
 
 /// Of a matrix by directions; how many rows there are is checked with the rest.
@@ -238,17 +200,9 @@ RowsField six_rows(std::vector<std::vector<double>>& matrix) {
 }
 
 RowsField curve_rows(std::vector<TensionPoint>& curve, const std::string& extension, const std::string& tension) {
-    return {{{extension, unit::one, at_least(-farthest_way).at_most(farthest_way)},
-             {tension, unit::kilonewton, at_least(0).at_most(1e6)}},
-            [&curve] {
-                std::vector<std::vector<double>> rows;
-                for (const TensionPoint& at : curve) rows.push_back({at.extension, at.tension});
-                return rows;
-            },
-            [&curve](const std::vector<std::vector<double>>& rows) {
-                curve.clear();
-                for (const std::vector<double>& row : rows) curve.push_back({row[0], row[1]});
-            }};
+    return rows_of<TensionPoint>(
+        curve, {{{extension, unit::one, at_least(-farthest_way).at_most(farthest_way)}, &TensionPoint::extension},
+                {{tension, unit::kilonewton, at_least(0).at_most(1e6)}, &TensionPoint::tension}});
 }
 
 /// All lines of a mooring together, as its designers give them.

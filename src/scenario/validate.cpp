@@ -1,6 +1,8 @@
 #include "scenario/validate.hpp"
 
-#include "core/error.hpp"
+#include <cstddef>
+
+#include "scenario/keys.hpp"
 
 namespace floes {
 
@@ -35,9 +37,17 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     return found;
 }
 
-void validate(const Scenario& scenario) {
-    const std::vector<Contradiction> found = find_contradictions(scenario);
-    if (!found.empty()) throw InputError(found.front().sentence);
+std::string with_values(const Scenario& scenario, std::string_view sentence) {
+    std::string text;
+    for (std::size_t from = 0; from < sentence.size();) {
+        const std::size_t open = sentence.find('<', from);
+        const std::size_t close = open == sentence.npos ? open : sentence.find('>', open);
+        text += sentence.substr(from, close == sentence.npos ? close : open - from);
+        if (close == sentence.npos) break;
+        text += given(scenario, std::string(sentence.substr(open + 1, close - open - 1)));
+        from = close + 1;
+    }
+    return text;
 }
 
 }  // namespace floes

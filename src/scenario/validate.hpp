@@ -2,7 +2,11 @@
 // Contradictions between keys: values that are allowed one by one but cannot be simulated together.
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "scenario/scenario.hpp"
 
@@ -18,13 +22,24 @@ using Contradictions = std::vector<Contradiction>;
 /// All contradictions in the scenario; empty when it can be simulated. Each field is taken to be in its own range.
 std::vector<Contradiction> find_contradictions(const Scenario& scenario);
 
-/// Throws InputError with the first contradiction's sentence.
-void validate(const Scenario& scenario);
-
 /// Mass of a moored structure, with the water that moves with it, over that of the heaviest floe.
 double structure_over_floe(const Scenario& scenario);
 
-/// The checks behind find_contradictions(), in checks_ice.cpp and checks_tank.cpp. Each adds what it finds.
+inline void refuse(Contradictions& found, std::vector<std::string> keys, std::string sentence) {
+    found.push_back({std::move(keys), std::move(sentence)});
+}
+
+/// "<floe.element_m>" in the sentence becomes the key with its value, as given() shows it.
+std::string with_values(const Scenario& scenario, std::string_view sentence);
+
+/// Adds a contradiction whose sentence has keys with their values in it, as with_values() puts them there.
+template <class... Values>
+void refuse(const Scenario& scenario, Contradictions& found, std::vector<std::string> keys,
+            fmt::format_string<Values...> sentence, Values&&... values) {
+    refuse(found, std::move(keys), with_values(scenario, fmt::format(sentence, std::forward<Values>(values)...)));
+}
+
+/// The checks behind find_contradictions(), in checks_*.cpp. Each adds what it finds.
 void check_sizes(const Scenario& scenario, Contradictions& found);   ///< laws of sizes have floes of whole elements
 void check_traced(const Scenario& scenario, Contradictions& found);  ///< outlines of a file are floes
 void check_shapes(const Scenario& scenario, Contradictions& found);  ///< nothing that polygons cannot do yet

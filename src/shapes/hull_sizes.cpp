@@ -178,19 +178,18 @@ HullSolids solids_of(HullKind kind, const HullSizes& s) {
     return legs;
 }
 
-std::string words_of(HullKind kind, const HullSizes& s) {
-    const auto degrees = [](double angle) { return fmt::format("{:.4g}°", angle / unit::degree); };
+Words words_of(HullKind kind, const HullSizes& s) {
+    const auto degrees = [](double angle) { return Words::of("{:.4g}°", angle / unit::degree); };
     if (kind == HullKind::four_legs)
-        return fmt::format("four vertical legs of {:.4g} m in diameter, {:.4g} m apart, draught {:.4g} m", s.diameter,
-                           s.spacing, s.draught);
-    const std::string size =
-        fmt::format("{:.4g} m x {:.4g} m at the waterline, draught {:.4g} m", s.length, s.beam, s.draught);
+        return Words::of("four vertical legs of {:.4g} m in diameter, {:.4g} m apart, draught {:.4g} m", s.diameter,
+                         s.spacing, s.draught);
+    const Words size = Words::of("{:.4g} m x {:.4g} m at the waterline, draught {:.4g} m", s.length, s.beam, s.draught);
     if (kind == HullKind::barge)
-        return fmt::format("barge, {}, ends {} and sides {} from the horizontal", size, degrees(s.stem),
-                           degrees(s.flare));
-    return fmt::format("{}, {}, stem {} and sides {} from the horizontal, half entrance angle {}",
-                       kind == HullKind::drillship ? "drillship" : "ship with a wedge bow", size, degrees(s.stem),
-                       degrees(s.flare), degrees(s.entrance));
+        return Words::of("barge, {}, ends {} and sides {} from the horizontal", size, degrees(s.stem),
+                         degrees(s.flare));
+    return Words::of("{}, {}, stem {} and sides {} from the horizontal, half entrance angle {}",
+                     kind == HullKind::drillship ? "drillship" : "ship with a wedge bow", size, degrees(s.stem),
+                     degrees(s.flare), degrees(s.entrance));
 }
 
 }  // namespace floes

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/words.hpp"
 #include "shapes/convex_solid.hpp"
 
 namespace floes {
@@ -48,6 +49,6 @@ std::vector<Vec2> profile_of(HullKind kind, const HullSizes& sizes);
 HullSolids solids_of(HullKind kind, const HullSizes& sizes);
 
 /// "barge, 100 m x 20 m at the waterline, draught 6 m, ends 45° and sides 90° from the horizontal".
-std::string words_of(HullKind kind, const HullSizes& sizes);
+Words words_of(HullKind kind, const HullSizes& sizes);
 
 }  // namespace floes

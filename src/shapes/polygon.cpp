@@ -16,15 +16,21 @@ double length_of(const Corner& a) {
     return std::sqrt(dot(a, a));
 }
 
+std::size_t before(Corners polygon, std::size_t k) {
+    return k > 0 ? k - 1 : polygon.size() - 1;
+}
+
 /// At a corner between its neighbours: how far the way turns there, positive towards z.
 double bend(Corners polygon, std::size_t k) {
     const Corner& here = polygon[k];
-    const Corner& before = polygon[k > 0 ? k - 1 : polygon.size() - 1];
-    return cross(here - before, after(polygon, k) - here);
+    return cross(here - polygon[before(polygon, k)], after(polygon, k) - here);
+}
+
+double side(const Corner& from, const Corner& to, const Corner& p) {
+    return cross(to - from, p - from);
 }
 
 bool cross_each_other(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
-    const auto side = [](const Corner& from, const Corner& to, const Corner& p) { return cross(to - from, p - from); };
     return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
@@ -110,7 +116,7 @@ Outline grown(Corners polygon, double offset) {
     FLOES_EXPECTS(offset >= 0);
     Outline larger;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Corner one = outward(polygon, k > 0 ? k - 1 : polygon.size() - 1);
+        const Corner one = outward(polygon, before(polygon, k));
         const Corner other = outward(polygon, k);
         larger.push_back(polygon[k] + (offset / (1 + dot(one, other))) * (one + other));
     }
@@ -267,10 +273,6 @@ double distance_between(Corners a, Corners b) {
 
 namespace {
 
-double side(const Corner& from, const Corner& to, const Corner& p) {
-    return cross(to - from, p - from);
-}
-
 bool is_between(const Corner& a, const Corner& b, const Corner& p) {
     return dot(p - a, p - b) <= 0;
 }
@@ -304,14 +306,13 @@ std::optional<std::string> ring_fault_of(Corners ring) {
 Outline with_fewer_corners(Corners ring, std::size_t most) {
     FLOES_EXPECTS(most >= 3);
     Outline kept(ring.begin(), ring.end());
-    const auto before = [&](std::size_t k) { return k > 0 ? k - 1 : kept.size() - 1; };
     const auto can_go = [&](std::size_t k) {
-        const Corner& from = kept[before(k)];
+        const Corner& from = kept[before(kept, k)];
         const Corner& to = after(kept, k);
         for (std::size_t i = 0; i < kept.size(); ++i) {
             const std::size_t next = i + 1 < kept.size() ? i + 1 : 0;
-            const bool touches =
-                i == k || next == k || i == before(k) || next == before(k) || kept[i] == to || kept[next] == to;
+            const bool touches = i == k || next == k || i == before(kept, k) || next == before(kept, k) ||
+                                 kept[i] == to || kept[next] == to;
             if (!touches && meet(from, to, kept[i], kept[next])) return false;
         }
         return true;
@@ -323,7 +324,7 @@ Outline with_fewer_corners(Corners ring, std::size_t most) {
         std::size_t least = kept.size();
         double change = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < kept.size(); ++k) {
-            const double of = std::abs(side(kept[before(k)], kept[k], after(kept, k)));
+            const double of = std::abs(side(kept[before(kept, k)], kept[k], after(kept, k)));
             if (stays[k] || of >= change) continue;
             change = of;
             least = k;
@@ -334,7 +335,7 @@ Outline with_fewer_corners(Corners ring, std::size_t most) {
         } else if (!can_go(least)) {
             stays[least] = true;
         } else {
-            stays[before(least)] = stays[least + 1 < kept.size() ? least + 1 : 0] = false;
+            stays[before(kept, least)] = stays[least + 1 < kept.size() ? least + 1 : 0] = false;
             kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(least));
             stays.erase(stays.begin() + static_cast<std::ptrdiff_t>(least));
         }
@@ -381,7 +382,7 @@ std::vector<Outline> triangles_of(Outline ring) {
     std::vector<Outline> triangles;
     while (ring.size() > 3) {
         const auto is_ear = [&](std::size_t k) {
-            const Corner& from = ring[k > 0 ? k - 1 : ring.size() - 1];
+            const Corner& from = ring[before(ring, k)];
             const Corner& to = after(ring, k);
             if (side(from, ring[k], to) < 0) return false;
             return std::ranges::none_of(ring, [&](const Corner& p) {
@@ -391,7 +392,7 @@ std::vector<Outline> triangles_of(Outline ring) {
         };
         std::size_t ear = 0;
         while (ear + 1 < ring.size() && !is_ear(ear)) ++ear;
-        triangles.push_back({ring[ear > 0 ? ear - 1 : ring.size() - 1], ring[ear], after(ring, ear)});
+        triangles.push_back({ring[before(ring, ear)], ring[ear], after(ring, ear)});
         ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
     }
     triangles.push_back(std::move(ring));

@@ -1,5 +1,7 @@
 #pragma once
-// Measures of solids that together are a body. For this module only.
+// The shape of the towed structure, as one value that answers all that others need to know of it. How it is given, as a
+// body of revolution about a vertical axis by its radius over height, by a few sizes, or as convex pieces, is known in
+// this module only. Axes: x ahead, y up from the waterline, z to starboard.
 
 #include <array>
 #include <optional>
@@ -11,9 +13,49 @@
 #include "core/vector.hpp"
 #include "shapes/convex_solid.hpp"
 #include "shapes/hull_sizes.hpp"
-#include "shapes/profile.hpp"
 
 namespace floes {
+
+// A body of revolution about the vertical axis, by its radius over height.
+
+/// A point of the profile: height above the waterline (m, negative below) and radius there (m).
+struct ProfilePoint {
+    double height = 0;
+    double radius = 0;
+    friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
+};
+
+class Profile {
+  public:
+    /// From the keel up. It may flare, narrow or step (equal heights make a flat ring), so the body need not be convex.
+    explicit Profile(std::vector<ProfilePoint> points) : points_(std::move(points)) {}
+
+    /// As rows of height and radius.
+    std::vector<std::vector<double>> rows() const;
+    static Profile of_rows(const std::vector<std::vector<double>>& rows);
+
+    /// Why it is no body that stands in the water; nothing if it is one. What follows holds without fault.
+    std::optional<std::string> fault() const;
+
+    /// Throws InputError with the fault of a profile that has one.
+    std::vector<Frustum> solids() const;
+    /// Those, continued straight on along their walls for as long as that stays inside.
+    std::vector<Frustum> overlapping_solids() const;
+
+    double waterline_radius() const;        ///< m; at a flat ring the larger
+    double largest_radius() const;          ///< m
+    double bottom() const;                  ///< m
+    double top() const;                     ///< m
+    double wall_angle_above_water() const;  ///< rad, from the horizontal
+    Words words() const;
+    std::vector<Vec2> side_view() const;
+    const std::vector<ProfilePoint>& points() const { return points_; }
+
+    friend bool operator==(const Profile&, const Profile&) = default;
+
+  private:
+    std::vector<ProfilePoint> points_;
+};
 
 /// Sides of the polygons that stand for circles in outlines; a tenth of a percent of the area is lost.
 inline constexpr int round_sides = 72;
@@ -22,10 +64,6 @@ inline constexpr int round_sides = 72;
 /// lines_across x lines_across cells. Exact for one solid, or for solids whose boxes do not meet. Where one of several
 /// is round it is the sum of theirs, as if they did not overlap.
 double union_volume(std::span<const ConvexSolid> solids);
-
-// The shape of the towed structure, as one value that answers all that others need to know of it. How it is given, as a
-// body of revolution about a vertical axis by its radius over height, by a few sizes, or as convex pieces, is known in
-// this module only. Axes: x ahead, y up from the waterline, z to starboard.
 
 /// One number of each row in which a shape is written down, SI.
 struct ShapeColumn {
@@ -143,7 +181,7 @@ class Shape {
 
     /// "straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m at +0.122 m)"; of a bent wall every
     /// part, from the bottom up.
-    std::string words() const;
+    Words words() const;
 
     /// The surface for pictures, m from the axis at the waterline. Round parts have `sides` sides; pieces keep faces
     /// that others hide.

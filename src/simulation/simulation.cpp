@@ -13,7 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "ice/scenario_world.hpp"
+#include "ice/ice_field.hpp"
 #include "simulation/field_water.hpp"
 
 namespace floes {

@@ -1,5 +1,5 @@
 #pragma once
-// Which floes were computed, and which of them touched the structure: what counts of broken floes are relative to.
+// One tow through one arrangement: the step loop and the record of it.
 
 #include <cstdint>
 #include <functional>
@@ -14,10 +14,9 @@
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/field_water.hpp"
-#include "simulation/frame.hpp"
-#include "simulation/histories.hpp"
 #include "simulation/hull_loads.hpp"
 #include "simulation/moving_window.hpp"
+#include "simulation/record.hpp"
 #include "simulation/sheets.hpp"
 #include "simulation/structure_motion.hpp"
 #include "simulation/tow_work.hpp"
@@ -27,6 +26,8 @@
 #include "world/world.hpp"
 
 namespace floes {
+
+// Which floes were computed, and which of them touched the structure: what counts of broken floes are relative to.
 
 class Encounters {
   public:

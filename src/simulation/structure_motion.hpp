@@ -25,7 +25,7 @@
 #include "scenario/scenario.hpp"
 #include "shapes/moorings.hpp"
 #include "shapes/path.hpp"
-#include "simulation/frame.hpp"
+#include "simulation/record.hpp"
 #include "statistics/oscillator.hpp"
 
 namespace floes {

@@ -1,8 +1,10 @@
 #pragma once
-// Doubles that start on a vector boundary, zero at first.
+// Arrays of the kernels: doubles that start on a vector boundary, zero at first, and where a field of one lane lies in
+// them.
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <new>
 
@@ -40,5 +42,11 @@ class AlignedArray {
     std::unique_ptr<Value[], Free> values_;
     std::size_t size_;
 };
+
+/// Index of `field` (of `fields` a group) of a slot in its array.
+inline std::size_t place(std::uint32_t slot, int fields, int field, int width) {
+    const auto w = static_cast<std::uint32_t>(width);
+    return (slot / w) * static_cast<std::size_t>(fields * width) + static_cast<std::size_t>(field * width) + slot % w;
+}
 
 }  // namespace floes

@@ -1,3 +1,82 @@
+// The motion of a body that contacts read and change: 8 doubles {velocity, inverse mass, angular velocity, 0} in
+// `delta`, transposed into lanes and back.
+
+struct Motion {
+    V3 velocity;
+    Pack inverse_mass;
+    V3 angular_velocity;
+};
+
+template <int stride, int... lane>
+[[gnu::always_inline]] inline void exchange(Pack& a, Pack& b, Sequence<lane...>) {
+    const Pack first = __builtin_shufflevector(a, b, ((lane & stride) != 0 ? lane - stride + lanes : lane)...);
+    b = __builtin_shufflevector(a, b, ((lane & stride) != 0 ? lane + lanes : lane + stride)...);
+    a = first;
+}
+
+/// Rows become columns, in log2(lanes) exchanges: of neighbours, of neighbouring pairs, of neighbouring fours.
+template <int stride = 1>
+[[gnu::always_inline]] inline void transpose(Pack (&rows)[lanes]) {
+    if constexpr (stride < lanes) {
+#pragma GCC unroll 8
+        for (int i = 0; i < lanes; ++i) {
+            if ((i & stride) == 0) exchange<stride>(rows[i], rows[i + stride], EveryLane{});
+        }
+        transpose<2 * stride>(rows);
+    }
+}
+
+/// at(lane): where the body of that lane begins.
+template <class At>
+[[gnu::always_inline]] inline Motion gather(const At& at) {
+    Pack places[8];
+#pragma GCC unroll 8
+    for (int part = 0; part < 8; part += lanes) {
+        Pack rows[lanes];
+#pragma GCC unroll 8
+        for (int lane = 0; lane < lanes; ++lane) rows[lane] = *reinterpret_cast<const Pack*>(at(lane) + part);
+        transpose(rows);
+#pragma GCC unroll 8
+        for (int i = 0; i < lanes; ++i) places[part + i] = rows[i];
+    }
+    return {{places[0], places[1], places[2]}, places[3], {places[4], places[5], places[6]}};
+}
+
+template <class At>
+[[gnu::always_inline]] inline void scatter(const At& at, const Motion& motion) {
+    const auto& [v, inverse_mass, w] = motion;
+    const Pack places[8] = {v.x, v.y, v.z, inverse_mass, w.x, w.y, w.z, Pack{}};
+#pragma GCC unroll 8
+    for (int part = 0; part < 8; part += lanes) {
+        Pack rows[lanes];
+#pragma GCC unroll 8
+        for (int i = 0; i < lanes; ++i) rows[i] = places[part + i];
+        transpose(rows);
+#pragma GCC unroll 8
+        for (int lane = 0; lane < lanes; ++lane) *reinterpret_cast<Pack*>(at(lane) + part) = rows[lane];
+    }
+}
+
+void to_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* from = arrays.sweep + static_cast<std::size_t>(groups[i]) * (sweep_field::count * lanes);
+        double* to = arrays.delta + static_cast<std::size_t>(groups[i]) * (8 * lanes);
+        scatter([to](int lane) { return to + 8 * lane; },
+                {load3(from, sweep_field::velocity), load(from, sweep_field::inverse_mass),
+                 load3(from, sweep_field::angular_velocity)});
+    }
+}
+
+void from_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* from = arrays.delta + static_cast<std::size_t>(groups[i]) * (8 * lanes);
+        double* to = arrays.sweep + static_cast<std::size_t>(groups[i]) * (sweep_field::count * lanes);
+        const Motion motion = gather([from](int lane) { return from + 8 * lane; });
+        store3(to, sweep_field::velocity, motion.velocity);
+        store3(to, sweep_field::angular_velocity, motion.angular_velocity);
+    }
+}
+
 // Bodies before the joints: btSequentialImpulseConstraintSolver::convertBodies with the implicit gyroscopic term in
 // body axes (Bullet's default), in lanes.
 
@@ -181,5 +260,43 @@ void advance_bodies(const LaneArrays& arrays, std::size_t groups, double time_st
         store3(body, body_field::rotation + 6, {turn.x.z, turn.y.z, turn.z.z});
         write_motion(arrays, i, body, square_root(dot(velocity, velocity)) * time_step,
                      square_root(dot(angular_velocity, angular_velocity)) * time_step);
+    }
+}
+
+// Start velocities of bodies that carry water (carried_water.hpp): the force and torque of the step, the ice's
+// gyroscopic term and what the moving water exerts, over the inertia of body and water together.
+
+void carry_water(const LaneArrays& arrays, const double* carried, std::size_t groups, double time_step) {
+    for (std::size_t i = 0; i < groups; ++i) {
+        double* body = arrays.body + i * static_cast<std::size_t>(body_field::count * lanes);
+        const double* water = carried + i * static_cast<std::size_t>(carried_field::count * lanes);
+        const M3 turn = load_matrix(body, body_field::rotation);
+        const V3 v = transposed_times(turn, load3(body, body_field::velocity));
+        const V3 w = transposed_times(turn, load3(body, body_field::angular_velocity));
+        const Pack in_plane = load(water, carried_field::in_plane);
+        const Pack normal = load(water, carried_field::normal);
+        const Pack mx = load(water, carried_field::x);
+        const Pack mz = load(water, carried_field::z);
+        const Pack xz = load(water, carried_field::xz);
+        const V3 p = {in_plane * v.x, normal * v.y - mz * w.x + mx * w.z, in_plane * v.z};
+        const V3 l = {load(water, carried_field::zz) * w.x - mz * v.y - xz * w.z, load(water, carried_field::yaw) * w.y,
+                      mx * v.y - xz * w.x + load(water, carried_field::xx) * w.z};
+        // Velocities change in world axes: those along the body's own change by as much less as these turn.
+        const V3 turning = cross(w, v);
+        const V3 ice = load3(water, carried_field::ice);
+        const V3 spin = {ice.x * w.x, ice.y * w.y, ice.z * w.z};
+        const V3 force = transposed_times(turn, load3(body, body_field::force)) - cross(w, p) +
+                         V3{in_plane * turning.x, normal * turning.y, in_plane * turning.z};
+        const V3 torque = transposed_times(turn, load3(body, body_field::torque)) - cross(w, l + spin) - cross(v, p) +
+                          V3{Pack{} - mz * turning.y, Pack{}, mx * turning.y};
+
+        const Pack inverse = load(water, carried_field::inverse_in_plane);
+        const V3 out = load_symmetric(water, carried_field::inverse_out) * V3{force.y, torque.x, torque.z};
+        const V3 faster = {inverse * force.x, out.x, inverse * force.z};
+        const V3 spinning = {out.y, load(water, carried_field::inverse_yaw) * torque.y, out.z};
+        const Pack step = Pack{} + time_step;
+        store3(body, body_field::start_velocity, load3(body, body_field::velocity) + turn * (faster * step));
+        store3(body, body_field::start_angular_velocity,
+               load3(body, body_field::angular_velocity) + turn * (spinning * step));
     }
 }

@@ -1,12 +1,14 @@
 #pragma once
 // In what order contacts are solved, and where in the lanes their rows lie.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "solver/aligned_array.hpp"
 #include "solver/lane_layout.hpp"
-#include "solver/solver_contact.hpp"
+#include "solver/solver_parts.hpp"
 
 namespace floes {
 
@@ -57,5 +59,18 @@ class ContactOrder {
     std::vector<ContactPack> packs_;
     std::vector<std::uint32_t> pack_slots_, row_slots_;
 };
+
+// Contacts as the kernels see them, in the lanes of their rows.
+
+/// Fields of point_field, by groups of `width`. Empty places get a gap that never closes.
+void fill_points(AlignedArray<double>& points, std::span<const SolverContact> contacts, const ContactOrder& order,
+                 int width);
+
+/// The friction impulses that contacts bring along, world axes, N s: 3 fields by groups of `width`.
+void fill_friction_start(AlignedArray<double>& start, std::span<const SolverContact> contacts,
+                         const ContactOrder& order, int width);
+
+/// The friction that a solve found, world axes, N s: its size, and its direction where there is any.
+void set_friction(SolverContact& contact, const std::array<double, 3>& impulse);
 
 }  // namespace floes

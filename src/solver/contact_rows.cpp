@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "solver/contact_points.hpp"
-#include "solver/lane_slot.hpp"
+#include "solver/aligned_array.hpp"
+#include "solver/contact_order.hpp"
 
 namespace floes {
 

@@ -12,7 +12,7 @@
 #include "solver/contact_law.hpp"
 #include "solver/contact_order.hpp"
 #include "solver/lane_layout.hpp"
-#include "solver/solver_contact.hpp"
+#include "solver/solver_parts.hpp"
 
 namespace floes {
 

@@ -9,10 +9,8 @@
 #include <vector>
 
 #include "solver/aligned_array.hpp"
-#include "solver/direct_layout.hpp"
 #include "solver/lane_layout.hpp"
 #include "solver/piece_compliance.hpp"
-#include "solver/solver_contact.hpp"
 #include "solver/solver_parts.hpp"
 
 namespace floes {

@@ -1,5 +1,5 @@
-// All kernels of one lane width. A kernels_*.cpp defines FLOES_LANES and FLOES_KERNELS and includes this once; its own
-// compiler flags (CMakeLists.txt) choose the instruction set.
+// All kernels of one lane width. A source that CMake writes (floes_lane_kernels) defines FLOES_LANES and
+// FLOES_KERNELS and includes this once; its own compiler flags choose the instruction set.
 
 #include "solver/carried_water.hpp"
 #include "solver/lane_layout.hpp"
@@ -13,15 +13,10 @@ namespace {
 // Each is written in terms of those before it.
 // clang-format off
 #include "solver/pack.inl"
-#include "solver/angles.inl"
-#include "solver/joint_setup.inl"
 #include "solver/joint_kernels.inl"
-#include "solver/motion.inl"
 #include "solver/body_kernels.inl"
-#include "solver/carried_water.inl"
 #include "solver/contact_impulses.inl"
 #include "solver/contact_setup.inl"
-#include "solver/contact_limits.inl"
 #include "solver/contact_kernels.inl"
 #include "solver/direct_joints.inl"
 #include "solver/direct_contacts.inl"

@@ -8,10 +8,93 @@
 
 #include "solver/body_motion.hpp"
 #include "solver/contact_law.hpp"
-#include "solver/contact_layout.hpp"
-#include "solver/direct_layout.hpp"
 
 namespace floes {
+
+// Where they find contacts.
+
+/// Fields of a point at which two bodies touch.
+namespace point_field {
+inline constexpr int on_a = 0;
+inline constexpr int on_b = 3;
+inline constexpr int normal = 6;    ///< unit, from b to a
+inline constexpr int distance = 9;  ///< infinite in an empty place
+inline constexpr int friction = 10;
+inline constexpr int impulse = 11;
+inline constexpr int section = 12;  ///< m², below 0: that of the two boxes
+inline constexpr int section_growth = 13;
+inline constexpr int count = 14;
+}  // namespace point_field
+
+/// Fields of a contact's row, scaled like a joint row. Sweeps only read them: targets and accumulated impulses, over s,
+/// are in arrays of their own. All rows have the fields given here; the others depend on the kind of row.
+namespace contact_field {
+inline constexpr int axis = 0;              ///< s * direction
+inline constexpr int angular_change_a = 3;  ///< I_a^-1 (lever a x axis)
+inline constexpr int angular_change_b = 6;
+inline constexpr int count = 16;
+}  // namespace contact_field
+
+/// Further fields of a row that is solved by itself: a normal row, or friction in one direction.
+namespace single_field {
+inline constexpr int torque_a = 9;  ///< lever a x axis
+inline constexpr int torque_b = 12;
+inline constexpr int friction_coefficient = 15;  ///< friction: bound / normal impulse, both scaled
+}  // namespace single_field
+
+/// Further fields of the two friction rows of a cone. One sliding velocity serves all three rows.
+namespace cone_first_field {
+inline constexpr int lever_a = 9;  ///< from the centre of mass to the contact, world
+inline constexpr int lever_b = 12;
+inline constexpr int friction_coefficient = 15;  ///< bound / normal impulse, both scaled
+}  // namespace cone_first_field
+namespace cone_second_field {
+inline constexpr int coupling = 9;  ///< J M^-1 J^T of the normal row with the first and with the second
+}  // namespace cone_second_field
+
+/// Pairs of bodies that touch, `width` side by side, no moving body twice; each pair's contacts one after the other.
+/// With two turns a pack has twice as many pairs, whose rows alternate.
+struct ContactPack {
+    std::uint32_t turns;
+    std::uint32_t first_row;  ///< in groups of `width`
+    std::uint32_t end_row;
+};
+
+/// A pair with fewer contacts than others, or none, has rows that exert nothing.
+struct ContactPacks {
+    const std::uint32_t* slots;  ///< by pack and turn: those of the bodies a, then those of b
+    const ContactPack* packs;
+    std::size_t count;
+    std::uint32_t spare;  ///< the slot of both bodies in an empty lane
+};
+
+/// Normal or friction rows, by groups of `width`.
+struct ContactRowArrays {
+    double* row;
+    double* target;
+    double* impulse;
+    double* scale;  ///< s
+};
+
+/// Friction rows. The cone has two at right angles in the contact plane; both with one scale, so that the bound on
+/// their scaled impulses is a circle.
+struct FrictionArrays {
+    ContactRowArrays first;
+    ContactRowArrays second;  ///< cone only, as `start`
+    const double* start;      ///< impulse to start from, world axes, by groups of 3 fields
+};
+
+/// Upper bounds on the impulses of normal rows, by groups of `width`; null where there are none.
+struct LimitArrays {
+    double* yield;
+    double* give;
+};
+
+struct ContactStep {
+    double inverse_step;  ///< 1/s
+    double split_depth;   ///< penetrations this deep are corrected outside the impulse, m; infinite for none
+    const ContactLaw& law;
+};
 
 /// Fields of a body that a step reads once. Rotation is row by row, body -> world; SI units, world axes.
 namespace body_field {
@@ -102,6 +185,104 @@ struct LaneArrays {
     double* force;  ///< by number of a body; a spare one for empty lanes
     BodyMotion* motion;                 ///< likewise
     const std::uint32_t* body_of_slot;  ///< its number
+};
+
+// Where the kernels of the direct solver find things. A piece has axes of its own that turn with
+// it; "local" is along these.
+
+/// What an impulse on one body does to another, by three columns of 8 numbers, for an impulse {x, z, about y; y, about
+/// x, about z}: of its first parts the changes of {x, z, about y, 0}, of its last those of {y, about x, about z, 0}.
+/// The two halves do not mix.
+inline constexpr std::size_t compliance_block = 24;
+
+/// Fields of a body beside those of body_field.
+namespace local_field {
+inline constexpr int frame = 0;              ///< local -> world of its piece, row by row
+inline constexpr int velocity = 9;           ///< start velocity, local; after the solve the change of it
+inline constexpr int angular_velocity = 12;  ///< likewise
+inline constexpr int impulse = 15;           ///< by its joints, local; then angular
+inline constexpr int count = 21;
+}  // namespace local_field
+
+/// Fields of a joint in an unstrained piece, local.
+namespace spring_field {
+inline constexpr int axes = 0;  ///< joint -> local, row by row
+inline constexpr int lever_a = 9;
+inline constexpr int lever_b = 12;
+inline constexpr int stiffness = 15;  ///< Δt K of the linear, then of the angular parts
+inline constexpr int hold = 21;       ///< Δt D + Δt² K likewise
+inline constexpr int impulse = 27;    ///< on a, without what the velocities change in the step
+inline constexpr int count = 33;
+}  // namespace spring_field
+
+struct DirectArrays {
+    double* local;
+    double* spring;
+    double* impulse;  ///< on each body, by slot {x, z, about y, 0, y, about x, about z, 0}, local: of joints and
+                      ///< contacts together; with this solver `delta` has the same order
+};
+
+/// Bodies of a piece that an impulse on one of them moves.
+struct ComplianceColumn {
+    const double* blocks;         ///< PieceCompliance::column() of the one that the impulse is on; null for none
+    const double* self;           ///< its block there
+    const std::uint32_t* slots;   ///< of those moved
+    const std::uint32_t* within;  ///< their numbers in the piece
+    std::size_t count;
+};
+
+/// Fields of a contact's three rows, each scaled: normal, then two in the contact plane.
+namespace direct_field {
+inline constexpr int on_a = 0;      ///< 3 x what an impulse along the row is on a {x, z, about y, y, about x, about z}
+inline constexpr int on_b = 18;     ///< likewise, local of b
+inline constexpr int moves_a = 36;  ///< 3 x what it does to the velocities of a
+inline constexpr int moves_b = 54;
+inline constexpr int coupling = 72;              ///< of the normal row with the first and the second
+inline constexpr int friction_coefficient = 74;  ///< bound of friction / normal impulse, both scaled
+inline constexpr int first = 75;                 ///< directions in the contact plane, world
+inline constexpr int second = 78;
+inline constexpr int change = 81;  ///< of the velocity along the normal row by its unit impulse, scaled, m/s; then that
+                                   ///< along the two others
+inline constexpr int count = 83;
+}  // namespace direct_field
+
+/// By groups of `width`, one field each.
+struct DirectRowArrays {
+    double* row;
+    double* target[3];
+    double* impulse[3];  ///< accumulated, over the scale
+    double* scale[2];    ///< s of the normal row, and of the two others
+};
+
+struct DirectContactStep {
+    double inverse_step;  ///< 1/s
+    double erp;
+};
+
+/// The kernels of the direct solver, of one lane width. Every width gives the same bits.
+struct DirectKernels {
+    /// body groups [0, groups): start velocities anew, of bodies that carry water; `carried`: fields of carried_field.
+    void (*carry_water)(const LaneArrays&, const double* carried, std::size_t groups, double time_step);
+    /// body groups [0, groups): start velocities, local; impulses set to zero.
+    void (*begin)(const LaneArrays&, const DirectArrays&, std::size_t groups);
+    /// What the joints of a block exert before velocities change, summed up by body.
+    void (*press)(const LaneArrays&, const DirectArrays&, const LaneBlock&, double time_step);
+    /// body groups [0, groups): impulses into `impulse`; changes of velocity out of `delta`, in world axes.
+    void (*to_pieces)(const LaneArrays&, const DirectArrays&, std::size_t groups);
+    void (*from_pieces)(const LaneArrays&, const DirectArrays&, std::size_t groups);
+    void (*reactions)(const LaneArrays&, const DirectArrays&, const LaneBlock&, double time_step);
+    /// Adds to `delta` what an impulse, 8 numbers as above, does.
+    void (*add_velocity_changes)(double* delta, const ComplianceColumn&, const double* impulse);
+    void (*prepare_contacts)(const LaneArrays&, const DirectArrays&, const ComplianceColumn*, const ContactPacks&,
+                             const double* points, const double* friction_start, const DirectRowArrays&,
+                             const DirectContactStep&);
+    /// What the impulses do that rows begin with; one sweep over all contacts.
+    void (*start_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&);
+    /// Returns the largest change of velocity at a contact by its own new impulse, m/s.
+    double (*solve_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&,
+                             const LimitArrays&);
+    /// Adds the impulses of all rows to those of their bodies.
+    void (*sum_contacts)(double* impulse, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&);
 };
 
 /// The kernels of one lane width. Every width gives the same bits.

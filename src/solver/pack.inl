@@ -1,5 +1,6 @@
-// A pack of FLOES_LANES doubles and 3-vectors of packs. Included once by each kernels_*.cpp, in an unnamed namespace,
-// so that code made for one instruction set cannot be linked into another. Only operations that IEEE 754 rounds exactly
+// A pack of FLOES_LANES doubles and 3-vectors of packs. Included once for each instruction set, in an unnamed
+// namespace, so that code made for one instruction set cannot be linked into another. Only operations that IEEE 754
+// rounds exactly
 // (+ - * / sqrt, comparisons): hence the same bits at every width.
 
 #if FLOES_LANES == 1

@@ -16,7 +16,7 @@
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
 #include "solver/carried_water.hpp"
-#include "solver/direct_layout.hpp"
+#include "solver/lane_layout.hpp"
 #include "solver/solver_parts.hpp"
 
 namespace floes {

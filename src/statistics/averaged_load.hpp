@@ -1,5 +1,5 @@
 #pragma once
-// Peaks of a load that count once each, however ragged they are.
+// The load as a structure and its parts feel it: peaks, running means and cycles.
 
 #include <array>
 #include <cstddef>
@@ -7,6 +7,8 @@
 #include <vector>
 
 namespace floes {
+
+// Peaks of a load that count once each, however ragged they are.
 
 /// Declustered peaks, falling: the highest local maximum, then the highest of those at least `apart` places from it,
 /// and so on, down to those above `least`. So the peaks above any higher level are the declustered peaks of that level.
@@ -70,5 +72,21 @@ struct PartHistory {
 };
 
 PartLoad part_load(const PartHistory& part, const Averaging& how);
+
+// Cycles of a load for fatigue.
+
+struct LoadCycle {
+    double range = 0;  ///< from trough to peak, in the unit of the load
+    double mean = 0;   ///< of trough and peak
+    double count = 1;  ///< 1, or 1/2 where the load does not come back
+};
+
+/// Rainflow counting by ASTM E1049-85 (2017), section 5.4.4: of the successive ranges X (the latest) and Y (before it),
+/// Y is a cycle where X is not smaller; half a cycle if it begins where the history does, and so is what remains.
+/// Plateaus have no ranges. In the order in which they are found; none for fewer than two different values.
+std::vector<LoadCycle> rainflow(std::span<const double> values);
+
+/// Σ count range^exponent: what a material whose S-N curve has that slope suffers, up to a factor (Palmgren and Miner).
+double damage_sum(std::span<const LoadCycle> cycles, double exponent);
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// An interval.
+// Intervals, and the distributions that tests and intervals need.
 
 namespace floes {
 

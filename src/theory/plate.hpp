@@ -1,7 +1,9 @@
 #pragma once
-// A clamped beam: the strength measured by a cantilever test, dry and floating; how far it bends and how it swings.
+// Beams and plates of ice in closed form, dry and on water.
 
 namespace floes {
+
+// A clamped beam: the strength measured by a cantilever test, dry and floating; how far it bends and how it swings.
 
 /// Nominal flexural strength (Pa) of a dry cantilever that fails under tip load P (N) at distance L (m) from the
 /// failing section of breadth b and thickness h (m): 6 P L/(b h²).

@@ -7,11 +7,12 @@
 #include <cmath>
 #include <utility>
 
+#include "core/contract.hpp"
+
 namespace floes {
 
 namespace {
 
-#include "core/contract.hpp"
 #include "water/floating_plate_table.inl"
 
 /// Where `value` lies in rising `nodes`: the node before it, and the share of the way to the next. Ends hold.

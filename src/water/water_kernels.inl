@@ -1,5 +1,6 @@
-// The water (water_model.hpp) on a group of elements, one in each lane. A kernels_*.cpp defines FLOES_LANES and
-// FLOES_WATER_KERNEL and includes this once; its own compiler flags choose the instruction set.
+// The water (water_model.hpp) on a group of elements, one in each lane. A source that CMake writes
+// (floes_lane_kernels) defines FLOES_LANES and FLOES_KERNELS and includes this once; its own compiler flags choose the
+// instruction set.
 
 #include "water/water_kernels.hpp"
 
@@ -284,6 +285,6 @@ void water(const WaterArrays& arrays, const WaterFactors& factors, std::size_t c
 
 }  // namespace
 
-const WaterKernel FLOES_WATER_KERNEL = water;
+const WaterKernel FLOES_KERNELS = water;
 
 }  // namespace floes

@@ -1,5 +1,5 @@
 #pragma once
-// One element as the water sees it, and its numbers in the arrays of the kernels.
+// The force of the water on one element.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +12,8 @@
 #include "water/water_kernels.hpp"
 
 namespace floes {
+
+// One element as the water sees it, and its numbers in the arrays of the kernels.
 
 /// Where an element is and how it moves. World axes, SI.
 struct ElementState {

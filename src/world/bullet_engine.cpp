@@ -2,26 +2,169 @@
 // computed, with an order of the solve that is a function of ids alone.
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionConfiguration.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
+#include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <LinearMath/btPoolAllocator.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <deque>
 #include <limits>
+#include <span>
+#include <tuple>
+#include <vector>
 
-#include "world/conversion.hpp"
+#include "world/bullet_shapes.hpp"
+#include "world/definitions.hpp"
 #include "world/engine.hpp"
-#include "world/fixed_joint.hpp"
-#include "world/ice_shape.hpp"
-#include "world/material_friction.hpp"
-#include "world/ordered_dynamics_world.hpp"
-#include "world/piece_dispatcher.hpp"
-#include "world/solid_shape.hpp"
+#include "world/state.hpp"
 
 namespace floes {
 namespace {
+
+// Which bodies may collide in the stock solver's world: not those of one piece.
+
+// Every body carries its BodyId and its piece in the two integers that Bullet leaves to its user.
+int body_id_of(const btCollisionObject& object) {
+    return object.getUserIndex();
+}
+
+bool same_piece(const btCollisionObject& a, const btCollisionObject& b) {
+    return a.getUserIndex2() >= 0 && a.getUserIndex2() == b.getUserIndex2();
+}
+
+/// Asked again every step for every pair that the broad phase finds, so that a changed piece acts in the next step.
+class PieceDispatcher final : public btCollisionDispatcher {
+  public:
+    /// The list of manifolds is as long as their pool from the beginning, so that steps take no memory.
+    explicit PieceDispatcher(btCollisionConfiguration* configuration) : btCollisionDispatcher(configuration) {
+        m_manifoldsPtr.reserve(configuration->getPersistentManifoldPool()->getMaxCount());
+    }
+
+    bool needsCollision(const btCollisionObject* a, const btCollisionObject* b) override {
+        return !same_piece(*a, *b) && btCollisionDispatcher::needsCollision(a, b);
+    }
+};
+
+// Bullet's world with a solve whose order is a function of ids alone.
+//
+// Stock Bullet sorts joints by simulation island with an unstable sort, and takes contacts in the order of a
+// list that removal scrambles: both depend on all that happened before. Here all is one group, joints come in the order
+// in which they were added, and contact manifolds are sorted by (body, body, child shape, child shape).
+
+class OrderedDynamicsWorld final : public btDiscreteDynamicsWorld {
+  public:
+    using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
+
+    /// Takes the joint out and keeps the order of the others (removeConstraint puts the last in its place).
+    void remove_in_order(btTypedConstraint* joint);
+
+    /// The contact manifolds of the last solve in their order. Valid until the next step.
+    std::span<btPersistentManifold* const> solved_manifolds() const { return manifolds_; }
+
+  private:
+    void calculateSimulationIslands() override {}
+    void solveConstraints(btContactSolverInfo& info) override;
+    void collect_manifolds();
+
+    struct Entry {
+        std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t> key;
+        btPersistentManifold* manifold;
+    };
+    std::vector<Entry> entries_;
+    std::vector<btPersistentManifold*> manifolds_;
+};
+
+void OrderedDynamicsWorld::remove_in_order(btTypedConstraint* joint) {
+    const int position = m_constraints.findLinearSearch(joint);
+    for (int i = position; i + 1 < m_constraints.size(); ++i) m_constraints[i] = m_constraints[i + 1];
+    m_constraints.pop_back();
+}
+
+void OrderedDynamicsWorld::collect_manifolds() {
+    entries_.clear();
+    const btDispatcher& dispatcher = *getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        btPersistentManifold* const manifold = const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
+        const btCollisionObject& a = *manifold->getBody0();
+        const btCollisionObject& b = *manifold->getBody1();
+        // The manifold of two bodies that became one piece is no longer updated: its old contacts must not act.
+        if (same_piece(a, b)) manifold->clearManifold();
+        if (manifold->getNumContacts() == 0) continue;
+        const btManifoldPoint& first = manifold->getContactPoint(0);
+        entries_.push_back({{body_id_of(a), body_id_of(b), first.m_index0, first.m_index1}, manifold});
+    }
+    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    manifolds_.clear();
+    for (const Entry& entry : entries_) manifolds_.push_back(entry.manifold);
+}
+
+void OrderedDynamicsWorld::solveConstraints(btContactSolverInfo& info) {
+    collect_manifolds();
+    const int joints = m_constraints.size();
+    const int manifolds = static_cast<int>(manifolds_.size());
+    m_constraintSolver->solveGroup(
+        &m_collisionObjects[0], m_collisionObjects.size(), manifolds > 0 ? manifolds_.data() : nullptr, manifolds,
+        joints > 0 ? &m_constraints[0] : nullptr, joints, info, m_debugDrawer, getDispatcher());
+}
+
+// A joint in Bullet and what it reports.
+
+class FixedJoint {
+  public:
+    FixedJoint(const JointDefinition& definition, btRigidBody& a, btRigidBody& b);
+    FixedJoint(const FixedJoint&) = delete;  // the constraint holds the address of the feedback
+    FixedJoint& operator=(const FixedJoint&) = delete;
+
+    btTypedConstraint* constraint() { return &constraint_; }
+
+    /// From the last solve, at the pivot, in the joint's frame at that solve.
+    JointReaction reaction() const;
+
+  private:
+    btFixedConstraint constraint_;
+    btJointFeedback feedback_{};
+};
+
+btTransform frame_in(const btRigidBody& body, const JointDefinition& definition) {
+    return body.getWorldTransform().inverse() * to_bullet(Pose{definition.pivot, definition.frame});
+}
+
+FixedJoint::FixedJoint(const JointDefinition& definition, btRigidBody& a, btRigidBody& b)
+    : constraint_(a, b, frame_in(a, definition), frame_in(b, definition)) {
+    // Set for all six axes: Bullet uses the first row's CFM for every axis without one of its own.
+    for (int axis = 0; axis < 6; ++axis) {
+        constraint_.setParam(BT_CONSTRAINT_STOP_CFM, definition.cfm, axis);
+        constraint_.setParam(BT_CONSTRAINT_STOP_ERP, definition.erp, axis);
+    }
+    constraint_.setJointFeedback(&feedback_);
+}
+
+JointReaction FixedJoint::reaction() const {
+    // The feedback is in world axes, the torque about the centre of mass of a. The constraint keeps the transform with
+    // which it was solved; the body's own has moved on.
+    const btMatrix3x3& frame = constraint_.getCalculatedTransformA().getBasis();
+    const btTransform& offset = constraint_.getFrameOffsetA();
+    const btVector3 arm = frame * (offset.getOrigin() * offset.getBasis());  // v * M is Mᵀ v
+    const btVector3& world_force = feedback_.m_appliedForceBodyA;
+    const btVector3 force = world_force * frame;
+    const btVector3 moment = (feedback_.m_appliedTorqueBodyA - arm.cross(world_force)) * frame;
+    return {.axial = force.x(),
+            .shear_vertical = force.y(),
+            .shear_in_plane = force.z(),
+            .torsion = moment.x(),
+            .in_plane_bending = moment.y(),
+            .bending = moment.z()};
+}
 
 /// Joints take their ERP and CFM from their own definition; of these only m_erp2 concerns contacts (m_erp is that of
 /// joints without one). A penetration is corrected by m_erp2 in the velocity impulse, so that the contact force

@@ -7,9 +7,9 @@
 #include "core/vector.hpp"
 #include "shapes/polygon.hpp"
 #include "solver/contact_law.hpp"
-#include "solver/joint_spring.hpp"
 #include "solver/solver_kind.hpp"
-#include "world/ids.hpp"
+#include "solver/solver_parts.hpp"
+#include "world/state.hpp"
 
 namespace floes {
 

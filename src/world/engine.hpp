@@ -1,7 +1,8 @@
 #pragma once
 // What computes a World: Bullet's own world, or ours. A World checks what it is told, and speaks to its engine in the
-// engine's units (world/froude_units.hpp). Only for files inside this module.
+// engine's units (FroudeUnits, world.cpp). Only for files inside this module.
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -11,7 +12,7 @@
 #include "core/error.hpp"
 #include "shapes/convex_solid.hpp"
 #include "solver/carried_water.hpp"
-#include "solver/solver_contact.hpp"
+#include "solver/solver_parts.hpp"
 #include "world/definitions.hpp"
 #include "world/state.hpp"
 
@@ -58,6 +59,20 @@ class Engine {
   private:
     [[noreturn]] static void refuse() { throw RunError("The world's solver cannot do this."); }
 };
+
+/// Coulomb friction in Bullet is the product of the two bodies' material coefficients, so the two coefficients of
+/// contact fix the two materials.
+struct MaterialFriction {
+    double ice = 0;        ///< sqrt(f_ii)
+    double structure = 0;  ///< f_is / sqrt(f_ii)
+};
+
+/// The material coefficients that give the coefficients of contact of a law that World accepts.
+inline MaterialFriction material_friction(const ContactLaw& law) {
+    if (law.ice_ice_friction == 0) return {0, 0};
+    const double ice = std::sqrt(law.ice_ice_friction);
+    return {ice, law.ice_structure_friction / ice};
+}
 
 /// Ice sheets that give way and the structure do not touch each other; elements' pieces are numbers of elements.
 inline constexpr int sheet_piece = std::numeric_limits<int>::max();

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "world/conversion.hpp"
+#include "world/bullet_shapes.hpp"
 
 namespace floes {
 namespace {

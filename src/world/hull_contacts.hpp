@@ -13,8 +13,7 @@
 
 #include "collision/touching_points.hpp"
 #include "solver/body_motion.hpp"
-#include "world/ice_shape.hpp"
-#include "world/solid_shape.hpp"
+#include "world/bullet_shapes.hpp"
 
 namespace floes {
 

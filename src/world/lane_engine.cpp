@@ -16,10 +16,9 @@
 #include "shapes/elements.hpp"
 #include "solver/lane_system.hpp"
 #include "solver/lane_width.hpp"
-#include "world/conversion.hpp"
+#include "world/bullet_shapes.hpp"
 #include "world/engine.hpp"
 #include "world/hull_contacts.hpp"
-#include "world/material_friction.hpp"
 
 namespace floes {
 namespace {

@@ -1,10 +1,30 @@
 #pragma once
-// What a World tells: motion of a body, reaction of a joint, force at a contact.
+// What the bodies and joints of a World are called, and what it tells: motion of a body, reaction of a joint, force at
+// a contact.
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
 
 #include "core/vector.hpp"
-#include "world/ids.hpp"
 
 namespace floes {
+
+/// An index, from 0, of the kind named by Tag: those of bodies and of joints cannot be mixed up.
+template <class Tag>
+class Id {
+  public:
+    constexpr explicit Id(std::size_t index) : value_(static_cast<std::uint32_t>(index)) {}
+
+    constexpr std::size_t index() const { return value_; }
+    friend constexpr auto operator<=>(Id, Id) = default;
+
+  private:
+    std::uint32_t value_;
+};
+
+using BodyId = Id<struct BodyTag>;    ///< in order of creation in a World
+using JointId = Id<struct JointTag>;  ///< in order of creation in a World; used again after removal by put_in alone
 
 /// Motion of a body at the end of the last step, in world axes.
 struct BodyState {

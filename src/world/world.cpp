@@ -1,10 +1,211 @@
 #include "world/world.hpp"
 
-#include "world/checks.hpp"
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "shapes/convex_solid.hpp"
+#include "shapes/elements.hpp"
+#include "solver/carried_water.hpp"
+#include "world/definitions.hpp"
 #include "world/engine.hpp"
-#include "world/froude_units.hpp"
+#include "world/state.hpp"
 
 namespace floes {
+// Between SI, in which a World is spoken to, and the units in which it computes.
+//
+// Bullet has lengths of its own, fixed for bodies of centimetres to a metre: contact points live up to 20 mm, shapes
+// have margins of millimetres, its narrow phase has tolerances. So a World, its solvers included, measures lengths in a
+// unit u (m) that grows with the ice, times in √u (s) and masses in kg: accelerations and forces have the same numbers
+// in both. A scene scaled by Froude, lengths by s and times by √s, then has the same lengths, times and speeds again,
+// at s³ times the masses and forces. Whatever a definition has with another unit needs its line here.
+
+class FroudeUnits {
+  public:
+    /// length: u, m, above 0. 1 is SI, to the bit.
+    explicit FroudeUnits(double length) : length_(length), time_(std::sqrt(length)) {}
+
+    Vec3 to_own(const Vec3& position) const { return position / length_; }
+    Pose to_own(const Pose& pose) const { return {to_own(pose.position), pose.orientation}; }
+    WorldDefinition to_own(WorldDefinition definition) const;
+    ElementDefinition to_own(ElementDefinition element) const;
+    JointDefinition to_own(JointDefinition joint) const;
+    ConvexSolid to_own(const ConvexSolid& solid) const { return solid.scaled(1 / length_); }
+    CarriedWater to_own(CarriedWater water) const;
+    BodyState to_own(const BodyState& state) const;
+    Wrench to_own(const Wrench& wrench) const { return {wrench.force, wrench.moment / length_}; }
+
+    Vec3 to_si(const Vec3& position) const { return position * length_; }
+    BodyState to_si(const BodyState& state) const;
+    JointReaction to_si(JointReaction reaction) const;
+
+  private:
+    double length_;
+    double time_;
+};
+
+WorldDefinition FroudeUnits::to_own(WorldDefinition definition) const {
+    definition.time_step /= time_;
+    definition.contact.split_impulse_depth /= length_;
+    definition.contact.crushing_pressure *= length_ * length_;
+    return definition;
+}
+
+ElementDefinition FroudeUnits::to_own(ElementDefinition element) const {
+    for (Corner& corner : element.corners) corner = {corner.x / length_, corner.z / length_};
+    element.half_thickness /= length_;
+    element.crushing_pressure *= length_ * length_;
+    element.pose = to_own(element.pose);
+    return element;
+}
+
+JointDefinition FroudeUnits::to_own(JointDefinition joint) const {
+    joint.pivot /= length_;
+    if (joint.spring) {
+        for (double& stiffness : joint.spring->force) stiffness *= length_;
+        for (double& stiffness : joint.spring->moment) stiffness /= length_;
+    }
+    return joint;
+}
+
+CarriedWater FroudeUnits::to_own(CarriedWater water) const {
+    for (double* first : {&water.x, &water.z}) *first /= length_;
+    for (double* second : {&water.yaw, &water.xx, &water.xz, &water.zz}) *second /= length_ * length_;
+    return water;
+}
+
+BodyState FroudeUnits::to_own(const BodyState& state) const {
+    return {to_own(state.position), state.rotation, state.velocity / time_, state.angular_velocity * time_};
+}
+
+BodyState FroudeUnits::to_si(const BodyState& state) const {
+    return {state.position * length_, state.rotation, state.velocity * time_, state.angular_velocity / time_};
+}
+
+JointReaction FroudeUnits::to_si(JointReaction reaction) const {
+    for (double* moment : {&reaction.torsion, &reaction.in_plane_bending, &reaction.bending}) *moment *= length_;
+    return reaction;
+}
+
+namespace {
+
+// What a World refuses: each function throws InputError with the value and its range.
+
+void require(bool allowed, const char* what, double value, const char* range) {
+    if (!allowed)
+        throw InputError(fmt::format("The world cannot be built: {} is {}; it must be {}.", what, value, range));
+}
+
+void check_box(const Vec3& half_extents) {
+    require((half_extents.array() > 0).all(), "the smallest half extent of a box", half_extents.minCoeff(),
+            "above 0 m");
+}
+
+void refuse(const Refusal& refusal) {
+    throw InputError(fmt::format("The world refuses this: {}; take {}.", refusal.reason, refusal.instead));
+}
+
+void check_contact(const ContactLaw& law, SolverKind solver) {
+    for (const Refusal& refusal : refused_contacts(solver, law)) refuse(refusal);
+    // Bullet limits a combined coefficient to 10.
+    for (const double friction : {law.ice_ice_friction, law.ice_structure_friction}) {
+        require(friction >= 0 && friction <= 10, "a coefficient of friction", friction, "between 0 and 10");
+    }
+    require(law.normal == NormalLaw::rigid || law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure,
+            "above 0 Pa");
+    require(law.erp >= 0 && law.erp <= 1, "the contact ERP", law.erp, "between 0 and 1");
+    require(law.split_impulse_depth >= 0, "the split impulse depth", law.split_impulse_depth, "at least 0 m");
+}
+
+/// With the contact law: what the solver that the definition names refuses (solver/solver_kind.hpp).
+void check(const WorldDefinition& d) {
+    require(d.time_step > 0, "the time step", d.time_step, "above 0 s");
+    require(d.iterations >= 1, "the number of iterations", d.iterations, "at least 1");
+    require(std::isfinite(d.gravity), "gravity", d.gravity, "a finite number");
+    require(d.length_unit > 0 && std::isfinite(d.length_unit), "the unit of length", d.length_unit, "above 0 m");
+    check_contact(d.contact, d.solver);
+}
+
+void check(const ElementDefinition& element) {
+    require(element.half_thickness > 0, "half the thickness of an element", element.half_thickness, "above 0 m");
+    require(element.mass > 0, "the mass of an element", element.mass, "above 0 kg");
+    if (const auto fault = fault_of(element.corners))
+        throw InputError(fmt::format("The world cannot be built: an element is no convex polygon: {}.", *fault));
+    require(element.corners.size() <= most_corners, "the number of corners of an element",
+            static_cast<double>(element.corners.size()), fmt::format("at most {}", most_corners).c_str());
+    const Measures of = measures_of(element.corners);
+    require(of.area > 0, "the area of an element", of.area, "above 0 m², with corners from x to z");
+    require(std::abs(of.centroid.x) + std::abs(of.centroid.z) <= 1e-6 * reach_of(element.corners) &&
+                std::abs(of.xz) <= 1e-6 * (of.xx + of.zz),
+            "the product of inertia of an element", of.xz, "0, about its centre of mass");
+}
+
+void check(const FixedBoxDefinition& box) {
+    check_box(box.half_extents);
+}
+
+void check(const SlidingBoxDefinition& box) {
+    check_box(box.half_extents);
+    require(box.mass > 0, "the mass of a sliding box", box.mass, "above 0 kg");
+    require(box.axis >= 0 && box.axis <= 2, "the axis of a sliding box", box.axis, "0, 1 or 2");
+}
+
+void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver) {
+    const auto last = static_cast<double>(bodies) - 1;
+    for (const BodyId body : {joint.a, joint.b}) {
+        require(body.index() < bodies, "the index of a joined body", static_cast<double>(body.index()),
+                fmt::format("at most {}", last).c_str());
+    }
+    require(joint.a != joint.b, "the second body of a joint", static_cast<double>(joint.b.index()),
+            "another than the first");
+    // The sweeps are an over-relaxation by 1 + Σ, which does not converge from 1 on.
+    require(joint.cfm >= 0 && joint.cfm < 1, "the joint CFM", joint.cfm, "at least 0 and below 1");
+    require(joint.erp >= 0 && joint.erp <= 1, "the joint ERP", joint.erp, "between 0 and 1");
+    if (!joint.spring) {
+        require(solver != SolverKind::direct || joint.cfm > 0, "the joint CFM", joint.cfm,
+                "above 0 with the direct solver");
+        return;
+    }
+    if (const auto refusal = refused_springs(solver)) refuse(*refusal);
+    for (const auto& part : {joint.spring->force, joint.spring->moment}) {
+        for (const double stiffness : part) {
+            require(stiffness > 0 && std::isfinite(stiffness), "the stiffness of a joint", stiffness, "above 0");
+        }
+    }
+    require(joint.spring->damping_ratio >= 0, "the damping ratio of a joint", joint.spring->damping_ratio,
+            "at least 0");
+}
+
+void check(const CarriedWater& water, SolverKind solver) {
+    if (const auto refusal = refused_water(solver)) refuse(*refusal);
+    for (const double mass : {water.in_plane, water.normal})
+        require(mass >= 0 && std::isfinite(mass), "a mass of water", mass, "at least 0 kg");
+    for (const double inertia : {water.yaw, water.xx, water.zz})
+        require(inertia >= 0 && std::isfinite(inertia), "a moment of inertia of water", inertia, "at least 0 kg m²");
+    require(water.x * water.x <= water.normal * water.xx && water.z * water.z <= water.normal * water.zz &&
+                water.xz * water.xz <= water.xx * water.zz,
+            "the first moment of the water along x", water.x, "that of a mass somewhere");
+}
+
+void check_softening(double sound, SolverKind solver) {
+    if (const auto refusal = refused_cracks(solver)) refuse(*refusal);
+    require(sound > 0 && sound <= 1, "the share of a joint's stiffness that is left", sound, "above 0 and at most 1");
+}
+
+void check_sleep(SolverKind solver) {
+    if (const auto refusal = refused_sleep(solver)) refuse(*refusal);
+}
+
+void check_structure(std::span<const ConvexSolid> solids, bool present) {
+    require(!present, "the number of structures", 2, "at most 1");
+    require(!solids.empty(), "the number of solids of the structure", 0, "at least 1");
+    for (const ConvexSolid& solid : solids) {
+        if (const auto fault = solid.fault()) throw InputError(fmt::format("The world cannot be built: {}.", *fault));
+    }
+}
+
+}  // namespace
 
 struct World::Parts {
     explicit Parts(const WorldDefinition& definition)

@@ -1,6 +1,6 @@
 // What is allowed but odd, and that what is usual is not.
 
-#include "campaign/advice.hpp"
+#include "campaign/case_words.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

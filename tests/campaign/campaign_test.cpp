@@ -1,7 +1,6 @@
 // What a campaign is: members, fingerprints, differences, and that its text says all of it.
 
 #include "campaign/campaign.hpp"
-#include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 

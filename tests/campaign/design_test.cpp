@@ -6,9 +6,8 @@
 #include <cmath>
 #include <set>
 
-#include "campaign/advice.hpp"
 #include "campaign/campaign.hpp"
-#include "campaign/identity.hpp"
+#include "campaign/case_words.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
-#include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "keys/key.hpp"

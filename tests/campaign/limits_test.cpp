@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/given.hpp"
 #include "campaign/read.hpp"
 #include "support/refusal.hpp"
 
@@ -26,9 +25,10 @@ std::string cases(int count) {
 
 // The number of members was an int that had overflowed.
 TEST(CampaignLimits, MoreMembersThanCanBeHeldAreRefused) {
-    EXPECT_EQ(refused("campaign.arrangements = 10000000\n" + cases(3)),
-              "a.toml: 3 cases with 10000000 arrangements make 30000000 members, more than the 20000000 that a campaign "
-              "can hold; take fewer of either, or run several campaigns");
+    EXPECT_EQ(
+        refused("campaign.arrangements = 10000000\n" + cases(3)),
+        "a.toml: 3 cases with 10000000 arrangements make 30000000 members, more than the 20000000 that a campaign "
+        "can hold; take fewer of either, or run several campaigns");
     EXPECT_NO_THROW(read_campaign({"campaign.arrangements = 10000000\n" + cases(2), "a.toml", {}, true}, nullptr));
 }
 

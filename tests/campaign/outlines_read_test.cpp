@@ -6,7 +6,6 @@
 #include "arrangement/arrangement.hpp"
 #include "campaign/campaign.hpp"
 #include "campaign/case_words.hpp"
-#include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"

@@ -4,7 +4,6 @@
 
 #include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
-#include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"

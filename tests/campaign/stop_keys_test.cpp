@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "support/refusal.hpp"

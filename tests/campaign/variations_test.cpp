@@ -1,6 +1,6 @@
 // What a model leaves open, as a configuration.
 
-#include "campaign/variations.hpp"
+#include "campaign/write.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

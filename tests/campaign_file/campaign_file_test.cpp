@@ -9,8 +9,8 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
+#include "hdf5/dataset.hpp"
 #include "hdf5/read.hpp"
-#include "hdf5/write.hpp"
 #include "member/result.hpp"
 #include "store/journal.hpp"
 #include "support/file_bytes.hpp"

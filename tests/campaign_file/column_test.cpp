@@ -8,7 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "hdf5/write.hpp"
+#include "hdf5/dataset.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {

@@ -8,9 +8,7 @@
 #include <array>
 
 #include "campaign_file/publish.hpp"
-#include "hdf5/read.hpp"
-#include "hdf5/verify.hpp"
-#include "hdf5/write.hpp"
+#include "hdf5/dataset.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 

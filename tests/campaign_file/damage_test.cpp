@@ -11,7 +11,6 @@
 #include "hdf5/dataset.hpp"
 #include "hdf5/pages.hpp"
 #include "hdf5/read.hpp"
-#include "hdf5/verify.hpp"
 #include "support/everything_read.hpp"
 #include "support/file_bytes.hpp"
 #include "support/synthetic.hpp"

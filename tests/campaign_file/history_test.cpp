@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"
+#include "hdf5/dataset.hpp"
 #include "hdf5/read.hpp"
-#include "hdf5/write.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "campaign/campaign_keys.hpp"
 #include "campaign/write.hpp"
-#include "cli/config.hpp"
+#include "cli/given.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "support/temporary_folder.hpp"

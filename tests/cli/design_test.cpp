@@ -8,11 +8,13 @@
 #include <numbers>
 
 #include "campaign_file/publish.hpp"
-#include "cli/config.hpp"
+#include "cli/given.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
-#include "findings/moored_cases.hpp"
-#include "simulation/histories.hpp"
+#include "findings/evidence.hpp"
+#include "findings/evidence.hpp"
+#include "findings/moored.hpp"
+#include "simulation/record.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"

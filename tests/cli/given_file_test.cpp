@@ -1,13 +1,12 @@
 // What verbs say of a file that is not the one they need.
 
-#include "cli/files.hpp"
+#include "cli/given.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 
 #include "campaign_file/publish.hpp"
-#include "cli/config.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "store/journal.hpp"

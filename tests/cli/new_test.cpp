@@ -8,9 +8,9 @@
 #include <regex>
 #include <sstream>
 
+#include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
-#include "campaign/identity.hpp"
-#include "cli/config.hpp"
+#include "cli/given.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"

@@ -1,6 +1,6 @@
 // floes replay: what it makes, by the ending of its name, and what it refuses.
 
-#include "cli/replay.hpp"
+#include "draw/replay_output.hpp"
 
 #include <gmock/gmock.h>
 
@@ -42,7 +42,7 @@ TEST(ReplayOutput, ThatCannotHaveItsNameLeavesNothingBehind) {
     const std::filesystem::path path = folder / "a.html";
     std::filesystem::create_directories(path / "taken");
     try {
-        write_replay_output(path, Recording(folder / "recording.h5"), {}, [] {});
+        write_replay_output(path, Recording(folder / "recording.h5"), {}, [](double) {});
         ADD_FAILURE() << "a folder was replaced";
     } catch (const RunError& error) {
         EXPECT_THAT(error.what(), HasSubstr("renaming "));

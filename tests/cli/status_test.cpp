@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign_file/publish.hpp"
-#include "cli/status.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "run/campaign_status.hpp"
 #include "store/journal.hpp"
 #include "support/file_bytes.hpp"
 #include "support/synthetic.hpp"

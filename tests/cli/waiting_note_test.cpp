@@ -1,4 +1,4 @@
-#include "cli/terminal.hpp"
+#include "cli/answer.hpp"
 
 #include <gtest/gtest.h>
 

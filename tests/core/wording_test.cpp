@@ -1,4 +1,3 @@
-#include "core/shell_word.hpp"
 #include "core/text.hpp"
 
 #include <gtest/gtest.h>

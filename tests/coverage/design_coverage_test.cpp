@@ -54,7 +54,7 @@ std::vector<std::array<Held, probabilities.size()>> try_often(const known::Proce
         for (std::size_t method = 0; method < found.estimates.size(); ++method) {
             for (std::size_t k = 0; k < probabilities.size(); ++k) {
                 const double truth = known::largest(process, exposure.time, probabilities[k]);
-                const DesignLoadFigure& figure = found.estimates[method].quantiles[k];
+                const LoadFigure& figure = found.estimates[method].quantiles[k];
                 Held& one = held[method][k];
                 one.within += figure.interval.low <= truth && truth <= figure.interval.high;
                 one.below += figure.interval.high < truth;

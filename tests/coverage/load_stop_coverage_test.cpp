@@ -90,7 +90,7 @@ TEST_P(LoadStopCoverage, IsAsTheIntervalsSay) {
         const Measured measured{known::window, known::window / 3, known::separation,
                                 mean / static_cast<double>(rows.size())};
         const Exposure exposure{.time = campaign.stop.exposure, .probabilities = {campaign.stop.quantile}};
-        const DesignLoadFigure load = load_by_both_tails(rows, measured, exposure).estimates.front().quantiles.front();
+        const LoadFigure load = load_by_both_tails(rows, measured, exposure).estimates.front().quantiles.front();
         within += load.interval.low <= truth && truth <= load.interval.high;
         below += load.interval.high < truth;
         lengths.push_back(static_cast<double>(rows.size()));

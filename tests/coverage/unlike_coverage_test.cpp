@@ -127,7 +127,7 @@ TEST_P(UnlikeCoverage, IsAsTheIntervalsSay) {
         unlike += found.out != made.jammed;
         const PosteriorLoad load(known::spans(made.peaks), found.out, {window, 1e-9, made.mean, {0.5, 0.25, 0.1}});
         for (std::size_t k = 0; k < times.size(); ++k) {
-            const PosteriorFigure figure = load.quantile(times[k] * static_cast<double>(members) * window, 0.9);
+            const LoadFigure figure = load.quantile(times[k] * static_cast<double>(members) * window, 0.9);
             held[k].within += figure.interval.low <= truths[k] && truths[k] <= figure.interval.high;
             held[k].below += figure.interval.high < truths[k];
             held[k].centre.push_back(figure.value / truths[k]);

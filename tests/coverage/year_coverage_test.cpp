@@ -12,7 +12,7 @@
 
 #include "inference/interval.hpp"
 #include "inference/known_processes.hpp"
-#include "inference/year_load.hpp"
+#include "inference/posterior_load.hpp"
 
 namespace floes {
 namespace year_coverage_test {
@@ -117,7 +117,7 @@ TEST_P(YearCoverage, IsAsTheIntervalsSay) {
         const YearLoad year(sources, {{0, kind.ice[0].hours * hour}, {1, kind.ice[1].hours * hour}});
         for (std::size_t k = 0; k < levels.size(); ++k) {
             const double truth = kind.truth(levels[k]);
-            const YearFigure found = year.load(levels[k]);
+            const LoadFigure found = year.load(levels[k]);
             within[k] += found.interval.low <= truth && truth <= found.interval.high;
             below[k] += found.interval.high < truth;
             centre[k].push_back(found.value / truth);

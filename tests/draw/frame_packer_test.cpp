@@ -1,4 +1,4 @@
-#include "draw/frame_packer.hpp"
+#include "draw/replay_page.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

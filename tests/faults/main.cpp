@@ -20,7 +20,7 @@
 #include <thread>
 #include <vector>
 
-#include "run/helper.hpp"
+#include "run/attempt.hpp"
 #include "run/link.hpp"
 #include "run/run_campaign.hpp"
 #include "run/worker.hpp"

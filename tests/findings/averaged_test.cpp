@@ -10,7 +10,6 @@
 #include "example.hpp"
 #include "findings/cases.hpp"
 #include "findings/catalogue.hpp"
-#include "findings/members.hpp"
 #include "findings/pairs.hpp"
 #include "tables/section.hpp"
 

@@ -1,6 +1,6 @@
 // Control variates as a finding: covariates of real arrangements, drawn as the campaign draws them.
 
-#include "findings/control.hpp"
+#include "findings/catalogue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Cycles and duration: sines of known range, over members.
 
-#include "findings/fatigue.hpp"
+#include "findings/catalogue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

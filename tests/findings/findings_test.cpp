@@ -12,7 +12,6 @@
 
 #include "findings/example.hpp"
 #include "findings/extremes.hpp"
-#include "findings/members.hpp"
 #include "findings/pairs.hpp"
 
 namespace floes {

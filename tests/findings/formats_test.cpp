@@ -84,10 +84,10 @@ TEST(SummaryJson, SaysThePressureWhereEdgesCrush) {
     const json conditions = json::parse(summary_json(summary)).at("cases").at(0);
     EXPECT_DOUBLE_EQ(conditions.at("crushing_pressure_kPa"), 145.6);
     EXPECT_EQ(conditions.at("contact_law"), "crushing");
-    EXPECT_EQ(contact_words(table.cases[0].contact),
+    EXPECT_EQ(contact_words(table.cases[0].contact).text(),
               "preset physical, friction in the contact plane, crushing at 145.6 kPa");
     table.cases[0].contact.internal_edges = true;
-    EXPECT_EQ(contact_words(table.cases[0].contact),
+    EXPECT_EQ(contact_words(table.cases[0].contact).text(),
               "friction in the contact plane, crushing at 145.6 kPa, internal edges act");
 }
 

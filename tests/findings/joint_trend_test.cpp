@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "findings/answer.hpp"
 #include "findings/example.hpp"
-#include "findings/warnings.hpp"
 
 namespace floes {
 namespace joint_trend_test {

@@ -1,4 +1,4 @@
-#include "findings/load_map.hpp"
+#include "findings/catalogue.hpp"
 
 #include <gtest/gtest.h>
 

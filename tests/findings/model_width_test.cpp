@@ -1,6 +1,6 @@
 // What the model leaves open, of loads that are known.
 
-#include "findings/model_width.hpp"
+#include "findings/pairs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // A moored hull under stored loads: closed forms through the window, what is refused, and the tails of k x.
 
-#include "findings/moored_cases.hpp"
+#include "findings/moored.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

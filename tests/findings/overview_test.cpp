@@ -11,7 +11,6 @@
 #include "findings/cases.hpp"
 #include "findings/example.hpp"
 #include "findings/summary.hpp"
-#include "findings/warnings.hpp"
 
 namespace floes {
 namespace overview_test {

@@ -1,4 +1,4 @@
-#include "findings/failures.hpp"
+#include "findings/catalogue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -165,7 +165,7 @@ TEST(Answer, SaysDoubtsBesideTheFigure) {
     load.arrangements = 3;
     load.time_run = 100;
     for (const double value : {50.0, 40.0, 75.0}) {
-        const DesignLoadFigure figure{value, {value - 5, value + 5}};
+        const LoadFigure figure{value, {value - 5, value + 5}};
         load.estimates.push_back({LargestBy::both_tails, figure, {figure}});
     }
     DesignLoads designs;

@@ -1,6 +1,6 @@
 // Pressure over the area of the parts of a hull.
 
-#include "findings/parts.hpp"
+#include "findings/catalogue.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // What of the scatter of single runs is of their arrangement, and what of their windows.
 
-#include "findings/sensitivity.hpp"
+#include "findings/points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

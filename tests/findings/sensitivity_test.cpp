@@ -1,7 +1,7 @@
 // Sensitivity, from a design and its members to text.
 
-#include "findings/sensitivity.hpp"
 #include "campaign/read.hpp"
+#include "findings/points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,6 @@
 
 #include "findings/evidence.hpp"
 #include "findings/example.hpp"
-#include "findings/points.hpp"
 
 namespace floes {
 namespace sensitivity_test {

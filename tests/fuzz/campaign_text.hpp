@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "fuzz/fuzz.hpp"

@@ -1,6 +1,6 @@
 // A file of poses, and the campaign that begins with them.
 
-#include "campaign/given.hpp"
+#include "campaign/read.hpp"
 #include "fuzz/campaign_text.hpp"
 
 namespace {

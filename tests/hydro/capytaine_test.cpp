@@ -1,7 +1,7 @@
 // Files as Capytaine's xarray writes them, in both containers and both orders of their dimensions, and what is wrong in
 // them.
 
-#include "hydro/capytaine.hpp"
+#include "hydro/radiation.hpp"
 
 #include <gtest/gtest.h>
 #include <netcdf.h>

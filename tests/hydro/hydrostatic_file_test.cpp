@@ -1,6 +1,6 @@
 // The water's stiffness by other programs: units, and what is wrong.
 
-#include "hydro/hydrostatic_file.hpp"
+#include "hydro/radiation.hpp"
 
 #include <gtest/gtest.h>
 

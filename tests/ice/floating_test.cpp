@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ice/scenario_world.hpp"
+#include "ice/ice_field.hpp"
 #include "ice_scene.hpp"
 #include "support/sweeping_scenario.hpp"
 

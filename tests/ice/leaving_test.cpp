@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "ice/ice_field.hpp"
-#include "ice/scenario_world.hpp"
 #include "ice_scene.hpp"
 
 namespace floes::test {

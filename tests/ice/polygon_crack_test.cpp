@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "ice/scenario_world.hpp"
+#include "ice/ice_field.hpp"
 #include "ice_scene.hpp"
 
 namespace floes::test {

@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "ice/ice_field.hpp"
-#include "ice/scenario_world.hpp"
 #include "ice_scene.hpp"
 #include "theory/plate.hpp"
 

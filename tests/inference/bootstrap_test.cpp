@@ -1,6 +1,6 @@
 // Bootstrap intervals: closed forms, coverage and repeatability.
 
-#include "inference/bootstrap.hpp"
+#include "inference/interval.hpp"
 
 #include <gtest/gtest.h>
 

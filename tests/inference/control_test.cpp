@@ -1,6 +1,6 @@
 // The regression estimator: exact where the load is a plane, off where it does not help, and intervals that hold.
 
-#include "inference/linear_fit.hpp"
+#include "inference/explained_variance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -49,7 +49,7 @@ TEST(DesignLoad, OfExponentialPeaksIsWhatTheirTailSays) {
     ASSERT_EQ(load.estimates.size(), 5u);
     for (const DesignLoadEstimate& made : load.estimates) {
         for (std::size_t k = 0; k < 2; ++k) {
-            const DesignLoadFigure& figure = made.quantiles[k];
+            const LoadFigure& figure = made.quantiles[k];
             EXPECT_LT(figure.interval.low, figure.value) << name_of(made.method);
             EXPECT_GT(figure.interval.high, figure.value) << name_of(made.method);
             EXPECT_NEAR(figure.value / truth(three_times.probabilities[k]), 1, 0.25) << name_of(made.method);
@@ -68,7 +68,7 @@ TEST(DesignLoad, OfMembersThatStandOutHasThemAsAClass) {
     EXPECT_EQ(load.unlike.out, (std::vector<std::size_t>{7, 23}));
     // 300 windows have about 15 such members, each with 20 peaks.
     const double high = 5 * (30 + 20 * std::log(15 * 20 / -std::log(0.9)));
-    const DesignLoadFigure& figure = load.estimates.front().quantiles[1];
+    const LoadFigure& figure = load.estimates.front().quantiles[1];
     EXPECT_LT(figure.interval.low, high);
     EXPECT_GT(figure.interval.high, high);
     EXPECT_LT(figure.interval.high, 5 * figure.interval.low);
@@ -97,8 +97,8 @@ TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
     const DesignLoad one = design_load(rows, measured, three_times);
     const DesignLoad other = design_load(doubled, {100, 20, 1e-9, 40}, three_times);
     for (std::size_t method = 0; method < one.estimates.size(); ++method) {
-        const DesignLoadFigure& low = one.estimates[method].quantiles[1];
-        const DesignLoadFigure& high = other.estimates[method].quantiles[1];
+        const LoadFigure& low = one.estimates[method].quantiles[1];
+        const LoadFigure& high = other.estimates[method].quantiles[1];
         EXPECT_NEAR(high.value / low.value, 2, 1e-3) << name_of(one.estimates[method].method);
         EXPECT_NEAR(high.interval.high / low.interval.high, 2, 2e-2) << name_of(one.estimates[method].method);
     }

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "inference/random_walk.hpp"
+#include "inference/numerics.hpp"
 #include "toy_simulator.hpp"
 
 namespace floes {

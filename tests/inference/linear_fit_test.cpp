@@ -1,6 +1,6 @@
 // Planes through the points of a design, against closed forms and stored results of numpy and scipy.
 
-#include "inference/linear_fit.hpp"
+#include "inference/explained_variance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -41,7 +41,7 @@ DesignLoadEstimate estimate(const std::vector<MemberOutputs>& all, int count, co
     return by(rows, measured, {.time = rule.exposure, .probabilities = {p}}).estimates.front();
 }
 
-double half_width(const DesignLoadFigure& figure) {
+double half_width(const LoadFigure& figure) {
     return std::max(figure.interval.high - figure.value, figure.value - figure.interval.low) / figure.value;
 }
 
@@ -66,7 +66,7 @@ TEST(LoadStop, StopsWhenTheIntervalOfTheDesignLoadSaysSoAndNotBefore) {
     EXPECT_GT(half_width(estimate(all, 59, campaign.stop).quantiles[0]), 0.5);
     EXPECT_GT(stop.arrangements(), 59);
     EXPECT_LE(judgements, 12);
-    const DesignLoadFigure load = estimate(all, stop.arrangements(), campaign.stop, design_load).quantiles[0];
+    const LoadFigure load = estimate(all, stop.arrangements(), campaign.stop, design_load).quantiles[0];
     EXPECT_EQ(stop.achieved(), half_width(load));
     const double truth = known::largest_of_alike(campaign.stop.exposure, 0.9);
     EXPECT_LE(load.interval.low, truth);

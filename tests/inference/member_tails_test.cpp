@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inference/bootstrap.hpp"
+#include "inference/interval.hpp"
 #include "inference/known_processes.hpp"
 
 namespace floes {

@@ -1,6 +1,6 @@
 // The walk draws from what it is given, and its evidence is the integral.
 
-#include "inference/random_walk.hpp"
+#include "inference/numerics.hpp"
 
 #include <gtest/gtest.h>
 

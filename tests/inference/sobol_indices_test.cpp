@@ -1,6 +1,6 @@
 // Sobol indices against a function whose indices are known in closed form.
 
-#include "inference/sobol_indices.hpp"
+#include "inference/explained_variance.hpp"
 
 #include <gtest/gtest.h>
 

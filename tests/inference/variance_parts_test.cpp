@@ -1,6 +1,6 @@
 // Shares of the scatter of single runs, by hand and where the truth is known.
 
-#include "inference/sobol_indices.hpp"
+#include "inference/explained_variance.hpp"
 
 #include <gtest/gtest.h>
 

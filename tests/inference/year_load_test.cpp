@@ -1,7 +1,7 @@
 // The loads of a year where the tails of all regimes are known: roots of one-line equations, shares, and years drawn
 // peak by peak.
 
-#include "inference/year_load.hpp"
+#include "inference/posterior_load.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "keys/edit_distance.hpp"
 #include "keys/key.hpp"
+#include "keys/meant.hpp"
 #include "keys/read.hpp"
 #include "keys/write.hpp"
 

@@ -7,9 +7,8 @@
 
 #include <ctime>
 
-#include "keys/document.hpp"
-#include "keys/edit_distance.hpp"
 #include "keys/key.hpp"
+#include "keys/meant.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {

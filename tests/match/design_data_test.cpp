@@ -1,6 +1,6 @@
 // What a matching takes from campaigns: coordinates, means and scatter at the points, and what it refuses.
 
-#include "match/design_data.hpp"
+#include "match/waves.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -54,12 +54,12 @@ std::string refused(const std::vector<MatchWave>& waves, const std::vector<Targe
     return refusal([&] { match_data(waves, targets); });
 }
 
-TEST(MatchAxis, RunsFromMinusOneToOne) {
-    const MatchAxis linear{"a", 2, 6, AxisScale::linear};
+TEST(RangedAxis, RunsFromMinusOneToOne) {
+    const RangedAxis linear{"a", 2, 6, AxisScale::linear};
     EXPECT_DOUBLE_EQ(linear.coordinate(2), -1);
     EXPECT_DOUBLE_EQ(linear.coordinate(5), 0.5);
     EXPECT_DOUBLE_EQ(linear.value(0.5), 5);
-    const MatchAxis log{"a", 0.001, 0.1, AxisScale::log};
+    const RangedAxis log{"a", 0.001, 0.1, AxisScale::log};
     EXPECT_NEAR(log.coordinate(0.01), 0, 1e-12);
     EXPECT_NEAR(log.coordinate(0.1), 1, 1e-12);
     EXPECT_NEAR(log.value(log.coordinate(0.03)), 0.03, 1e-15);

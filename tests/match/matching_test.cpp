@@ -9,8 +9,6 @@
 #include <random>
 
 #include "core/error.hpp"
-#include "match/match_sections.hpp"
-#include "match/predict.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
@@ -310,10 +308,10 @@ TEST(Predicted, HoldsTheTruthOfAQuantityThatWasNotMeasured) {
         Tank same(7);
         same.add([](double x, double y) { return 50 + 10 * x - 10 * y; }, "sd_load", NAN);
         const Predicted third = predict(OverLeft(found, targets), emulate(same.data()).front());
-        for (const PredictedRange& range : {third.mean, third.weighted, third.run}) {
+        for (const Estimate& range : {third.mean, third.weighted, third.run}) {
             EXPECT_LT(range.low, 55);
             EXPECT_GT(range.high, 55);
-            EXPECT_NEAR(range.mean, 55, runs == 1 ? 5 : 1.5);
+            EXPECT_NEAR(range.value, 55, runs == 1 ? 5 : 1.5);
         }
         EXPECT_LE(third.weighted.high - third.weighted.low, third.mean.high - third.mean.low);
         EXPECT_GT(third.run.high - third.run.low, third.weighted.high - third.weighted.low);

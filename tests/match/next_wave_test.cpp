@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"
@@ -29,7 +29,7 @@ MatchWave wave() {
 
 TEST(NextWave, IsTheCampaignAtThePointsThatWereChosen) {
     const MatchWave first = wave();
-    const std::vector<MatchAxis> axes = match_axes(std::span(&first, 1));
+    const std::vector<RangedAxis> axes = match_axes(std::span(&first, 1));
     Eigen::MatrixXd coordinates(2, 3);
     coordinates << 0, 0, 0, 0.123456789, 1, -1;
     const Campaign next = next_wave(first, axes, coordinates, "wave2", 8);
@@ -61,7 +61,7 @@ TEST(NextWave, VariesAPartOfAnotherKey) {
                                     "wave1.toml",
                                     {}},
                                    nullptr);
-    const std::vector<MatchAxis> axes = match_axes(std::span(&first, 1));
+    const std::vector<RangedAxis> axes = match_axes(std::span(&first, 1));
     const Campaign next = next_wave(first, axes, Eigen::MatrixXd::Constant(1, 1, 0.5), "wave2", 8);
     MatchWave second;
     second.file = "wave2.h5";

@@ -1,6 +1,6 @@
 // The design load over what is left, of a tank whose largest loads are known.
 
-#include "match/predict.hpp"
+#include "match/matching.hpp"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,6 @@
 #include <numeric>
 #include <random>
 
-#include "match/predict.hpp"
 #include "match/synthetic_wave.hpp"
 #include "support/refusal.hpp"
 
@@ -112,11 +111,11 @@ TEST(PredictedDesignLoad, HoldsTheLargestLoadOfTheTruth) {
         const PredictedDesignLoad& one = narrow.designs.front();
         EXPECT_EQ(one.case_name, "E60");
         const double truth = exact(0.22, narrow.request.exposure, 0.9);
-        for (const PredictedRange& range : {one.quantile, one.quantile_weighed})
+        for (const Estimate& range : {one.quantile, one.quantile_weighed})
             held += range.low < truth && truth < range.high;
-        ratio += one.quantile.mean / truth / tanks;
-        EXPECT_LT(one.expected.mean, one.quantile.mean);
-        const PredictedRange wide = found_in(wave, 1).designs.front().quantile;
+        ratio += one.quantile.value / truth / tanks;
+        EXPECT_LT(one.expected.value, one.quantile.value);
+        const Estimate wide = found_in(wave, 1).designs.front().quantile;
         widened += (wide.high - wide.low) / (one.quantile.high - one.quantile.low) / tanks;
     }
     EXPECT_GE(held, 10);
@@ -145,8 +144,8 @@ TEST(PredictedDesignLoad, CountsOnlyRunsThatAreLeftWhereThereAreEnough) {
 // At scale L a load is L³ as large, and an exposure at full scale √L shorter in the model.
 TEST(PredictedDesignLoad, ScalesByFroude) {
     const MatchWave wave = tank([](double) { return 1.0; });
-    const double model = found_in(wave, 1).designs.front().quantile.mean;
-    const double full = found_in(wave, 1, {.averaging = 2, .scale = 4}).designs.front().quantile.mean;
+    const double model = found_in(wave, 1).designs.front().quantile.value;
+    const double full = found_in(wave, 1, {.averaging = 2, .scale = 4}).designs.front().quantile.value;
     EXPECT_GT(full, 0.8 * 64 * model);
     EXPECT_LT(full, 64 * model);
 }

@@ -1,6 +1,6 @@
 // The loads of a year as a finding: of cases with known tails, of a design between its points, and what is refused.
 
-#include "match/year_section.hpp"
+#include "match/year.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ double truth(const std::vector<std::pair<double, double>>& regimes, double p) {
     return low;
 }
 
-void expect_holds(const YearFigure& found, double wanted) {
+void expect_holds(const LoadFigure& found, double wanted) {
     EXPECT_LE(found.interval.low, wanted);
     EXPECT_GE(found.interval.high, wanted);
     EXPECT_NEAR(found.value / wanted, 1, 0.25);

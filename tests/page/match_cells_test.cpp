@@ -8,8 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "page/match_page.hpp"
-
 namespace floes {
 namespace match_cells_test {
 

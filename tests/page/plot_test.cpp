@@ -1,6 +1,6 @@
 // One diagram: positions of its ticks, and values drawn at the position given by the axis.
 
-#include "page/plot.hpp"
+#include "page/section_html.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // A campaign under way as a page: what it says before, during and after a run.
 
-#include "page/status_page.hpp"
+#include "page/page.hpp"
 
 #include <gmock/gmock.h>
 

@@ -12,7 +12,7 @@ import sys
 build, program = pathlib.Path(sys.argv[1]), sys.argv[2]
 faults = []
 
-kernels = sorted(build.glob("CMakeFiles/floes_*.dir/src/*/kernels_avx*.cpp.o"))
+kernels = sorted(build.glob("CMakeFiles/floes_*.dir/generated/*/kernels_avx*.cpp.o"))
 if len(kernels) != 4:
     sys.exit(f"four objects with AVX were expected, and there are {[str(path) for path in kernels]}")
 own = set()

@@ -9,7 +9,6 @@
 
 #include "arrangement/arrangement.hpp"
 #include "campaign/campaign.hpp"
-#include "campaign/identity.hpp"
 #include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"
 #include "replay/replay_member.hpp"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "campaign/identity.hpp"
 #include "campaign_file/publish.hpp"
 #include "run/attempt.hpp"
 #include "store/member_record.hpp"

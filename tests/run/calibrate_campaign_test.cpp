@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "core/error.hpp"
 #include "run/fakes.hpp"
 

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <csignal>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "run/fakes.hpp"

@@ -1,6 +1,6 @@
 // Members in isolated processes, in every way they can end.
 
-#include "run/helper.hpp"
+#include "run/attempt.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,6 @@
 #include "core/error.hpp"
 #include "run/campaign_status.hpp"
 #include "run/fakes.hpp"
-#include "run/merge.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {

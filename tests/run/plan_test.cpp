@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/error.hpp"
-#include "run/simulate.hpp"
 #include "store/member_record.hpp"
 #include "support/synthetic.hpp"
 

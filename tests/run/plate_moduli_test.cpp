@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "run/fakes.hpp"
-#include "simulation/plate_tests.hpp"
+#include "simulation/laboratory.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {

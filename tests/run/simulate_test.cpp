@@ -1,6 +1,6 @@
 // The simulated run against closed forms and a run computed by hand.
 
-#include "run/simulate.hpp"
+#include "run/plan.hpp"
 
 #include <gtest/gtest.h>
 

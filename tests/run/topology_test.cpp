@@ -1,4 +1,4 @@
-#include "run/topology.hpp"
+#include "run/link.hpp"
 
 #include <numeric>
 #include <vector>

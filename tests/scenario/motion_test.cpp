@@ -6,7 +6,6 @@
 #include <functional>
 #include <numbers>
 
-#include "core/error.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
@@ -22,12 +21,8 @@ std::string sentence(const std::function<void(Scenario&)>& change) {
     scenario.structure.start = 2;
     scenario.moorings = {.mass = 500, .gyration = 0.4, .surge = 600, .sway = 600, .yaw = 60};
     change(scenario);
-    try {
-        validate(scenario);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "consistent";
+    const Contradictions found = find_contradictions(scenario);
+    return found.empty() ? "consistent" : found.front().sentence;
 }
 
 MooringLine line() {

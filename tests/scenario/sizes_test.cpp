@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenario/floes.hpp"
 #include "scenario/validate.hpp"
 
 namespace floes {

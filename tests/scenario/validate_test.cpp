@@ -6,7 +6,6 @@
 
 #include <functional>
 
-#include "core/error.hpp"
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
@@ -17,12 +16,8 @@ using Change = std::function<void(Scenario&)>;
 std::string sentence(const Change& change) {
     Scenario scenario = sweeping_scenario();
     change(scenario);
-    try {
-        validate(scenario);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "consistent";
+    const Contradictions found = find_contradictions(scenario);
+    return found.empty() ? "consistent" : found.front().sentence;
 }
 
 void use_file(Scenario& s) {

@@ -1,4 +1,4 @@
-#include "serve/question_queue.hpp"
+#include "serve/served_model.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

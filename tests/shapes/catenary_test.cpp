@@ -1,6 +1,6 @@
 // Lines that hang, against values that others published and against what a cable must do.
 
-#include "shapes/catenary.hpp"
+#include "shapes/moorings.hpp"
 
 #include <gtest/gtest.h>
 

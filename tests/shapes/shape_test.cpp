@@ -95,11 +95,11 @@ TEST(Shape, WallAngleIsThatOfThePartThatRisesFromTheWater) {
 }
 
 TEST(Shape, SaysWhatItIs) {
-    EXPECT_EQ(Shape({{-0.443, 0.171}, {0.122, 0.736}}).words(),
+    EXPECT_EQ(Shape({{-0.443, 0.171}, {0.122, 0.736}}).words().text(),
               "straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m at +0.122 m)");
     // 0.43 m at the bottom: 67° below the waterline, 45° above.
     EXPECT_EQ(
-        Shape({{-0.443, 0.426}, {0.0, 0.614}, {0.122, 0.736}}).words(),
+        Shape({{-0.443, 0.426}, {0.0, 0.614}, {0.122, 0.736}}).words().text(),
         "67.0° from the horizontal (radius 0.426 m at -0.443 m to 0.614 m at +0.000 m), then 45.0° from the horizontal "
         "(radius 0.614 m at +0.000 m to 0.736 m at +0.122 m)");
 }
@@ -122,8 +122,8 @@ TEST(Shape, RefusesWhatIsNoBody) {
                                                         {{-1, 0}, {0, 0}, {1, 1}}};
     for (const std::vector<ProfilePoint>& profile : faulty) {
         const Shape shape(profile);
-        EXPECT_TRUE(shape.fault().has_value()) << shape.words();
-        EXPECT_THROW(static_cast<void>(shape.solids()), InputError) << shape.words();
+        EXPECT_TRUE(shape.fault().has_value()) << shape.words().text();
+        EXPECT_THROW(static_cast<void>(shape.solids()), InputError) << shape.words().text();
     }
 }
 

@@ -7,8 +7,7 @@
 #include "core/error.hpp"
 #include "ice/joint_stress.hpp"
 #include "scenario/keys.hpp"
-#include "simulation/cantilever.hpp"
-#include "simulation/plate_tests.hpp"
+#include "simulation/laboratory.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {

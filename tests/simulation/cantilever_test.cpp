@@ -1,4 +1,4 @@
-#include "simulation/cantilever.hpp"
+#include "simulation/laboratory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "simulation/plate_tests.hpp"
+#include "simulation/laboratory.hpp"
 
 #include <gtest/gtest.h>
 

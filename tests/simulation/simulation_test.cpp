@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "ice/scenario_world.hpp"
+#include "ice/ice_field.hpp"
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {

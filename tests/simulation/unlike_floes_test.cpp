@@ -7,7 +7,6 @@
 
 #include "ice/ice_field.hpp"
 #include "ice/joint_stress.hpp"
-#include "ice/scenario_world.hpp"
 #include "simulation/simulation.hpp"
 
 namespace floes {

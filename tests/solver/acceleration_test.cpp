@@ -1,4 +1,4 @@
-// Sweeps over contacts that carry a thrust through many bodies (solver/acceleration.hpp), by closed form.
+// Sweeps over contacts that carry a thrust through many bodies (solver/direct_contacts.hpp), by closed form.
 
 #include <gtest/gtest.h>
 

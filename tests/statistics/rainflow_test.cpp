@@ -1,6 +1,6 @@
 // Rainflow cycles: the example of ASTM E1049, a sine, and what is no cycle.
 
-#include "statistics/rainflow.hpp"
+#include "statistics/averaged_load.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // Steady state and autocorrelation of loads with known results.
 
-#include "statistics/steady_state.hpp"
 #include "statistics/load_statistics.hpp"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/identity.hpp"
+#include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"

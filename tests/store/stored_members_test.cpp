@@ -1,6 +1,6 @@
 // What is known of stored members in memory, and which record counts.
 
-#include "store/stored_members.hpp"
+#include "store/member_record.hpp"
 
 #include <gmock/gmock.h>
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "campaign/identity.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/random.hpp"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "theory/hybrid.hpp"
+#include "theory/level_ice.hpp"
 
 namespace floes {
 namespace hybrid_test {

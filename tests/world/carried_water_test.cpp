@@ -181,7 +181,7 @@ TEST(CarriedWater, HasTheSameBitsAtEveryWidth) {
     }
 }
 
-// Lengths in a unit of the world's own are the same water (world/froude_units.hpp).
+// Lengths in a unit of the world's own are the same water (FroudeUnits, world/world.cpp).
 TEST(CarriedWater, IsTheSameInEveryUnitOfLength) {
     std::vector<BodyState> ends;
     for (const double unit : {1.0, 3.0}) {

@@ -9,7 +9,7 @@
 
 #include "core/error.hpp"
 #include "scene.hpp"
-#include "world/material_friction.hpp"
+#include "world/engine.hpp"
 
 namespace floes::test {
 namespace friction_test {

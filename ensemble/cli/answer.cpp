@@ -1,0 +1,190 @@
+#include "cli/answer.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "cli/given.hpp"
+#include "core/descriptor.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "run/progress.hpp"
+#include "store/file_calls.hpp"
+
+namespace floes {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+int terminal_width() {
+    int width = 100;
+    winsize window{};
+    if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &window) == 0 && window.ws_col > 0) {
+        width = window.ws_col;
+    } else if (const char* columns = std::getenv("COLUMNS")) {
+        const int wished = std::atoi(columns);
+        if (wished > 0) width = wished;
+    }
+    return std::max(width, 40);
+}
+
+std::string written(const std::vector<Section>& sections, const std::string& format, const Units& units) {
+    if (format == "json") return json(sections);
+    return format == "csv" ? csv(sections) : text(sections, terminal_width(), units);
+}
+
+void print(const std::vector<Section>& sections, const std::string& format, const Units& units) {
+    std::fputs(written(sections, format, units).c_str(), stdout);
+}
+
+void write_new(const fs::path& path, const std::string& text) {
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (file.get() < 0 && errno == EEXIST)
+        throw InputError(fmt::format("{} exists already and is left as it is; give another name.", path.string()));
+    if (file.get() < 0)
+        throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", path.string(),
+                                     std::strerror(errno)));
+    try {
+        write_all(file, path, std::as_bytes(std::span(text)));
+    } catch (const RunError&) {
+        std::error_code ignored;
+        fs::remove(path, ignored);
+        throw;
+    }
+}
+
+void expect_place(const fs::path& path) {
+    const fs::path target = target_of(path);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    const auto refuse = [&](const std::string& why) {
+        return InputError(
+            fmt::format("{} cannot be written: {}; make the folder, or name another", path.string(), why));
+    };
+    std::error_code unknown;
+    if (!fs::exists(folder, unknown)) throw refuse(fmt::format("there is no folder {}", folder.string()));
+    if (!fs::is_directory(folder, unknown)) throw refuse(fmt::format("{} is no folder", folder.string()));
+    if (fs::is_directory(target, unknown))
+        throw InputError(fmt::format("{} is a folder; name a file in it", path.string()));
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        throw InputError(fmt::format("{} cannot be written: the folder {} does not permit it ({}); name another folder",
+                                     path.string(), folder.string(), std::strerror(errno)));
+}
+
+namespace {
+
+[[noreturn]] void refuse_page(const fs::path& path, const std::string& reason) {
+    throw RunError(
+        fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?", path.string(), reason));
+}
+
+/// The exit status of a program with these words, which says nothing here; none where there is no such program.
+std::optional<int> status_of(std::vector<std::string> words) {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        ::posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+    pid_t process = -1;
+    const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
+    ::posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) return std::nullopt;
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// Prints the page in the file `from` to the file `to`. Our pages have no scripts and load nothing, so the browser
+/// needs no sandbox, which it would not get as root or in a container.
+void print_page(const fs::path& from, const fs::path& to, const fs::path& named) {
+    std::vector<std::string> browsers{"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
+                                      "microsoft-edge"};
+    if (const char* given = std::getenv("FLOES_BROWSER"); given != nullptr && *given != '\0') browsers = {given};
+    for (const std::string& browser : browsers) {
+        const std::optional<int> status =
+            status_of({browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
+                       "--print-to-pdf-no-header", "--print-to-pdf=" + fs::absolute(to).string(),
+                       "file://" + fs::absolute(from).string()});
+        if (!status) continue;
+        if (*status != 0 || !first_bytes(to).starts_with("%PDF"))
+            throw RunError(fmt::format("{} could not print {} (exit status {}); write {} and print it from a browser.",
+                                       browser, named.string(), *status,
+                                       fs::path(named).replace_extension(".html").string()));
+        return;
+    }
+    throw InputError(fmt::format(
+        "{} would be printed by a browser, and {} cannot be started. Install one of Chromium's kind, name it with "
+        "FLOES_BROWSER, or write {} and print it yourself.",
+        named.string(), fmt::join(browsers, ", "), fs::path(named).replace_extension(".html").string()));
+}
+
+}  // namespace
+
+void write_page(const fs::path& path, const std::string& page) {
+    const fs::path target = target_of(path);
+    const bool printed = target.extension() == ".pdf";
+    const AsideFile aside(target.string() + (printed ? ".tmp.html" : ".tmp"));
+    std::ofstream file(aside.path(), std::ios::binary);
+    file << page;
+    file.close();
+    if (!file) refuse_page(path, std::strerror(errno));
+    const AsideFile print(target.string() + ".tmp.pdf");
+    if (printed) print_page(aside.path(), print.path(), path);
+    std::error_code error;
+    fs::rename(printed ? print.path() : aside.path(), target, error);
+    if (error) refuse_page(path, error.message());
+}
+
+std::string typed_program(const std::string& program) {
+    const char* launcher = std::getenv("FLOES_LAUNCHER");
+    if (launcher != nullptr) return shell_word(launcher);
+    return program.empty() ? "floes" : shell_word(program);
+}
+
+ProgressLine::ProgressLine(std::string what)
+    : what_(std::move(what)), live_(style_of_standard_error() == Progress::Style::live) {}
+
+ProgressLine::~ProgressLine() {
+    if (open_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(double done) {
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < (live_ ? std::chrono::milliseconds(500) : std::chrono::seconds(10)) || !(done > 0)) return;
+    last_ = now;
+    const double passed = std::chrono::duration<double>(now - begin_).count();
+    const std::string text =
+        fmt::format("{}: {:.0f} %, {} left", what_, 100 * done, duration_text(passed * (1 - done) / done));
+    std::fputs((live_ ? "\r\033[K" + text : text + "\n").c_str(), stderr);
+    open_ = live_;
+}
+
+WaitingNote::WaitingNote(std::ostream& out, std::string doing, std::chrono::milliseconds patience)
+    : waiting_([this, &out, doing = std::move(doing), patience](const std::stop_token& stop) {
+          std::unique_lock lock(mutex_);
+          over_.wait_for(lock, stop, patience, [] { return false; });
+          if (!stop.stop_requested()) out << "floes: " + doing + "\n" << std::flush;
+      }) {}
+
+}  // namespace floes
