@@ -149,10 +149,10 @@ std::string far_end_key(FarEnd far_end) {
     return far_end == FarEnd::ice_sheet ? "ice_sheet" : "open";
 }
 
-/// "80 to 230 s after the tow began, in 3 segments".
+/// "for 150 s, from 80 s after the tow began, in 3 segments": clear, too, where cases differ in both.
 Words window_words(const Analysis& analysis) {
-    return Words::of("{} to {} s after the tow began, in {}", analysis.steady_start,
-                     analysis.steady_start + analysis.window, Words::counted(analysis.segments, "segment"));
+    return Words::of("for {} s, from {} s after the tow began, in {}", analysis.window, analysis.steady_start,
+                     Words::counted(analysis.segments, "segment"));
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 // A field without end of the cells of one Voronoi diagram, laid part after part as a tow needs it: a sheet that broke
 // and opened. Of each part field.floes points are thrown; its floes are the next field.floes cells along x of the
-// diagram of all points (outline/endless_cells.hpp), with their edges moved inwards by one distance that leaves the
+// diagram of all points (shapes/drawn.hpp), with their edges moved inwards by one distance that leaves the
 // concentration. Cells that this would leave narrower than the ice is thick are open water.
 //
 // Part k is the same whatever the length of the run: a pure function of (scenario, seed, number, k).

@@ -1,7 +1,7 @@
 #pragma once
 // What a lattice of elements does not show of a load: the stress right below a contact. A joint's moment is a mean over
 // the size of an element, but below a small contact the stress of a plate grows as the logarithm of the contact's size
-// (theory/westergaard.hpp). The difference between the patch that a joint feels and the contact's own size b₀ is added:
+// (theory/plate.hpp). The difference between the patch that a joint feels and the contact's own size b₀ is added:
 //
 //   Δσ = C log10(b_L / b₀),   C = stress per decade, at an edge or inside
 //

@@ -53,7 +53,7 @@ std::string text_literal(std::string_view text);
 // list of keys refers to the value that it describes and to the words of its descriptions (mostly literals), and must
 // not outlive either. The words are not copied, because keys are described anew for each scenario that is compared.
 //
-// Keys of 1.0.0 that are others now: keys/former.hpp.
+// Keys of 1.0.0 that are others now: refuse_former() in keys/read.hpp.
 
 struct NumberField {
     std::function<double()> get;      ///< SI

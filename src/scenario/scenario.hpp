@@ -319,7 +319,7 @@ struct Structure {
     double speed = 0.07;  ///< V, m/s (Table 1)
 };
 
-/// Hydrostatics and hydrodynamics of an element; sources in scenario/tables_water.cpp.
+/// Hydrostatics and hydrodynamics of an element; sources in scenario/tables_field.cpp.
 struct Water {
     double density = 1000.0;  ///< ρ_w, kg/m³ (Table 1)
     WaterFlow flow = WaterFlow::potential;

@@ -101,8 +101,8 @@ double velocity_under_thrust(const ThrustLaw& law, double offset, double velocit
 //   T(s) = max(0, T_0 + k (s - s_0)),   or by a curve, on which T_0 says where the line begins
 //
 // so that lines also resist sway and yaw by turning (T/s abeam), as they do. A line above its break load is gone. A
-// turret's curve is of all lines together: towards where the turret would be, by the distance from there. Thrusters:
-// structure/thrusters.hpp.
+// turret's curve is of all lines together: towards where the turret would be, by the distance from there. Thrusters
+// stand above.
 
 enum class Motion { surge, sway, yaw, heave, pitch, roll };
 inline constexpr std::array<std::string_view, 6> motion_names{"surge", "sway", "yaw", "heave", "pitch", "roll"};

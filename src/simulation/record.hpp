@@ -94,7 +94,7 @@ struct Frame {
     std::vector<BodyState> elements;  ///< in the order of IceField::elements()
     std::vector<int> pieces;          ///< of each element: the first element of its piece
     std::vector<double> utilisation;  ///< of each element: largest λ/ε of its live joints, 0-1
-    /// In a field without end, what each of the above is in the numbers of the record (replay/floe_roll.hpp), which
+    /// In a field without end, what each of the above is in the numbers of the record (replay/frame_series.hpp), which
     /// `pieces` and `contacts` have too; only what is there stands above. Empty: all elements, in order.
     std::vector<int> ids{};
     std::vector<FrameLine> lines{};      ///< mooring lines that hold

@@ -17,7 +17,7 @@ double room_for_a_floe(const FloeSet& floes) {
 }
 
 /// Length of the sides of a field without end, m. The same for every run, or the bits of a load would tell how long
-/// its run is; twice the longest tow (scenario/checks_endless.cpp).
+/// its run is; twice the longest tow (scenario/checks_field.cpp).
 constexpr double without_end = 2e5;
 
 /// How far wind and current can take floes beside what the tow pushes, at most: with the current, and by the wind

@@ -384,7 +384,7 @@ void Simulation::move_window() {
     sleeping_.list_awake();
 }
 
-/// Only moorings let a structure come so far back: of the other ways scenario/checks_endless.cpp has seen the whole.
+/// Only moorings let a structure come so far back: of the other ways scenario/checks_field.cpp has seen the whole.
 void Simulation::check_way_back() const {
     const double x = motion_.before().position.x();
     if (!window_->has_left(x)) return;

@@ -68,7 +68,7 @@ std::vector<OscillatorState> motion_under(const Oscillator& oscillator, std::spa
 
 // How a moored structure moved in the window and what its moorings bore, as single numbers.
 
-/// Signs as in simulation/motion_history.hpp. All NaN without moorings.
+/// Signs as in simulation/record.hpp. All NaN without moorings.
 struct MooredResponse {
     Swing surge_offset;                                                 ///< m
     Swing sway_offset;                                                  ///< m

@@ -31,7 +31,7 @@ struct WaterTerm {
 };
 
 /// All of them, in the order in which a split adds one after the other. A new one is its part of the kernel with its
-/// factors (water_kernels), what they are (water_model), its keys (scenario/tables_water.cpp) and its line here.
+/// factors (water_kernels), what they are (water_model), its keys (scenario/tables_field.cpp) and its line here.
 inline constexpr std::array water_terms{
     WaterTerm{[](WaterFactors& factors) { factors.buoyancy = 0; }, &WorkShares::lifting},
     WaterTerm{[](WaterFactors& factors) { factors.wind_x = factors.wind_z = 0; }, &WorkShares::driving},

@@ -197,3 +197,17 @@ def long_texts(sources):
         for kind, _, first, last in scopes(text):
             if kind == "function" and last - first + 1 > MOST_LINES_OF_A_FUNCTION:
                 yield f"{path}:{first} begins a function of {last - first + 1} lines, more than {MOST_LINES_OF_A_FUNCTION}"
+
+
+def lost_names(sources, pages, tests=()):
+    """Of sources that comments or pages name and that are not there. "module/file.hpp", or in pages the file alone."""
+    there = set(sources) | {path.split("/", 1)[1] for path in sources}
+    for path, text in sources.items():
+        for name in re.findall(r"""(?<![\w"/<])([a-z]\w*/\w+\.[hc]pp)\b""", text):
+            if name not in there:
+                yield f"{path} names {name}, which is not there"
+    there |= {path.rpartition("/")[2] for path in sources} | set(tests)
+    for path, text in pages.items():
+        for name in re.findall(r"`((?:(?:src|ensemble)/\w+/)?\w+\.[hc]pp)`", text):
+            if name not in there:
+                yield f"{path} names {name}, which is not there"

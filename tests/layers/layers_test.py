@@ -36,6 +36,12 @@ class Project(unittest.TestCase):
     def test_files_and_functions_are_short(self):
         self.none(layers.long_texts(self.sources))
 
+    def test_comments_and_pages_name_sources_that_are_there(self):
+        pages = {path.name: path.read_text(encoding="utf-8")
+                 for path in [*PROJECT.glob("*.md"), *PROJECT.glob("docs/*.md")] if path.name != "CHANGELOG.md"}
+        self.assertIn("CONTRIBUTING.md", pages)
+        self.none(layers.lost_names(self.sources, pages, {path.name for path in PROJECT.glob("tests/*/*.[hc]pp")}))
+
 
 class Rules(unittest.TestCase):
     """Each on sources made for it."""
@@ -76,6 +82,11 @@ class Rules(unittest.TestCase):
                        "tbb/parallel_for.h", "nlopt.h", "unistd.h", "btBulletDynamicsCommon.h", "toml++/toml.h"):
             self.assertIsNotNone(layers.library_of(header), header)
         self.assertIsNone(layers.library_of("math.h"))
+
+    def test_lost_names(self):
+        sources = {"src/ice/a.hpp": "// As core/b.hpp has it.\n#include <boost/c.hpp>\n/// (ice/a.hpp)\n", "src/core/c.cpp": ""}
+        self.assertEqual(list(layers.lost_names(sources, {"README.md": "`d.cpp`, `src/ice/a.hpp`, `c.cpp`"})), [
+            "src/ice/a.hpp names core/b.hpp, which is not there", "README.md names d.cpp, which is not there"])
 
     def test_rows_of_tables(self):
         self.assertEqual(layers.rows("| layer | module | what | libraries |\n| 2 | `ice` | `x`, y | |\n"
