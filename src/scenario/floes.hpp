@@ -118,8 +118,8 @@ double largest_factor(const Spread& spread);
 
 /// Gives each floe the outline that [shapes] draws for it, and cells of a Voronoi diagram their places. Outlines depend
 /// on the campaign's seed, the arrangement's number, the part and what [shapes], [sizes], [floe] and [field] say. Cells
-/// of a field without end, which knows no part alone, stay rectangles (arrangement/endless_field.hpp). Throws InputError
-/// if cells are too small, or lie nearer than the clearance.
+/// of a field without end, which knows no part alone, stay rectangles (arrangement/endless_field.hpp). Throws
+/// InputError if cells are too small, or lie nearer than the clearance.
 void shape_floes(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe>& floes);
 
 /// Whether a convex outline is a sheet of such ice that can be cut into elements.
