@@ -12,7 +12,6 @@
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "findings/evidence.hpp"
-#include "findings/evidence.hpp"
 #include "findings/moored.hpp"
 #include "simulation/record.hpp"
 #include "support/refusal.hpp"
