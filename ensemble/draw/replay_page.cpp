@@ -20,6 +20,7 @@
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "draw/picture.hpp"
 #include "replay/view.hpp"
 #include "scenario/scenario.hpp"
 #include "tables/table.hpp"
@@ -78,7 +79,7 @@ Bytes Deflater::finish() {
 
 namespace {
 
-constexpr double most = 32767;
+constexpr double most_quanta = 32767;
 constexpr std::size_t parts = 7;  // of an element's state
 
 template <typename Number>
@@ -89,7 +90,7 @@ void put(Bytes& bytes, Number value) {
 }
 
 std::int16_t rounded(double quanta) {
-    return static_cast<std::int16_t>(std::lround(std::clamp(quanta, -most, most)));
+    return static_cast<std::int16_t>(std::lround(std::clamp(quanta, -most_quanta, most_quanta)));
 }
 
 bool of_structure(const FrameContact& contact) {
@@ -118,8 +119,8 @@ Quanta quanta_of(const Recording& recording) {
     Quanta quanta;
     if (box.isEmpty()) return quanta;
     quanta.middle = box.center();
-    quanta.length = std::max(0.5 * box.sizes().maxCoeff(), 1e-6) / most;
-    quanta.force = std::max(force, 1e-6) / most;
+    quanta.length = std::max(0.5 * box.sizes().maxCoeff(), 1e-6) / most_quanta;
+    quanta.force = std::max(force, 1e-6) / most_quanta;
     quanta.least_force = least_share * load;
     return quanta;
 }

@@ -100,8 +100,8 @@ std::string chance_text(const std::vector<CaseExtremes>& extremes) {
 }  // namespace
 
 std::vector<CaseExtremes> find_extremes(const CampaignTable& table) {
-    const std::vector<Quantity> quantities = table.quantities();
-    const double averaging = headline_maximum(quantities).averaging;
+    const std::vector<Quantity> of_members = table.quantities();
+    const double averaging = headline_maximum(of_members).averaging;
     std::vector<CaseExtremes> all;
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
         std::vector<std::vector<double>> maxima;

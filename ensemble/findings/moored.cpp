@@ -10,6 +10,7 @@
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "findings/evidence.hpp"
 #include "findings/summary.hpp"
 #include "statistics/load_statistics.hpp"
 

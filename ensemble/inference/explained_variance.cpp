@@ -1,7 +1,6 @@
 #include "inference/explained_variance.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include <Eigen/Core>
@@ -260,7 +259,6 @@ SobolIndices sobol_indices(const SaltelliValues& values, const BootstrapOptions&
     std::iota(all.begin(), all.end(), 0u);
     const bool varies = count > 0 && moments(values, all).variance > 0;
     const auto index = [&](auto estimator, std::size_t input) -> SobolIndex {
-        constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
         if (!varies) return {undefined, {undefined, undefined}};
         const RowStatistic statistic = [&](Rows rows) { return estimator(values, input, rows); };
         return {statistic(all), bca_interval(count, statistic, options)};
@@ -286,7 +284,6 @@ double high_f(double above, double below) {
 }  // namespace
 
 ArrangementShare arrangement_share(std::span<const std::vector<double>> values) {
-    const double undefined = std::numeric_limits<double>::quiet_NaN();
     ArrangementShare found{
         values.size(), values.empty() ? 0 : values.front().size(), undefined, undefined, {undefined, undefined}};
     for (const std::vector<double>& of_case : values)

@@ -479,7 +479,6 @@ bool check_output(std::span<const fs::path> parts, const fs::path& output, bool 
 /// Copies the block unchanged, because the order of sessions and attempts matters.
 void copy_block(const Descriptor& out, const fs::path& out_path, const fs::path& from, const Parts::Block& block) {
     const Descriptor file = open_file(from, O_RDONLY);
-    constexpr std::uint64_t stretch = 1 << 20;
     for (std::uint64_t at = block.from; at < block.to;) {
         Bytes bytes(std::min(stretch, block.to - at));
         if (!read_at(file, from, at, bytes))

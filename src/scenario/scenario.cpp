@@ -57,10 +57,10 @@ double FloeShape::floating_height(const Ice& ice, double water_density) const {
     return thickness * (0.5 - ice.density / water_density);
 }
 
-int Scenario::pattern_of(std::size_t floe) const {
+int Scenario::pattern_of(std::size_t number) const {
     constexpr int stock = 16;
     if (!has_cells()) return FloeShape::squares;
-    return stock * elements.draw + static_cast<int>(floe % stock);
+    return stock * elements.draw + static_cast<int>(number % stock);
 }
 
 Material Scenario::material() const {
