@@ -1,5 +1,6 @@
 #include "scenario/validate.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "scenario/keys.hpp"
@@ -38,14 +39,18 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
 }
 
 std::string with_values(const Scenario& scenario, std::string_view sentence) {
+    Scenario copy = scenario;
+    const Keys keys = describe(copy);
     std::string text;
-    for (std::size_t from = 0; from < sentence.size();) {
-        const std::size_t open = sentence.find('<', from);
-        const std::size_t close = open == sentence.npos ? open : sentence.find('>', open);
-        text += sentence.substr(from, close == sentence.npos ? close : open - from);
-        if (close == sentence.npos) break;
-        text += given(scenario, std::string(sentence.substr(open + 1, close - open - 1)));
-        from = close + 1;
+    while (!sentence.empty()) {
+        const std::size_t open = std::min(sentence.find('<'), sentence.size());
+        text += sentence.substr(0, open);
+        sentence.remove_prefix(open);
+        const std::size_t close = sentence.find('>');
+        const std::string path(close < sentence.size() ? sentence.substr(1, close - 1) : "");
+        const bool is_key = find_key(keys, path) != nullptr;
+        text += is_key ? given(scenario, path) : std::string(sentence.substr(0, 1));
+        sentence.remove_prefix(is_key ? close + 1 : std::min<std::size_t>(1, sentence.size()));
     }
     return text;
 }

@@ -29,7 +29,8 @@ inline void refuse(Contradictions& found, std::vector<std::string> keys, std::st
     found.push_back({std::move(keys), std::move(sentence)});
 }
 
-/// "<floe.element_m>" in the sentence becomes the key with its value, as given() shows it.
+/// "<floe.element_m>" in the sentence becomes the key with its value, as given() shows it; other text in angle
+/// brackets, such as the name of an outline, stays as it is.
 std::string with_values(const Scenario& scenario, std::string_view sentence);
 
 /// Adds a contradiction whose sentence has keys with their values in it, as with_values() puts them there.

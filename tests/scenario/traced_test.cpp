@@ -121,6 +121,10 @@ TEST(Traced, AreRefusedWhereTheyAreNoFloes) {
         refusal_of(scenario),
         "outline 2 is thinner than the ice: the widest circle in a convex part of it has a diameter of 0.03 m, less "
         "than ice.thickness_m = 0.033; leave such floes out of the file, or change shapes.scale or shapes.unit");
+    Scenario named = scenario;
+    named.shapes.traced.names = "A, <b> < c, C";
+    EXPECT_THAT(refusal_of(named), testing::AllOf(testing::StartsWith("outline 2 \"<b> < c\" is thinner"),
+                                                  HasSubstr("than ice.thickness_m = 0.033;")));
     scenario.shapes.traced.outlines[1] = rectangle(0, 0, 2, 0.1);
     EXPECT_EQ(refusal_of(scenario), "") << "narrower than an element";
     scenario.shapes.traced.outlines[1] = rectangle(0, 0, 0.1, 0.1);
