@@ -8,15 +8,17 @@
 
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace hydro_test {
 
 using testing::HasSubstr;
 
-/// A file of this test.
+/// A file in the folder of these tests.
 std::string file(const std::string& name, const std::string& text) {
-    std::string path = testing::TempDir() + "hydro_test_" + name;
+    static const TemporaryFolder folder;
+    std::string path = folder / name;
     std::ofstream(path) << text;
     return path;
 }

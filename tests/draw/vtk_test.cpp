@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "draw/vtk_reader.hpp"
 #include "draw/vtk_series.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace vtk_test {
@@ -20,17 +21,12 @@ using testing::HasSubstr;
 
 class Vtk : public testing::Test {
   protected:
-    Vtk() { std::filesystem::create_directories(folder); }
-    ~Vtk() override { std::filesystem::remove_all(folder); }
-
     VtkReader written(const VtkMesh& mesh) const {
         write_vtk(folder / "one", mesh, 1.5);
         return VtkReader(folder / "one");
     }
 
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() /
-        ("floes_vtk_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+    const TemporaryFolder folder;
 };
 
 /// Two floes of nine elements, every element turned in its own way, and two contacts.

@@ -70,7 +70,7 @@ def size(folder, name):
 
 def main():
     random.seed(1)
-    top = tempfile.mkdtemp(prefix="floes-week-", dir=os.environ.get("TMPDIR", "/tmp"))
+    top = tempfile.mkdtemp(prefix="floes-week-")
     try:
         folder, whole = os.path.join(top, "killed"), os.path.join(top, "whole")
         os.mkdir(folder)

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace capytaine_test {
@@ -47,7 +47,7 @@ double element(std::size_t row, std::size_t i, std::size_t j) {
 
 class File {
   public:
-    explicit File(const Written& what) : path_(testing::TempDir() + "capytaine_test.nc"), what_(what) {
+    explicit File(const Written& what) : what_(what) {
         expect(nc_create(path_.c_str(), what.container | NC_CLOBBER, &id_));
         expect(nc_def_dim(id_, what.along, what.omega.size(), &rows_));
         expect(nc_def_dim(id_, "radiating_dof", what.motions.size(), &radiating_));
@@ -92,7 +92,6 @@ class File {
         if (what.has_centre) put(centre, {0, 0, -2});
         expect(nc_close(id_));
     }
-    ~File() { std::remove(path_.c_str()); }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
@@ -140,7 +139,8 @@ class File {
         return found;
     }
 
-    std::string path_;
+    TemporaryFolder folder_;
+    std::string path_ = folder_ / "capytaine.nc";
     Written what_;
     int id_ = 0;
     int rows_ = 0;

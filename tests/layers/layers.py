@@ -2,7 +2,7 @@
 
 The compiler refuses an include that is not declared: a module's include path holds nothing else. What it cannot see stands
 here: declared dependencies that nobody needs, rings of files, libraries that come in by many doors, the layers of
-ARCHITECTURE.md, two classes of one name, long files and long functions.
+ARCHITECTURE.md, two classes of one name, long files and long functions, and tests that could meet.
 """
 
 import collections
@@ -197,6 +197,20 @@ def long_texts(sources):
         for kind, _, first, last in scopes(text):
             if kind == "function" and last - first + 1 > MOST_LINES_OF_A_FUNCTION:
                 yield f"{path}:{first} begins a function of {last - first + 1} lines, more than {MOST_LINES_OF_A_FUNCTION}"
+
+
+SHARED = {  # what two tests at the same time would meet in
+    r"TempDir\(|temp_directory_path\(|gettempdir\(|tmpnam|(?<![\w}/$])(/var/tmp|/tmp|/dev/shm)\b": "a folder of all",
+    r"--port[\s=\"',]+[1-9]|bind\(\([^)]*,\s*[1-9]\d|HttpServer(\s+\w+)?\(\"[^\"]*\", *[1-9]": "a fixed port"}
+
+
+def shared_places(tests):
+    """Where a test's source names a folder or a port that other tests may use. The one helper makes folders of their own."""
+    for path, text in tests.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            for pattern, what in SHARED.items():
+                if re.search(pattern, line) and path != "tests/support/temporary_folder.hpp":
+                    yield f"{path}:{number} names {what}; take a TemporaryFolder, mktemp -d, tempfile or port 0"
 
 
 def lost_names(sources, pages, tests=()):

@@ -42,6 +42,13 @@ class Project(unittest.TestCase):
         self.assertIn("CONTRIBUTING.md", pages)
         self.none(layers.lost_names(self.sources, pages, {path.name for path in PROJECT.glob("tests/*/*.[hc]pp")}))
 
+    def test_tests_share_nothing(self):
+        tests = {path.relative_to(PROJECT).as_posix(): path.read_text(encoding="utf-8")
+                 for kind in ("[hc]pp", "py", "sh") for path in PROJECT.glob(f"tests/**/*.{kind}")
+                 if "layers" not in path.parts}
+        self.assertGreater(len(tests), 300)
+        self.none(layers.shared_places(tests))
+
 
 class Rules(unittest.TestCase):
     """Each on sources made for it."""
@@ -87,6 +94,16 @@ class Rules(unittest.TestCase):
         sources = {"src/ice/a.hpp": "// As core/b.hpp has it.\n#include <boost/c.hpp>\n/// (ice/a.hpp)\n", "src/core/c.cpp": ""}
         self.assertEqual(list(layers.lost_names(sources, {"README.md": "`d.cpp`, `src/ice/a.hpp`, `c.cpp`"})), [
             "src/ice/a.hpp names core/b.hpp, which is not there", "README.md names d.cpp, which is not there"])
+
+    def test_shared_places(self):
+        helper = "tests/support/temporary_folder.hpp"
+        for line in ('testing::TempDir() + "a"', 'fs::temp_directory_path() / "a"', "cp a /tmp/a", 'open("/dev/shm/a")',
+                     '"serve", "--port", "4242"', "serve --port 4242", 'one.bind(("127.0.0.1", 4242))',
+                     'HttpServer server("localhost", 8080, {})', "tempfile.gettempdir()"):
+            self.assertEqual(len(list(layers.shared_places({"tests/a/a.cpp": f"\n{line}\n", helper: line}))), 1, line)
+        for line in ("mktemp -d", "tempfile.TemporaryDirectory()", '"--port", "0"', 'bind(("127.0.0.1", 0))',
+                     "$stage/root/tmp/", "cluster/tmp/%n"):
+            self.assertEqual(list(layers.shared_places({"tests/a/a.sh": line})), [], line)
 
     def test_rows_of_tables(self):
         self.assertEqual(layers.rows("| layer | module | what | libraries |\n| 2 | `ice` | `x`, y | |\n"

@@ -27,7 +27,7 @@ if [[ ${FLOES_BARE_ROOT-} ]]; then
 else
     mmdebstrap --quiet --variant=minbase bookworm "$stage/root" "${sources[@]}" || fail "mmdebstrap"
 fi
-cp "$package" "$stage/root/tmp/"
+cp "$package" "$stage/root/"
 # With /proc, which is gone with the command.
 here() {
     # shellcheck disable=SC2016  # expanded by that shell
@@ -37,7 +37,7 @@ here() {
 
 cp -L /etc/resolv.conf "$stage/root/etc/resolv.conf"
 here apt-get -q update >"$stage/log" 2>&1 || fail "apt-get update: $(<"$stage/log")"
-here apt-get -q install -y --no-install-recommends "/tmp/$(basename "$package")" >"$stage/log" 2>&1 ||
+here apt-get -q install -y --no-install-recommends "/$(basename "$package")" >"$stage/log" 2>&1 ||
     fail "apt: $(tail -20 "$stage/log")"
 here sh -c '! command -v g++ && ! command -v cmake' || fail "the package brings a compiler along"
 [[ $(here floes --version | head -1) == "$("$program" --version | head -1)" ]] || fail "another version is installed"

@@ -61,14 +61,30 @@ until_true() {
     done
 }
 
-# free_ports USE…: a port for each.
+# free_ports USE…: a port for each. A process holds them by name until the system ends, so that no other test gets them
+# before they are used; they lie below those that the kernel gives to whoever asks for any.
 free_ports() {
-    /usr/bin/python3 - "$@" <<'PYTHON'
-import socket, sys
-held = [socket.socket() for _ in sys.argv[1:]]
-for one in held:
-    one.bind(("127.0.0.1", 0))
-print(*(one.getsockname()[1] for one in held))
+    /usr/bin/python3 - "$TEST" "$@" <<'PYTHON'
+import os, random, socket, sys, time
+test, *uses = sys.argv[1:]
+held = {}
+while len(held) < len(uses):
+    port = random.randrange(20000, 32768)
+    with socket.socket() as tried:
+        name = socket.socket(socket.AF_UNIX)
+        try:
+            name.bind(f"\0floes-test-port-{port}")
+            tried.bind(("127.0.0.1", port))
+        except OSError:
+            continue
+    held[port] = name
+print(*held, flush=True)
+if os.fork() == 0:
+    os.setsid()
+    for stream in range(3):
+        os.close(stream)
+    while os.path.exists(f"/proc/{test}"):
+        time.sleep(1)
 PYTHON
 }
 

@@ -6,8 +6,10 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
+
+#include "support/file_bytes.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace file_calls_test {
@@ -16,22 +18,14 @@ namespace fs = std::filesystem;
 
 class FileCalls : public testing::Test {
   protected:
-    FileCalls() {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_ / "elsewhere");
-    }
-    ~FileCalls() override { fs::remove_all(folder_); }
+    FileCalls() { fs::create_directory(folder_ / "elsewhere"); }
 
     fs::path write(const char* name, const std::string& text) const {
         std::ofstream(folder_ / name) << text;
         return folder_ / name;
     }
-    static std::string text_of(const fs::path& path) {
-        std::ifstream in(path);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
 
-    fs::path folder_ = fs::path(testing::TempDir()) / "file_calls_test";
+    const TemporaryFolder folder_;
 };
 
 TEST_F(FileCalls, ALinkStaysOneAndWhatItPointsToIsReplaced) {
@@ -39,19 +33,19 @@ TEST_F(FileCalls, ALinkStaysOneAndWhatItPointsToIsReplaced) {
     fs::create_symlink("elsewhere/real.h5", link);
     rename_into_place(write("aside", "first"), link);
     EXPECT_TRUE(fs::is_symlink(link));
-    EXPECT_EQ(text_of(folder_ / "elsewhere/real.h5"), "first") << "which was not there yet";
+    EXPECT_EQ(file_text(folder_ / "elsewhere/real.h5"), "first") << "which was not there yet";
     const fs::path second = folder_ / "second.h5";
     fs::create_symlink(link, second);
     rename_into_place(write("aside", "again"), second);
     EXPECT_TRUE(fs::is_symlink(second));
-    EXPECT_EQ(text_of(folder_ / "elsewhere/real.h5"), "again");
+    EXPECT_EQ(file_text(folder_ / "elsewhere/real.h5"), "again");
     EXPECT_FALSE(fs::exists(folder_ / "aside"));
 }
 
 TEST_F(FileCalls, WithoutALinkTheFileItselfIsReplaced) {
     const fs::path file = write("campaign.h5", "before");
     rename_into_place(write("aside", "after"), file);
-    EXPECT_EQ(text_of(file), "after");
+    EXPECT_EQ(file_text(file), "after");
     EXPECT_EQ(target_of(file), file);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// A temporary folder for one test, removed at its end.
+// A temporary folder for one test, removed at its end. Nothing else of a test lies where other tests could meet it.
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace floes {
 class TemporaryFolder {
   public:
     TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "floes_store_XXXXXX").string();
+        std::string name = (std::filesystem::temp_directory_path() / "floes_test_XXXXXX").string();
         if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder: " + name);
         path_ = name;
     }
