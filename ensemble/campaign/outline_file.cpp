@@ -235,7 +235,6 @@ double finite_number(const std::string& cell, const std::string& where) {
 /// Floes of a CSV text: the header floe,x,y, and a line for each corner; lines of a floe follow one another. Throws
 /// InputError, beginning with file and line.
 std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::string& file) {
-    if (!is_utf8(text)) throw InputError(fmt::format("{}: this is no text in UTF-8; save it as such", file));
     const std::vector<CsvLine> lines = csv_lines(text, file);
     if (lines.empty())
         throw InputError(fmt::format("{}: the file is empty; write floe,x,y and a line for each corner", file));

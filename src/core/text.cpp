@@ -33,6 +33,11 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+bool is_utf16(std::string_view text) {
+    const std::string_view first = text.substr(0, 2);
+    return first == "\xFF\xFE" || first == "\xFE\xFF" || first.find('\0') != std::string_view::npos;
+}
+
 std::string_view beginning(std::string_view text, std::size_t most) {
     constexpr std::size_t most_further = 3;  // bytes of a letter after its first; more are not UTF-8
     if (text.size() <= most) return text;

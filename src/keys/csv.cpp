@@ -2,65 +2,130 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "keys/meant.hpp"
 
 namespace floes {
 
 namespace {
 
-std::string_view without_blanks(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
+/// Without outer blanks; a tab may be what divides cells, and is none then.
+std::string_view without_blanks(std::string_view text, char divider = ',') {
+    const char* const blanks = divider == '\t' ? " " : " \t";
+    const std::size_t first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// The cell that the line begins with; takes it and its `comma` off the line. `more`: whether a comma followed.
-std::string take_cell(std::string_view& line, const std::string& where, char comma, bool& more) {
-    line = without_blanks(line);
-    std::string cell;
-    if (!line.starts_with('"')) {
-        const std::size_t end = line.find(comma);
-        cell = without_blanks(line.substr(0, end));
+/// The line that the text begins with; takes it off the text, with its line feed, carriage return or both.
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(end);
+    text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
+    return line;
+}
+
+/// "sep=;", which spreadsheets write and read as the first line; nothing for any other line.
+std::optional<char> named_divider(std::string_view line) {
+    if (line.size() != 5) return {};
+    const bool named = (line.starts_with("sep=") || line.starts_with("SEP=")) && line[4] != '"';
+    return named ? std::optional(line[4]) : std::nullopt;
+}
+
+/// What divides the cells of a header: a semicolon or a tab where it has no comma.
+char divider_of(std::string_view header) {
+    bool quoted = false;
+    char divider = ',';
+    for (const char c : header) {
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == ',') return ',';
+        if (c == ';' || (c == '\t' && divider == ',')) divider = c;
+    }
+    return divider;
+}
+
+std::string_view name_of(char divider) {
+    return divider == ',' ? "comma" : divider == ';' ? "semicolon" : divider == '\t' ? "tab" : "divider";
+}
+
+/// The cells of one line.
+class CellReader {
+  public:
+    CellReader(std::string_view line, char divider, std::string where)
+        : line_(line), divider_(divider), where_(std::move(where)) {}
+
+    std::vector<std::string> read() {
+        std::vector<std::string> cells;
+        for (bool more = true; more;) {
+            line_ = without_blanks(line_, divider_);
+            cells.push_back(line_.starts_with('"') ? take_quoted(more) : take_plain(more));
+        }
+        return cells;
+    }
+
+  private:
+    /// Takes the cell and its divider off the line. `more`: whether a divider followed.
+    std::string take_plain(bool& more) {
+        const std::size_t end = line_.find(divider_);
+        std::string cell(without_blanks(line_.substr(0, end), divider_));
         more = end != std::string_view::npos;
-        line.remove_prefix(more ? end + 1 : line.size());
-        return cell;
+        line_.remove_prefix(more ? end + 1 : line_.size());
+        if (divider_ == ',') return cell;
+        std::string pointed = with_decimal_point(cell);
+        if (pointed.empty()) return cell;
+        // With semicolons a comma is the decimal sign; with tabs it may as well divide thousands.
+        if (divider_ != ';')
+            throw InputError(fmt::format("{}: {} has a comma; write {}, with a point", where_, cell, pointed));
+        return pointed;
     }
-    std::size_t at = 1;
-    while (true) {
-        const std::size_t quote = line.find('"', at);
-        if (quote == std::string_view::npos)
-            throw InputError(fmt::format("{}: a quoted cell does not end on its line; close it with \"", where));
-        cell += line.substr(at, quote - at);
-        at = quote + 1;
-        if (!line.substr(at).starts_with('"')) break;
-        cell += '"';
-        ++at;
+
+    std::string take_quoted(bool& more) {
+        std::string cell;
+        std::size_t at = 1;
+        while (true) {
+            const std::size_t quote = line_.find('"', at);
+            if (quote == std::string_view::npos)
+                throw InputError(fmt::format("{}: a quoted cell does not end on its line; close it with \"", where_));
+            cell += line_.substr(at, quote - at);
+            at = quote + 1;
+            if (!line_.substr(at).starts_with('"')) break;
+            cell += '"';
+            ++at;
+        }
+        line_ = without_blanks(line_.substr(at), divider_);
+        more = line_.starts_with(divider_);
+        if (!more && !line_.empty())
+            throw InputError(
+                fmt::format("{}: a {} is missing after the quoted cell \"{}\"", where_, name_of(divider_), cell));
+        line_.remove_prefix(more ? 1 : 0);
+        if (divider_ != ';') return cell;
+        std::string pointed = with_decimal_point(cell);
+        return pointed.empty() ? cell : pointed;
     }
-    line = without_blanks(line.substr(at));
-    more = line.starts_with(comma);
-    if (!more && !line.empty())
-        throw InputError(fmt::format("{}: a {} is missing after the quoted cell \"{}\"", where,
-                                     comma == ',' ? "comma" : "semicolon", cell));
-    line.remove_prefix(more ? 1 : 0);
-    return cell;
-}
 
-/// 0,5 becomes 0.5; what is no such number stays.
-void take_decimal_comma(std::string& cell) {
-    if (std::string pointed = with_decimal_point(cell); !pointed.empty()) cell = std::move(pointed);
-}
+    std::string_view line_;
+    char divider_;
+    std::string where_;
+};
 
-/// One of the two would be read and the other lost.
-void refuse_doubled_columns(const CsvLine& header, const std::string& file) {
+/// A column that two have is read once and lost once, and one that nobody named is whatever a program wrote there.
+void refuse_columns(const CsvLine& header, const std::string& file) {
     for (std::size_t k = 0; k < header.cells.size(); ++k) {
         const std::string& name = header.cells[k];
-        if (name.empty() || number_in(name)) continue;  // no header
+        if (number_in(name)) continue;  // no header
+        if (name.empty())
+            throw InputError(
+                fmt::format("{}:{}: column {} has no name; name it, or leave it out, as pandas does with index=False",
+                            file, header.number, k + 1));
         const auto before = header.cells.begin() + static_cast<std::ptrdiff_t>(k);
         if (std::find(header.cells.begin(), before, name) != before)
             throw InputError(fmt::format("{}:{}: the column {} is there twice; leave one of the two out", file,
@@ -68,34 +133,48 @@ void refuse_doubled_columns(const CsvLine& header, const std::string& file) {
     }
 }
 
+/// Takes off empty cells behind the columns, as spreadsheets write them.
+void drop_empty_ends(std::vector<CsvLine>& lines) {
+    std::vector<std::string>& header = lines.front().cells;
+    while (header.back().empty()) header.pop_back();
+    for (CsvLine& line : lines)
+        while (line.cells.size() > header.size() && line.cells.back().empty()) line.cells.pop_back();
+}
+
 }  // namespace
 
 std::vector<CsvLine> csv_lines(std::string_view text, const std::string& file) {
+    if (is_utf16(text)) throw InputError(fmt::format("{}: this is text in UTF-16; save it in UTF-8", file));
+    if (!is_utf8(text)) throw InputError(fmt::format("{}: this is no text in UTF-8; save it as such", file));
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    const std::string_view first = text.substr(0, text.find('\n', text.find_first_not_of(" \t\r\n")));
-    const char comma =
-        first.find(';') != std::string_view::npos && first.find(',') == std::string_view::npos ? ';' : ',';
+    std::optional<char> divider;
     std::vector<CsvLine> lines;
     for (int number = 1; !text.empty(); ++number) {
-        const std::size_t end = text.find('\n');
-        std::string_view line = text.substr(0, end);
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        const std::string_view line = take_line(text);
         if (without_blanks(line).empty()) continue;
-        CsvLine& made = lines.emplace_back(CsvLine{number, {}});
-        for (bool more = true; more;)
-            made.cells.push_back(take_cell(line, fmt::format("{}:{}", file, number), comma, more));
-        if (comma == ';') std::ranges::for_each(made.cells, take_decimal_comma);
+        if (!divider) {
+            divider = named_divider(line);
+            if (divider) continue;
+            divider = divider_of(line);
+        }
+        CsvLine made{number, CellReader(line, *divider, fmt::format("{}:{}", file, number)).read()};
+        if (std::ranges::all_of(made.cells, &std::string::empty)) continue;
+        lines.push_back(std::move(made));
     }
-    if (!lines.empty()) refuse_doubled_columns(lines.front(), file);
+    if (lines.empty()) return lines;
+    drop_empty_ends(lines);
+    refuse_columns(lines.front(), file);
     return lines;
 }
 
 std::optional<double> number_in(std::string_view cell) {
+    if (cell.starts_with('+') && !cell.starts_with("+-")) cell.remove_prefix(1);
     double number = 0;
     const char* const end = cell.data() + cell.size();
     const auto [stop, fault] = std::from_chars(cell.data(), end, number);
-    return fault == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
+    const bool whole = fault == std::errc{} && stop == end && std::isfinite(number);
+    return whole ? std::optional(number) : std::nullopt;
 }
 
 std::string joined(const CsvLine& line) {

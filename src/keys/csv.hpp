@@ -13,13 +13,16 @@ struct CsvLine {
     std::vector<std::string> cells;  ///< without quotes and outer blanks
 };
 
-/// The lines with anything in them (RFC 4180, also with bare line feeds, and with a byte order mark before), of which
-/// the first names columns. A quoted cell ends on its line. Where the first line has semicolons and no comma, cells are
-/// divided by these and numbers have decimal commas, as spreadsheets write them in many countries; they are points in
-/// the cells given back. Throws InputError for a quote that does not end and for a column that is there twice.
+/// The lines with anything in them, of which the first names columns: CSV after RFC 4180 as programs write it, in UTF-8
+/// with or without a byte order mark, lines ended by line feeds, carriage returns or both. A quoted cell ends on its
+/// line. Cells are divided by what a first line "sep=;" names; else by commas, or by semicolons or tabs where the
+/// header has no comma. With semicolons numbers have decimal commas, as spreadsheets write them in many countries; they
+/// are points in the cells given back. Empty cells behind the last column are none. Throws InputError, beginning with
+/// `file`, for other encodings, a quote that does not end, a decimal comma beside tabs, and a column that has no name
+/// or is there twice.
 std::vector<CsvLine> csv_lines(std::string_view text, const std::string& file);
 
-/// The number that a cell is from end to end; none where it is something else.
+/// The finite number that a cell is from end to end, also as +10, 10. or 1e1; none where it is something else.
 std::optional<double> number_in(std::string_view cell);
 
 /// The cells of a line as written, for a message.
