@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -68,6 +69,12 @@ Value to_value(const toml::node& node) {
     return {Value::Strange{"a date or time"}};
 }
 
+/// `first`: where it is given too; empty where that is not known.
+InputError given_twice(const std::string& where, const std::string& what, const std::string& first) {
+    return InputError(
+        fmt::format("{}: {} is given twice{}; keep one", where, what, first.empty() ? "" : ", first at " + first));
+}
+
 /// An entry with its position in the text.
 struct Placed {
     Entry entry;
@@ -85,6 +92,7 @@ class Flattener {
         collect(table, "", in_block, placed);
         std::ranges::stable_sort(placed, {},
                                  [](const Placed& item) { return std::pair(item.at.line, item.at.column); });
+        refuse_doubles(placed);
         std::vector<Entry> entries;
         for (Placed& item : placed) entries.push_back(std::move(item.entry));
         return entries;
@@ -102,6 +110,15 @@ class Flattener {
         Block block;
         toml::source_index line;
     };
+
+    /// "ice.thickness_m" = 0.03 in quotes is another key of TOML than thickness_m below [ice], and the same of floes.
+    void refuse_doubles(const std::vector<Placed>& placed) const {
+        std::map<std::string_view, toml::source_position> seen;
+        for (const Placed& item : placed) {
+            const auto [first, is_new] = seen.emplace(item.entry.path, item.at);
+            if (!is_new) throw given_twice(item.entry.where, item.entry.path, where(first->second));
+        }
+    }
 
     void collect(const toml::table& table, const std::string& prefix, bool in_block, std::vector<Placed>& placed) {
         for (const auto& [key, node] : table) {
@@ -169,6 +186,22 @@ std::string decimal_comma(std::string_view text, toml::source_index line) {
     return pointed.empty() ? "" : fmt::format("{} = {}: write {}, with a point", key, value, pointed);
 }
 
+/// The line before `last` (counted from 1) that has [name], or the key of that name below the same header; 0 for none.
+toml::source_index first_line_of(std::string_view text, const std::string& name, bool is_table,
+                                 toml::source_index last) {
+    toml::source_index found = 0;
+    for (toml::source_index number = 1; number < last && !text.empty(); ++number) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string line = trimmed(text.substr(0, end));
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const bool header = line.starts_with('[');
+        if (header && !is_table) found = 0;
+        const std::string here = header ? line.substr(1, line.find(']') - 1) : line.substr(0, line.find('='));
+        if (header == is_table && trimmed(here) == name) found = number;
+    }
+    return found;
+}
+
 /// toml++ says "…: cannot redefine existing integer 'thickness_m'"; the rest of its messages say what it expected.
 InputError syntax_error(const toml::parse_error& error, std::string_view text, const std::string& file) {
     const toml::source_position at = error.source().begin;
@@ -179,9 +212,10 @@ InputError syntax_error(const toml::parse_error& error, std::string_view text, c
     if (description.find("cannot redefine existing") != std::string::npos && close > open) {
         const bool is_table = description.find("table header") != std::string::npos;
         const std::string name = description.substr(open + 1, close - open - 1);
-        if (is_table) return InputError(fmt::format("{}:{}: [{}] is given twice; keep one", file, at.line, name));
-        return InputError(
-            fmt::format("{}:{}: {}{} is given twice; keep one", file, at.line, table_above(text, at.line), name));
+        const toml::source_index first = first_line_of(text, name, is_table, at.line);
+        return given_twice(fmt::format("{}:{}", file, at.line),
+                           is_table ? fmt::format("[{}]", name) : table_above(text, at.line) + name,
+                           first == 0 ? "" : fmt::format("{}:{}", file, first));
     }
     if (const std::string comma = decimal_comma(text, at.line); !comma.empty())
         return InputError(fmt::format("{}:{}: {}", file, at.line, comma));
@@ -190,10 +224,20 @@ InputError syntax_error(const toml::parse_error& error, std::string_view text, c
     return InputError(fmt::format("{}:{}:{}: this is not TOML ({})", file, at.line, at.column, description));
 }
 
+/// With line feeds in place of carriage returns that stand alone, by which some editors end lines and TOML none.
+std::string with_line_feeds(std::string_view text) {
+    std::string made(text);
+    for (std::size_t at = made.find('\r'); at != std::string::npos; at = made.find('\r', at + 1))
+        if (made.compare(at + 1, 1, "\n") != 0) made[at] = '\n';
+    return made;
+}
+
 }  // namespace
 
-Document parse_document(std::string_view text, const std::string& file) {
-    refuse_what_cannot_be_held(text, file);
+Document parse_document(std::string_view given, const std::string& file) {
+    if (is_utf16(given)) throw InputError(fmt::format("{}: this is text in UTF-16; save it in UTF-8", file));
+    refuse_what_cannot_be_held(given, file);
+    const std::string text = with_line_feeds(given);
     try {
         const toml::table table = toml::parse(text, file);
         Flattener flattener(file);

@@ -228,7 +228,7 @@ TEST(ReadCampaign, EveryMessageIsOneSentence) {
         {"[[case]]\nname = \"a\"\n[[case]]\nname = \"a\"\n",
          "configs/a.toml:4: name = \"a\" names an earlier case too; give each case its own name"},
         {"[[case]]\nname = \"a\"\ncfm = 0.1\njoint.cfm = 0.2\n",
-         "configs/a.toml:4: joint.cfm is given twice in this [[case]]; keep one"},
+         "configs/a.toml:4: joint.cfm is given twice in this [[case]], first at configs/a.toml:3; keep one"},
         {"[[case]]\nname = \"a\"\ncampaign.seed = 2\n",
          "configs/a.toml:3: campaign.seed = 2 is for all cases; write it in [campaign]"},
         {"[[case]]\nname = \"a\"\njoint.cmf = 0.2\n",
