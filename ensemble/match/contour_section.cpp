@@ -7,12 +7,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "findings/conditions.hpp"
 #include "keys/document.hpp"
+#include "keys/key.hpp"
 #include "match/regimes.hpp"
 #include "match/year.hpp"
+#include "scenario/keys.hpp"
 
 namespace floes {
 
@@ -51,6 +54,15 @@ SmoothParameter parameter_of(const Entry& entry, bool of_first) {
         numbers[k] = *number;
     }
     return {numbers[0], numbers[1], numbers[2]};
+}
+
+void refuse_stranger(const std::string& key, const std::string& where) {
+    Scenario scratch;
+    const Keys keys = describe(scratch);
+    const Key* known = find_key(keys, full_path(key));
+    if (known == nullptr || !std::holds_alternative<NumberField>(known->field))
+        throw InputError(fmt::format("{}: {} is not a key of a case that takes a number; did you mean {}?", where, key,
+                                     nearest_path(keys, key)));
 }
 
 /// The text of an entry that must be there.
@@ -121,6 +133,7 @@ ContourInputs from_distributions(const Document& document, const std::string& fi
                 fmt::format("{}: [[{}]] is not a table of inputs; did you mean [[input]]?", block.where, block.path));
     made.time = hours * unit::hour;
     for (std::size_t k = 0; k < 2; ++k) made.keys[k] = words_of(document.blocks[k], "key", "ice.thickness_m");
+    for (std::size_t k = 0; k < 2; ++k) refuse_stranger(made.keys[k], document.blocks[k].find("key")->where);
     if (made.keys[0] == made.keys[1])
         throw InputError(
             fmt::format("{}: {} is an input already; a contour is of two", document.blocks[1].where, made.keys[1]));
@@ -156,6 +169,7 @@ ContourInputs from_regimes(const std::vector<Regime>& regimes, const std::string
                         "keys, as ice.thickness_m and structure.speed_m_s",
                         first.where, first.values.size()));
     made.keys = {first.values[0].path, first.values[1].path};
+    for (const Entry& value : first.values) refuse_stranger(value.path, value.where);
     std::array<std::set<double>, 2> values;
     for (const Regime& regime : regimes) {
         made.classes.push_back(class_of(regime, made.keys));

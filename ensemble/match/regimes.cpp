@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,6 +21,13 @@ constexpr const char* regime_block = "regime";
 Value number_or_words(const std::string& cell) {
     const std::optional<double> number = number_in(cell);
     return number ? Value{*number} : Value{cell};
+}
+
+/// The ice of a regime, however its numbers and their order are written.
+std::pair<std::string, std::map<std::string, double>> ice_of(const Regime& regime) {
+    std::map<std::string, double> values;
+    for (const Entry& value : regime.values) values.emplace(value.path, number_of(value.value).value());
+    return {regime.case_name, values};
 }
 
 /// "thin", "thickness 0.5 m, speed 0.1 m/s": what a regime without a name is called.
@@ -62,18 +70,19 @@ Regime regime_of(const Block& block) {
 }
 
 void refuse_twice(const std::vector<Regime>& regimes) {
-    std::map<std::string, std::string> names, places;
+    std::map<std::string, std::string> names;
+    std::map<std::pair<std::string, std::map<std::string, double>>, std::string> ices;
     for (const Regime& regime : regimes) {
         const auto [named, new_name] = names.emplace(regime.name, regime.where);
         if (!new_name)
             throw InputError(
                 fmt::format("{}: {} is a regime already, at {}; give it another name, or add its hours to that one",
                             regime.where, regime.name, named->second));
-        const auto [placed, new_place] = places.emplace(place_of(regime), regime.where);
-        if (!new_place)
+        const auto [same, new_ice] = ices.emplace(ice_of(regime), regime.where);
+        if (!new_ice)
             throw InputError(
                 fmt::format("{}: the regime {} is the ice of another one, at {}; add its hours to that one",
-                            regime.where, regime.name, placed->second));
+                            regime.where, regime.name, same->second));
     }
 }
 

@@ -52,19 +52,41 @@ TEST(ContourInputs, AreFittedToAScatterDiagram) {
     EXPECT_EQ(read_contour_inputs(toml, "ice.toml").inputs.one.first.a, inputs.inputs.one.first.a);
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+    return text;
+}
+
+TEST(ContourInputs, AreTheSameHoweverTheDiagramIsWritten) {
+    const JointFit fit = read_contour_inputs(table(), "ice.csv").fit.value();
+    for (const std::string& text :
+         {replaced(table(), ",", "\t"), "sep=,\n" + table(), table(",,\n,,\n"), replaced(table(), "\n", "\r"),
+          replaced(table(), "\n", "\r\n"), replaced(table(), "\n", ",,\n"),
+          replaced(replaced(table(), ",", ";"), "0.", "0,")}) {
+        const ContourInputs read = read_contour_inputs(text, "ice.csv");
+        EXPECT_EQ(read.classes.size(), 9u) << text;
+        EXPECT_NEAR(read.time, 450 * unit::hour, 1e-6) << text;
+        EXPECT_EQ(read.inputs.one.first.a, fit.inputs.one.first.a) << text;
+    }
+}
+
 TEST(ContourInputs, RefuseWhatIsNoJointDistribution) {
     const auto said = [](const std::string& text, const std::string& file) {
         return refusal([&] { read_contour_inputs(text, file); });
     };
     const auto instead = [](const std::string& from, const std::string& to) {
-        std::string text = distributions;
-        return text.replace(text.find(from), from.size(), to);
+        return replaced(distributions, from, to);
     };
     EXPECT_THAT(said(table("0.05,-0.1,3\n"), "a.csv"),
                 HasSubstr("a.csv:11: structure.speed_m_s = -0.1 is not above 0"));
     EXPECT_THAT(said("ice.thickness_m,hours_per_year\n0.02,3\n", "a.csv"), HasSubstr("a contour is of two inputs"));
     EXPECT_THAT(said("ice.thickness_m,structure.speed_m_s,hours_per_year\n0.02,0.1,3\n0.03,0.1,3\n", "a.csv"),
                 HasSubstr("ice.thickness_m has 2 different values, and a distribution wants at least 3"));
+    EXPECT_EQ(said(replaced(table(), "thickness_m", "thickness_cm"), "a.csv"),
+              "a.csv:2: ice.thickness_cm is not a key of a case that takes a number; did you mean ice.thickness_m?");
+    EXPECT_THAT(said(instead("ice.thickness_m", "ice.thickness_mm"), "a.toml"),
+                HasSubstr("a.toml:3: ice.thickness_mm is not a key of a case that takes a number"));
     EXPECT_THAT(said(instead("hours_per_year = 600\n", ""), "a.toml"), HasSubstr("hours_per_year is missing"));
     EXPECT_THAT(said(instead("600", "9000"), "a.toml"),
                 HasSubstr("hours_per_year = 9000 must be above 0 and at most 8766"));

@@ -55,6 +55,14 @@ TEST(Regimes, RefuseWhatMakesNoYear) {
                 HasSubstr("year.toml:5: a is a regime already, at year.toml:1"));
     EXPECT_THAT(refusal([&] { toml(one + "[[regime]]\nname = \"b\"\nhours_per_year = 1\ncase = \"E60\"\n"); }),
                 HasSubstr("year.toml:5: the regime b is the ice of another one, at year.toml:1"));
+    EXPECT_THAT(refusal([&] {
+                    toml(
+                        "[[regime]]\nhours_per_year = 1\nice.thickness_m = 1\nstructure.speed_m_s = 0.5\n"
+                        "[[regime]]\nhours_per_year = 2\nstructure.speed_m_s = 0.5\nice.thickness_m = 1.0\n");
+                }),
+                HasSubstr("is the ice of another one, at year.toml:1"));
+    EXPECT_EQ(refusal([&] { toml("[[regime]]\nhours_per_year = 1\n\"ice.thickness_m\" = 1\nice.thickness_m = 2\n"); }),
+              "year.toml:4: ice.thickness_m is given twice, first at year.toml:3; keep one");
     EXPECT_THAT(refusal([&] { toml("[[regime]]\ncase = \"E60\"\n"); }), HasSubstr("has no hours_per_year"));
     EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 3\n"); }), HasSubstr("says nothing of its ice"));
     EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_yaer = 3\n"); }), HasSubstr("hours_per_year"));
