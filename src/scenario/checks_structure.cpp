@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
 #include <string>
 #include <utility>
@@ -19,6 +20,14 @@
 namespace floes {
 
 namespace {
+
+/// A turn goes the shorter way, so one that is written as more than a full turn is not what it says.
+std::string beyond_a_turn(double from, double to) {
+    constexpr double full = 2 * std::numbers::pi * (1 + 1e-12);
+    if (std::abs(to - from) <= full) return "";
+    return fmt::format("turns from {:g} to {:g} degrees, and turns go the shorter way, never by more than 180; ",
+                       from / unit::degree, to / unit::degree);
+}
 
 void check_legs(const Scenario& scenario, Contradictions& found) {
     const Path& path = scenario.path;
@@ -36,6 +45,14 @@ void check_legs(const Scenario& scenario, Contradictions& found) {
                "path.bow = \"ahead\" turns the structure with the heading, and path.of = \"ice\" has it stand; take "
                "path.bow = \"unturned\"");
     }
+    for (std::size_t k = 1; k < path.legs.size(); ++k) {
+        const PathLeg& before = path.legs[k - 1];
+        const PathLeg& leg = path.legs[k];
+        const std::string turn = beyond_a_turn(before.heading, leg.heading);
+        if (turn.empty() || beyond_a_turn(before.heading + before.turn * before.time, leg.heading).empty()) continue;
+        refuse(found, {"path.legs"}, fmt::format("path.legs[{}] {}let a leg turn by its turn_deg_s for more", k, turn));
+        return;
+    }
 }
 
 void check_table(const std::vector<PathPoint>& table, Contradictions& found) {
@@ -46,6 +63,8 @@ void check_table(const std::vector<PathPoint>& table, Contradictions& found) {
     if (first.time != 0 || first.x != 0 || first.z != 0)
         wrong(0, "is not at time 0 at the start; begin with [0, 0, 0, yaw], since places are from the start");
     for (std::size_t row = 1; row < table.size(); ++row) {
+        if (const std::string turn = beyond_a_turn(table[row - 1].yaw, table[row].yaw); !turn.empty())
+            return wrong(row, turn + "put rows between them for more");
         if (table[row].time > table[row - 1].time) continue;
         wrong(row, fmt::format("is at {:g} s, not after the row before at {:g} s; times have to rise", table[row].time,
                                table[row - 1].time));

@@ -338,6 +338,7 @@ void add_path(Keys& keys, Path& path) {
                              "Legs that follow one another: heading at the beginning (0 along +x, 90 towards +z), "
                              "speed (0: it stops), time, and by how much the heading turns in a second: 0 for a "
                              "straight leg, else an arc of the radius speed / turn. "
+                             "From leg to leg the heading turns by the shorter way: from 350 to 10 by 20. "
                              "After the last leg the structure stands."}));
     keys.push_back(of_legs(word_key("path.of", path.of, {"structure", "ice"}, "the structure moves in the simulation",
                                     "Whose legs these are. ice: headings and speeds are of ice that drifts past a "
@@ -349,10 +350,12 @@ void add_path(Keys& keys, Path& path) {
         number_key("path.ramp_s", path.ramp, unit::one, at_least(0).at_most(farthest_way), "none: at once, as the tow",
                    "Time at the beginning of each leg in which speed and heading change evenly from those of the leg "
                    "before; the first begins from rest. At most the shortest leg.")));
-    keys.push_back(late_key({"path.places", place_rows(path.table), "none",
-                             "In place of legs: times, places from the start (x and z), and yaw (positive turns +z "
-                             "towards +x). Between two "
-                             "rows speed and turning are constant; after the last one the structure stands."}));
+    keys.push_back(
+        late_key({"path.places", place_rows(path.table), "none",
+                  "In place of legs: times, places from the start (x and z), and yaw (positive turns +z "
+                  "towards +x). Between two "
+                  "rows speed and turning are constant, and yaw turns by the shorter way: from 359 to 1 by 2. "
+                  "After the last row the structure stands."}));
 }
 
 void add_moorings(Keys& keys, Moorings& moorings) {

@@ -51,9 +51,16 @@ struct PathPlace {
 };
 
 /// The places at the ends of `steps` steps of `step` s, and the start before them. After its last leg or point the
-/// structure stands. Where a heading turns, a step is the tangent in its middle: an arc's radius is right to
-/// (turn step)² / 24 of itself.
+/// structure stands. From one leg or point to the next the heading turns by the shorter way, whatever the multiple of a
+/// full turn by which it is written. Where a heading turns, a step is the tangent in its middle: an arc's radius is
+/// right to (turn step)² / 24 of itself.
 std::vector<PathPlace> places_of(const Path& path, double step, int steps);
+
+/// Until its last leg or point ends, s.
+double duration_of(const Path& path);
+
+/// Whether the structure moves in the last leg or to the last point, and stands only because the path ends.
+bool ends_moving(const Path& path);
 
 /// How far it goes along its way in all, m.
 double way_of(const std::vector<PathPlace>& places, double step);

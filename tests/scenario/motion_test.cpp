@@ -192,6 +192,14 @@ TEST(Motion, PathsAreRefusedWhereTheyCannotGo) {
                 HasSubstr("path.places[2] is at 9 s, not after the row before at 10 s; times have to rise"));
     EXPECT_THAT(path_sentence({.table = {{1, 0, 0, 0}, {10, 5, 0, 0}}}), HasSubstr("is not at time 0 at the start"));
     EXPECT_THAT(path_sentence({.legs = {{0, 0.07, 270, 0}}, .table = {{0, 0, 0, 0}}}), HasSubstr("are two paths"));
+    EXPECT_THAT(path_sentence({.legs = {{0, 0.07, 100, 0}, {2.5 * pi, 0.07, 170, 0}}}),
+                HasSubstr("path.legs[1] turns from 0 to 450 degrees, and turns go the shorter way, never by more than "
+                          "180; let a leg turn by its turn_deg_s for more"));
+    EXPECT_EQ(path_sentence({.legs = {{0, 0.07, 100, 0}, {0, 0, 100, 0.04 * pi}, {0, 0.07, 70, 0}}}), "consistent")
+        << "after two turns on the spot";
+    EXPECT_THAT(path_sentence({.table = {{0, 0, 0, 0}, {100, 7, 0, -4 * pi}, {270, 18, 0, 0}}}),
+                HasSubstr("path.places[1] turns from 0 to -720 degrees, and turns go the shorter way, never by more "
+                          "than 180; put rows between them for more"));
     EXPECT_THAT(path_sentence({.table = {{0, 0, 0, 0}, {200, 14, 0, 0}, {200.02, 14, 0, 3}}}),
                 HasSubstr("give turns time"));
     EXPECT_THAT(path_sentence({.legs = {{0, 0.07, 270, 0}}, .bow = PathBow::ahead},

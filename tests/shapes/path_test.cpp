@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace floes {
@@ -66,6 +67,43 @@ TEST(Path, TableIsStraightBetweenItsRows) {
     EXPECT_DOUBLE_EQ(places[6].velocity.norm(), 0);
     EXPECT_DOUBLE_EQ(places[9].pose.x, 1.5);
     EXPECT_DOUBLE_EQ(places[14].pose.x, 2) << "after the last row it stands";
+}
+
+// 350 to 10 degrees is a turn by 20, as if 370 stood there; what is within half a turn keeps its bits.
+TEST(Path, TurnsGoTheShorterWay) {
+    constexpr double degree = pi / 180;
+    const auto led = [](double first, double second, double third) {
+        return places_of({.legs = {{first, 0.1, 10, 0}, {second, 0.1, 10, 0.01}, {third, 0.1, 10, 0}},
+                          .bow = PathBow::ahead,
+                          .ramp = 4},
+                         0.5, 60);
+    };
+    const auto shown = [](double first, double second, double third) {
+        return places_of({.table = {{0, 0, 0, first}, {10, 1, 0, second}, {20, 2, 0, third}}}, 0.5, 60);
+    };
+    for (const auto& make : {std::function(led), std::function(shown)}) {
+        const std::vector<PathPlace> wrapped = make(350 * degree, 10 * degree, 355 * degree);
+        const std::vector<PathPlace> written = make(350 * degree, 370 * degree, 355 * degree);
+        const std::vector<PathPlace> other_way = make(10 * degree, -10 * degree, 350 * degree);
+        for (std::size_t k = 0; k < wrapped.size(); ++k) {
+            EXPECT_NEAR(wrapped[k].pose.yaw, written[k].pose.yaw, 1e-12);
+            EXPECT_NEAR(wrapped[k].pose.z, written[k].pose.z, 1e-12);
+            EXPECT_LT(std::abs(wrapped[k].turning), 9 * degree) << "no spin";
+            EXPECT_LT(std::abs(other_way[k].turning), 9 * degree);
+        }
+    }
+    EXPECT_EQ(shown(0, pi, 0)[10].pose.yaw, 0.5 * pi) << "half a turn goes as it is written";
+    EXPECT_EQ(shown(0, -pi, 0)[10].pose.yaw, -0.5 * pi);
+}
+
+TEST(Path, EndsWithItsLastLegOrRow) {
+    EXPECT_EQ(duration_of({.legs = {{0, 1, 10, 0}, {0, 0, 5, 0}}}), 15);
+    EXPECT_EQ(duration_of({.table = {{0, 0, 0, 0}, {7, 1, 0, 0}}}), 7);
+    EXPECT_EQ(duration_of({}), 0);
+    EXPECT_TRUE(ends_moving({.legs = {{0, 0, 10, 0}, {0, 1, 5, 0}}}));
+    EXPECT_FALSE(ends_moving({.legs = {{0, 1, 10, 0}, {0, 0, 5, 0}}}));
+    EXPECT_TRUE(ends_moving({.table = {{0, 0, 0, 0}, {7, 0, 0, 1}}}));
+    EXPECT_FALSE(ends_moving({.table = {{0, 0, 0, 0}, {7, 1, 0, 0}, {8, 1, 0, 0}}}));
 }
 
 }  // namespace path_test
