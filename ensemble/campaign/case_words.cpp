@@ -490,6 +490,36 @@ Odd early_window(const Case& one) {
             early / scenario.analysis.window};
 }
 
+/// A structure that stands because nobody said how it goes on.
+Odd short_path(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    const double end = duration_of(scenario.path);
+    const double duration = scenario.analysis.steady_start + scenario.analysis.window;
+    const double stands = duration - std::max(end, scenario.analysis.steady_start);
+    if (!scenario.path.any() || !ends_moving(scenario.path) || duration - end <= scenario.general.time_step) return {};
+    const bool legs = !scenario.path.legs.empty();
+    return {
+        fmt::format("{} ends after {:.6g} s of {:.6g} s, and then the structure stands, for {:.3g} % of the window; "
+                    "let it go on, or say that it stands by {}",
+                    legs ? "path.legs" : "path.places", end, duration, 100 * stands / scenario.analysis.window,
+                    legs ? "a leg of speed 0" : "a last row at the same place"),
+        stands / scenario.analysis.window};
+}
+
+/// Sizes that are so rare that none of the floes has them.
+Odd size_without_floe(const Case& one) {
+    const Scenario& scenario = one.scenario;
+    if (scenario.sizes.law != SizeLaw::list || scenario.shapes.from_file()) return {};
+    const std::vector<int> counts = listed_counts(scenario);
+    const auto none = std::ranges::count(counts, 0);
+    if (none == 0) return {};
+    const auto first = static_cast<std::size_t>(std::ranges::find(counts, 0) - counts.begin());
+    return {fmt::format("sizes.list_m[{}]{} so rare that none of {} has {}; take more floes, or leave {} out", first,
+                        none == 1 ? " is" : fmt::format(" and {} more of its sizes are", none - 1),
+                        counted(scenario.field.floes, "floe"), none == 1 ? "it" : "them", none == 1 ? "it" : "them"),
+            static_cast<double>(none)};
+}
+
 /// As floes design refuses them after the run.
 Odd long_period(const Case& one) {
     const Scenario& scenario = one.scenario;
@@ -509,9 +539,9 @@ Odd long_period(const Case& one) {
         longest / scenario.analysis.window};
 }
 
-constexpr std::array<Oddity, 12> oddities{large_elements,      thick_elements, little_ice,   odd_strength,
-                                          soft_in_compression, few_sweeps,     long_steps,   narrow_gap,
-                                          light_structure,     other_mass,     early_window, long_period};
+constexpr std::array<Oddity, 14> oddities{
+    large_elements, thick_elements,  little_ice, odd_strength, soft_in_compression, few_sweeps, long_steps,
+    narrow_gap,     light_structure, other_mass, early_window, long_period,         short_path, size_without_floe};
 
 double least_grade(const std::vector<std::pair<const Case*, Odd>>& found) {
     return std::ranges::min(found, {}, [](const auto& one) { return one.second.grade; }).second.grade;

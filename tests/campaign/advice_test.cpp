@@ -90,6 +90,33 @@ TEST(Advice, OfWindowsThatMeasureTooLittle) {
                 testing::Contains(HasSubstr("begins to measure before the hull meets the ice")));
 }
 
+TEST(Advice, OfAPathThatEndsBeforeTheWindow) {
+    const std::string times = "[analysis]\nsteady_start_s = 10\nwindow_s = 290\nsegments = 1\n[path]\n";
+    const auto told = [&](const std::string& path) { return advice_for(times + path); };
+    EXPECT_THAT(
+        told("legs = [[0, 0.07, 100, 0], [5, 0.05, 55, 0]]\n"),
+        ElementsAre(HasSubstr("path.legs ends after 155 s of 300 s, and then the structure stands, for 50 % of the "
+                              "window; let it go on, or say that it stands by a leg of speed 0")));
+    EXPECT_THAT(
+        told("places = [[0, 0, 0, 0], [100, 7, 0, 0]]\n"),
+        ElementsAre(HasSubstr("path.places ends after 100 s of 300 s, and then the structure stands, for 69 % of "
+                              "the window; let it go on, or say that it stands by a last row at the same place")));
+    EXPECT_THAT(told("legs = [[0, 0.07, 100, 0], [0, 0, 1, 0]]\n"), IsEmpty());
+    EXPECT_THAT(told("places = [[0, 0, 0, 0], [100, 7, 0, 0], [101, 7, 0, 0]]\n"), IsEmpty());
+    EXPECT_THAT(told("legs = [[0, 0.06, 300, 0]]\n"), IsEmpty());
+}
+
+TEST(Advice, OfSizesThatNoFloeHas) {
+    const std::string sizes = "[floe]\nelement_m = 0.2\n[sizes]\nlaw = \"list\"\nlist_m = [[0.6, 0.6, 99], ";
+    EXPECT_THAT(advice_for("field.floes = 32\n" + sizes + "[1.2, 0.6, 0.4], [0.8, 0.8, 0.6]]\n"),
+                ElementsAre(HasSubstr("sizes.list_m[1] and 1 more of its sizes are so rare that none of 32 floes has "
+                                      "them; take more floes, or leave them out")));
+    EXPECT_THAT(advice_for("field.floes = 32\n" + sizes + "[1.2, 0.6, 1]]\n"),
+                ElementsAre(HasSubstr("sizes.list_m[1] is so rare that none of 32 floes has it; take more floes, or "
+                                      "leave it out")));
+    EXPECT_THAT(advice_for("field.floes = 32\n" + sizes + "[1.2, 0.6, 2]]\n"), IsEmpty());
+}
+
 TEST(Advice, OfAMassInKilogramsSaysTonnes) {
     EXPECT_THAT(advice_for("[structure]\nprofile_m = [[-0.443, 0.614], [0.122, 0.614]]\n[moorings]\ngyration_m = 0.44\n"
                            "surge_kN_m = 0.8\nsway_kN_m = 0.7\nyaw_kN_m_rad = 0.1\nmass_t = 525\n"),
