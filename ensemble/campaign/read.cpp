@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -19,6 +20,7 @@
 #include "campaign/design.hpp"
 #include "campaign/hull_file.hpp"
 #include "campaign/outline_file.hpp"
+#include "campaign/stop_rule.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -76,9 +78,22 @@ PoseFile read_poses(const std::string& text, const std::string& file) {
 
 namespace {
 
-/// The axes of a design that a CSV file lists: keys in its first line, a point in each other one. As [[design.axis]]
-/// blocks with a value for each point. `file` names the text in messages. Throws InputError with file and line.
-std::vector<Block> read_points(const std::string& text, const std::string& file) {
+/// As a value of TOML, to which numbers such as 10. or .5 are none.
+Value value_in(const std::string& cell, const std::string& key, const std::string& where) {
+    Value value = parse_override(key + "=" + cell, where).value;
+    if (!std::holds_alternative<std::string>(value.data)) return value;
+    const std::optional<double> number = number_in(cell);
+    return number ? Value{*number} : value;
+}
+
+/// The axes of a design that a CSV file lists: keys in its first line, a point in each other one.
+struct PointFile {
+    std::vector<Block> axes;          ///< [[design.axis]] with a value for each point
+    std::vector<std::string> places;  ///< file and line of each point
+};
+
+/// `file` names the text in messages. Throws InputError with file and line.
+PointFile read_points(const std::string& text, const std::string& file) {
     const std::vector<CsvLine> lines = csv_lines(text, file);
     if (lines.size() < 2)
         throw InputError(
@@ -88,7 +103,9 @@ std::vector<Block> read_points(const std::string& text, const std::string& file)
     const CsvLine& keys = lines.front();
     Scenario scratch;
     const Keys known = describe(scratch);
-    std::vector<Block> axes;
+    PointFile points;
+    for (const CsvLine& line : std::span(lines).subspan(1))
+        points.places.push_back(fmt::format("{}:{}", file, line.number));
     for (std::size_t k = 0; k < keys.cells.size(); ++k) {
         const std::string where = fmt::format("{}:{}", file, keys.number);
         const Key* key = find_key(known, full_path(keys.cells[k]));  // none: refused as that of any axis
@@ -99,13 +116,14 @@ std::vector<Block> read_points(const std::string& text, const std::string& file)
                                              text_literal(joined(line)), keys.cells.size(), joined(keys)));
             if (line.cells[k].empty())
                 throw InputError(fmt::format("{}:{}: {} has no value", file, line.number, keys.cells[k]));
-            values.push_back(parse_override(keys.cells[k] + "=" + line.cells[k], where).value);
+            values.push_back(value_in(line.cells[k], keys.cells[k], where));
             if (key != nullptr)
                 assign(*key, {std::string(key->path), values.back(), fmt::format("{}:{}", file, line.number)});
         }
-        axes.push_back({axis_block, where, {{"key", {keys.cells[k]}, where}, {"values", {std::move(values)}, where}}});
+        points.axes.push_back(
+            {axis_block, where, {{"key", {keys.cells[k]}, where}, {"values", {std::move(values)}, where}}});
     }
-    return axes;
+    return points;
 }
 
 // What a configuration gives in files beside it.
@@ -445,6 +463,7 @@ class CampaignReader {
         if (source_.without_design) leave_design_out();
         read_points_file();
         axes_ = read_axes(document_.blocks, origins_, source_.file, design_);
+        if (source_.from_user && design_.method == DesignMethod::list) refuse_points_twice();
         refuse_hidden();
         std::vector<CaseBlock> given = given_cases(document_, name_of_ice(), source_.file, design_);
         find_case_overrides(given);
@@ -473,6 +492,7 @@ class CampaignReader {
             throw InputError(
                 fmt::format("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault));
         refuse_base_case(campaign);
+        if (source_.from_user) refuse_stop_cases(campaign);
         // The campaign is stored and sent as this text, so one that could not be read again is refused at once.
         if (source_.from_user) write_campaign(campaign, fmt::format("{}, with all keys written out", source_.file));
         return campaign;
@@ -522,7 +542,42 @@ class CampaignReader {
         if (load_file_ == nullptr) throw refuse("cannot be read here; give [[design.axis]] blocks");
         const std::string path =
             (std::filesystem::path(source_.file).parent_path() / std::exchange(design_.points_file, {})).string();
-        for (Block& axis : read_points(load_file_(path), path)) document_.blocks.push_back(std::move(axis));
+        PointFile points = read_points(load_file_(path), path);
+        for (Block& axis : points.axes) document_.blocks.push_back(std::move(axis));
+        point_places_ = std::move(points.places);
+    }
+
+    /// A point of a list that is there again would be the same members again.
+    void refuse_points_twice() const {
+        Scenario scratch;
+        const Keys keys = describe(scratch);
+        std::map<std::vector<std::string>, std::size_t> seen;
+        const auto place = [&](std::size_t point) {
+            return point < point_places_.size()
+                       ? point_places_[point]
+                       : fmt::format("{}, point {}", axes_.at(design_.axes.front().key), point);
+        };
+        for (std::size_t point = 0; point < design_.axes.front().values.size(); ++point) {
+            std::vector<std::string> values;
+            for (const DesignAxis& axis : design_.axes) {
+                const Key& key = *find_key(keys, axis.key);
+                assign(key, {axis.key, axis.values[point], axes_.at(axis.key)});
+                values.push_back(exact_text(key));
+            }
+            const auto [first, is_new] = seen.emplace(std::move(values), point);
+            if (!is_new)
+                throw InputError(fmt::format(
+                    "{}: this point of the design is there already, at {}, and would give the same members; keep one",
+                    place(point), place(first->second)));
+        }
+    }
+
+    void refuse_stop_cases(const Campaign& campaign) const {
+        const std::optional<StopFault> fault = stop_case_fault(campaign);
+        if (!fault) return;
+        const auto place = origins_.find(fault->key);
+        throw InputError(
+            fmt::format("{}: {}", place == origins_.end() ? source_.file : place->second, fault->sentence));
     }
 
     void refuse_base_case(const Campaign& campaign) const {
@@ -627,9 +682,9 @@ class CampaignReader {
         Origins own;
         for (const Entry& entry : in_order_of_reading(keys, block.block.entries)) {
             refuse_campaign_key(entry);
-            if (own.contains(full_path(entry.path))) {
-                throw InputError(fmt::format("{}: {} is given twice in this [[case]]; keep one", entry.where,
-                                             full_path(entry.path)));
+            if (const auto first = own.find(full_path(entry.path)); first != own.end()) {
+                throw InputError(fmt::format("{}: {} is given twice in this [[case]], first at {}; keep one",
+                                             entry.where, first->first, first->second));
             }
             set(keys, entry, own);
         }
@@ -692,6 +747,7 @@ class CampaignReader {
     Scenario base_;
     Design design_;
     Origins origins_;
+    std::vector<std::string> point_places_;                      ///< of points from a file: where each is given
     Origins axes_;                                               ///< where each axis of the design is given
     std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
     GivenFiles files_;

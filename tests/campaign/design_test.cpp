@@ -65,6 +65,10 @@ std::string points(const std::string& path) {
     if (path == "short.csv") return "ice.thickness_m,field.far_end\n0.03\n";
     if (path == "empty.csv") return "ice.thickness_m\n";
     if (path == "gap.csv") return "ice.thickness_m,field.far_end\n0.03,\n";
+    if (path == "otherwise.csv")
+        return "sep=\t\r ice.thickness_m \tfield.far_end\t\r+.03\topen\r4e-2\t\"ice_sheet\"\t\r\t\t\r";
+    if (path == "pandas.csv") return ",ice.thickness_m\n0,0.02\n1,0.03\n";
+    if (path == "twice.csv") return "ice.thickness_m,field.far_end\n0.03,open\n0.04,open\n3e-2,open\n";
     if (path == "word.csv") return "field.far_end,ice.thickness_m\nopen,0.03\nopen,thin\n";
     return "ice.thicknes_m\n0.03\n";
 }
@@ -77,12 +81,14 @@ TEST(Design, PointsOfAFileAreTheSameAsAxes) {
     const Campaign from_axes = read(axes);
     EXPECT_EQ(names(from_file), names(from_axes));
     EXPECT_EQ(fingerprint(from_file), fingerprint(from_axes));
+    const std::string otherwise = design("method = \"list\"\npoints_file = \"otherwise.csv\"") + two_cases;
+    EXPECT_EQ(fingerprint(read_campaign({otherwise, "a.toml", {}}, points)), fingerprint(from_axes));
     EXPECT_EQ(write_campaign(from_file, ""), write_campaign(from_axes, "")) << "stored as axes";
 }
 
 TEST(Design, PointsOfAFileAreRefusedWithTheirLine) {
     const auto refused = [](const std::string& keys, const std::string& more = "") {
-        return refusal([&] { read_campaign({design(keys) + more, "a.toml", {}}, points); });
+        return refusal([&] { read_campaign({design(keys) + more, "a.toml", {}, true}, points); });
     };
     EXPECT_THAT(refused("method = \"list\"\npoints_file = \"short.csv\""),
                 HasSubstr("short.csv:2: \"0.03\" is not a point"));
@@ -91,12 +97,30 @@ TEST(Design, PointsOfAFileAreRefusedWithTheirLine) {
                 HasSubstr("gap.csv:2: field.far_end has no value"));
     EXPECT_THAT(refused("method = \"list\"\npoints_file = \"word.csv\""),
                 HasSubstr("word.csv:3: ice.thickness_m = \"thin\" is not a number"));
+    EXPECT_THAT(refused("method = \"list\"\npoints_file = \"pandas.csv\""),
+                HasSubstr("pandas.csv:1: column 1 has no name"));
+    EXPECT_EQ(
+        refused("method = \"list\"\npoints_file = \"twice.csv\""),
+        "twice.csv:4: this point of the design is there already, at twice.csv:2, and would give the same members; "
+        "keep one");
     EXPECT_THAT(refused("method = \"list\"\npoints_file = \"typo.csv\""),
                 HasSubstr("did you mean \"ice.thickness_m\""));
     EXPECT_THAT(refused("method = \"grid\"\npoints_file = \"two.csv\""), HasSubstr("write design.method = \"list\""));
     EXPECT_THAT(refused("method = \"list\"\npoints_file = \"two.csv\"", axis("ice.thickness_m", "values = [0.03]")),
                 HasSubstr("are both given; keep one"));
     EXPECT_THAT(message(design("method = \"list\"\npoints_file = \"two.csv\"")), HasSubstr("cannot be read here"));
+}
+
+TEST(Design, AListHasEachPointOnce) {
+    const auto read_list = [](const std::string& thicknesses, const std::string& speeds) {
+        const std::string text = design("method = \"list\"") + axis("ice.thickness_m", "values = " + thicknesses) +
+                                 axis("structure.speed_m_s", "values = " + speeds);
+        return read_campaign({text, "a.toml", {}, true}, nullptr);
+    };
+    EXPECT_EQ(refusal([&] { read_list("[0.02, 0.03, 2e-2]", "[0.05, 0.05, 0.05]"); }),
+              "a.toml:4, point 2: this point of the design is there already, at a.toml:4, point 0, and would give the "
+              "same members; keep one");
+    EXPECT_EQ(read_list("[0.02, 0.03, 0.02]", "[0.05, 0.05, 0.06]").cases.size(), 3u);
 }
 
 TEST(Design, AListGoesSideBySide) {

@@ -76,6 +76,28 @@ TEST(StopKeys, RefuseADesignLoadThatNobodyMeasures) {
     EXPECT_THAT(said("quantile = 1\n"), testing::HasSubstr("stop.quantile"));
 }
 
+TEST(StopKeys, RefuseCasesThatTellNothing) {
+    const std::string cases =
+        "[[case]]\nname = \"A\"\n[[case]]\nname = \"B\"\n[[case]]\nname = \"C\"\nice.thickness_m = 0.03\n";
+    const auto given = [&](const std::string& rule) {
+        return read_campaign({"[stop]\nhalf_width_percent = 5\n" + rule + "\n" + cases, "a.toml", {}, true}, nullptr);
+    };
+    const auto said = [&](const std::string& rule) { return refusal([&] { given(rule); }); };
+    EXPECT_EQ(
+        said("contrast = \"A - A\""),
+        "a.toml:3: stop.contrast = \"A - A\" is 0 in every arrangement, because it is a case less itself; name two "
+        "cases that differ");
+    EXPECT_EQ(
+        said("contrast = \"B - A\""),
+        "a.toml:3: stop.contrast = \"B - A\" is 0 in every arrangement, because the two cases differ by their names "
+        "alone; name two cases that differ");
+    EXPECT_EQ(said("case = \"X\""), "a.toml:3: stop.case names the case 'X', but the cases are A, B, C");
+    EXPECT_EQ(said("contrast = \"A - X\""), "a.toml:3: stop.contrast names the case 'X', but the cases are A, B, C");
+    EXPECT_THAT(said("contrast = \"A-B\""), testing::HasSubstr("a.toml:3: stop.contrast = \"A-B\" is not a contrast"));
+    EXPECT_THAT(said("case = \"none\""), testing::HasSubstr("which say what it applies to"));
+    EXPECT_EQ(given("contrast = \"C - A\"").stop.contrast, "C - A");
+}
+
 TEST(StopKeys, AreForAllCases) {
     EXPECT_THAT(refusal([] { read("[[case]]\nname = \"A\"\nstop.minimum = 3\n"); }),
                 testing::HasSubstr("stop.minimum = 3 is for all cases; write it in [stop]"));
