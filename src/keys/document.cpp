@@ -224,20 +224,11 @@ InputError syntax_error(const toml::parse_error& error, std::string_view text, c
     return InputError(fmt::format("{}:{}:{}: this is not TOML ({})", file, at.line, at.column, description));
 }
 
-/// With line feeds in place of carriage returns that stand alone, by which some editors end lines and TOML none.
-std::string with_line_feeds(std::string_view text) {
-    std::string made(text);
-    for (std::size_t at = made.find('\r'); at != std::string::npos; at = made.find('\r', at + 1))
-        if (made.compare(at + 1, 1, "\n") != 0) made[at] = '\n';
-    return made;
-}
-
 }  // namespace
 
-Document parse_document(std::string_view given, const std::string& file) {
-    if (is_utf16(given)) throw InputError(fmt::format("{}: this is text in UTF-16; save it in UTF-8", file));
-    refuse_what_cannot_be_held(given, file);
-    const std::string text = with_line_feeds(given);
+Document parse_document(std::string_view text, const std::string& file) {
+    if (is_utf16(text)) throw InputError(fmt::format("{}: this is text in UTF-16; save it in UTF-8", file));
+    refuse_what_cannot_be_held(text, file);
     try {
         const toml::table table = toml::parse(text, file);
         Flattener flattener(file);
