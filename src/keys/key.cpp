@@ -119,7 +119,7 @@ std::string text_literal(std::string_view text) {
 
 namespace {
 
-std::string rows_text(const RowsField& rows, bool si) {
+std::vector<std::string> row_texts(const RowsField& rows, bool si) {
     std::vector<std::string> lines;
     for (const std::vector<double>& row : rows.get()) {
         std::vector<std::string> numbers;
@@ -127,7 +127,7 @@ std::string rows_text(const RowsField& rows, bool si) {
             numbers.push_back(number_literal(row[i], si || i >= rows.columns.size() ? 1.0 : rows.columns[i].unit));
         lines.push_back(fmt::format("[{}]", fmt::join(numbers, ", ")));
     }
-    return fmt::format("[{}]", fmt::join(lines, ", "));
+    return lines;
 }
 
 std::string quoted(const std::vector<std::string_view>& words, std::string_view between) {
@@ -144,10 +144,14 @@ std::string chosen_text(const WordsField& field) {
     return fmt::format("[{}]", quoted(chosen, ", "));
 }
 
-std::string list_text(const NumbersField& numbers, bool si) {
+std::vector<std::string> number_texts(const NumbersField& numbers, bool si) {
     std::vector<std::string> texts;
     for (const double value : *numbers.values) texts.push_back(number_literal(value, si ? 1.0 : numbers.unit));
-    return fmt::format("[{}]", fmt::join(texts, ", "));
+    return texts;
+}
+
+std::string list_text(const std::vector<std::string>& items) {
+    return fmt::format("[{}]", fmt::join(items, ", "));
 }
 
 struct Literal {
@@ -155,13 +159,13 @@ struct Literal {
     std::string operator()(const NumberField& number) const {
         return si ? number_literal(number.get()) : number_literal(number.get(), number.unit);
     }
-    std::string operator()(const NumbersField& numbers) const { return list_text(numbers, si); }
+    std::string operator()(const NumbersField& numbers) const { return list_text(number_texts(numbers, si)); }
     std::string operator()(const IntegerField& integer) const { return fmt::format("{}", integer.get()); }
     std::string operator()(const SwitchField& field) const { return *field.value ? "true" : "false"; }
     std::string operator()(const WordField& word) const { return text_literal(word.words[word.get()]); }
     std::string operator()(const WordsField& words) const { return chosen_text(words); }
     std::string operator()(const TextField& text) const { return text_literal(*text.value); }
-    std::string operator()(const RowsField& rows) const { return rows_text(rows, si); }
+    std::string operator()(const RowsField& rows) const { return list_text(row_texts(rows, si)); }
 };
 
 struct Allowed {
@@ -278,6 +282,12 @@ std::string literal(const Key& key) {
 
 std::string exact_text(const Key& key) {
     return std::visit(Literal{true}, key.field);
+}
+
+std::vector<std::string> items(const Key& key) {
+    if (const auto* rows = std::get_if<RowsField>(&key.field)) return row_texts(*rows, false);
+    const auto* numbers = std::get_if<NumbersField>(&key.field);
+    return numbers != nullptr ? number_texts(*numbers, false) : std::vector<std::string>{};
 }
 
 const Key* find_key(std::span<const Key> keys, std::string_view path) {

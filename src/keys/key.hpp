@@ -168,6 +168,9 @@ std::string literal(const Key& key);
 /// The field's value in SI, each number in the shortest form that reads back to it: equal exactly when the fields are.
 std::string exact_text(const Key& key);
 
+/// The numbers or rows of a list as its literal() has them; empty for what is no list.
+std::vector<std::string> items(const Key& key);
+
 /// Gives `to` the value of `from`; both are the same key, bound to two values.
 void copy_value(const Key& from, const Key& to);
 

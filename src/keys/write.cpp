@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/text.hpp"
+
 namespace floes {
 namespace {
 
@@ -105,6 +107,50 @@ std::string canonical_text(std::span<const Key> keys) {
     return text;
 }
 
+namespace {
+
+constexpr std::size_t longest_value = 100;  // letters that a sentence quotes whole
+
+/// From where the two differ.
+std::string quoted_from(const std::string& text, std::size_t at) {
+    const bool cut = at > 0;
+    const std::string_view rest = std::string_view(text).substr(at);
+    return fmt::format("{}{}{}", cut ? "…" : "", beginning(rest, longest_value / 2),
+                       rest.size() > longest_value / 2 ? "…" : "");
+}
+
+/// "50 there, 20 here"; of long texts and lists the first difference: "row 7 is the first of 3 that differ: [1, 2]
+/// there, [1, 3] here".
+std::string difference(const Key& there, const Key& here) {
+    const std::string one = literal(there);
+    const std::string other = literal(here);
+    if (one.size() <= longest_value && other.size() <= longest_value)
+        return fmt::format("{} there, {} here", one, other);
+    const std::vector<std::string> all_there = items(there);
+    const std::vector<std::string> all_here = items(here);
+    const std::size_t common = std::min(all_there.size(), all_here.size());
+    std::size_t first = common;
+    std::size_t count = std::max(all_there.size(), all_here.size()) - common;
+    for (std::size_t k = common; k-- > 0;) {
+        if (all_there[k] == all_here[k]) continue;
+        first = k;
+        ++count;
+    }
+    if (count > 0) {
+        const auto item = [&](const std::vector<std::string>& all) {
+            return first < all.size() ? quoted_from(all[first], 0) : "none";
+        };
+        return fmt::format("{} {} is the first of {} that differ: {} there, {} here ({} there, {} here)",
+                           std::holds_alternative<RowsField>(here.field) ? "row" : "number", first + 1, count,
+                           item(all_there), item(all_here), all_there.size(), all_here.size());
+    }
+    std::size_t at = static_cast<std::size_t>(std::ranges::mismatch(one, other).in1 - one.begin());
+    at = beginning(one, at).size();  // no letter is cut apart
+    return fmt::format("from letter {} on, {} there, {} here", at + 1, quoted_from(one, at), quoted_from(other, at));
+}
+
+}  // namespace
+
 std::vector<std::string> key_differences(std::span<const Key> there, std::span<const Key> here) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < there.size(); ++i) {
@@ -112,7 +158,7 @@ std::vector<std::string> key_differences(std::span<const Key> there, std::span<c
         if (exact_text(there[i]) == exact_text(here[i])) {
             for (std::string& line : key_differences(there[i].before, here[i].before)) lines.push_back(std::move(line));
         } else {
-            lines.push_back(fmt::format("{}: {} there, {} here", there[i].path, literal(there[i]), literal(here[i])));
+            lines.push_back(fmt::format("{}: {}", there[i].path, difference(there[i], here[i])));
         }
     }
     return lines;

@@ -26,7 +26,8 @@ std::string reference_markdown(std::span<const Key> keys, const TableTitles& tit
 /// "path = exact value" lines, sorted by path: equal exactly when all fields are.
 std::string canonical_text(std::span<const Key> keys);
 
-/// "general.iterations: 50 there, 20 here" for each key whose fields differ. Both lists describe values of one type.
+/// "general.iterations: 50 there, 20 here" for each key whose fields differ; of long lists and texts the first
+/// difference. Both lists describe values of one type.
 std::vector<std::string> key_differences(std::span<const Key> there, std::span<const Key> here);
 
 }  // namespace floes

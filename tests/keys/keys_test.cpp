@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "core/error.hpp"
 #include "keys/key.hpp"
@@ -246,6 +247,35 @@ TEST(Document, KeepsTheOrderOfTheText) {
     EXPECT_EQ(document.blocks[0].entries[0].path, "b.c");
     EXPECT_EQ(document.blocks[0].entries[1].where, "f:7");
     EXPECT_EQ(document.blocks[2].where, "f:9");
+}
+
+// Outlines of a thousand floes once made a line of 14 kB.
+TEST(Differences, OfLongValuesAreTheFirstOfThem) {
+    const auto line = [](const std::function<void(Sample&)>& change) {
+        Sample there, here;
+        for (Sample* one : {&there, &here}) {
+            one->points.assign(400, {0.125, 0.5});
+            one->levels.assign(300, 20e3);
+            one->label = std::string(300, 'x') + "é" + std::string(300, 'y');
+        }
+        change(here);
+        const std::vector<std::string> lines = key_differences(describe(there), describe(here));
+        EXPECT_EQ(lines.size(), 1u);
+        return lines.at(0);
+    };
+    EXPECT_EQ(
+        line([](Sample& here) { here.points[6][1] = here.points[8][0] = 0.75; }),
+        "floe.points_m: row 7 is the first of 2 that differ: [0.125, 0.5] there, [0.125, 0.75] here (400 there, 400 "
+        "here)");
+    EXPECT_EQ(
+        line([](Sample& here) { here.points.resize(399); }),
+        "floe.points_m: row 400 is the first of 1 that differ: [0.125, 0.5] there, none here (400 there, 399 here)");
+    EXPECT_EQ(line([](Sample& here) { here.levels[2] = 21e3; }),
+              "ice.levels_kPa: number 3 is the first of 1 that differ: 20.0 there, 21.0 here (300 there, 300 here)");
+    const std::string of_text = line([](Sample& here) { here.label.replace(300, 2, "è"); });
+    EXPECT_TRUE(of_text.starts_with("floe.label: from letter 302 on, …éyyy")) << of_text;
+    EXPECT_LT(of_text.size(), 250u);
+    EXPECT_EQ(line([](Sample& here) { here.count = 4; }), "floe.count: 3 there, 4 here");
 }
 
 }  // namespace keys_test
