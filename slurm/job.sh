@@ -41,7 +41,7 @@ in_job() {
     ((status == 85 || status >= 128)) || exit "$status"
     if ((restarts >= limit)); then
         echo "floes: ended with $status and not requeued after $restarts restarts" >&2
-    elif scontrol requeue "$SLURM_JOB_ID"; then
+    elif timeout 120 scontrol requeue "$SLURM_JOB_ID"; then
         echo "floes: ended with $status and requeued, restart $((restarts + 1)) of at most $limit" >&2
     else
         echo "floes: ended with $status; scontrol did not requeue the job (Slurm may have requeued it already)" >&2

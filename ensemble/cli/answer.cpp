@@ -1,9 +1,7 @@
 #include "cli/answer.hpp"
 
 #include <fcntl.h>
-#include <spawn.h>
 #include <sys/ioctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,7 +22,9 @@
 #include "cli/given.hpp"
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
+#include "core/started_program.hpp"
 #include "core/text.hpp"
+#include "draw/picture.hpp"
 #include "run/progress.hpp"
 #include "store/file_calls.hpp"
 
@@ -73,6 +73,23 @@ void write_new(const fs::path& path, const std::string& text) {
     }
 }
 
+namespace {
+
+/// The browser that prints a page as the file `named`. Throws InputError where there is none.
+std::string browser_for(const fs::path& named) {
+    std::vector<std::string> browsers{"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
+                                      "microsoft-edge"};
+    if (const char* given = std::getenv("FLOES_BROWSER"); given != nullptr && *given != '\0') browsers = {given};
+    const auto found = std::ranges::find_if(browsers, is_program);
+    if (found != browsers.end()) return *found;
+    throw InputError(fmt::format(
+        "{} would be printed by a browser, and {} cannot be started. Install one of Chromium's kind, name it with "
+        "FLOES_BROWSER, or write {} and print it yourself",
+        named.string(), fmt::join(browsers, ", "), fs::path(named).replace_extension(".html").string()));
+}
+
+}  // namespace
+
 void expect_place(const fs::path& path) {
     const fs::path target = target_of(path);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -88,6 +105,8 @@ void expect_place(const fs::path& path) {
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw InputError(fmt::format("{} cannot be written: the folder {} does not permit it ({}); name another folder",
                                      path.string(), folder.string(), std::strerror(errno)));
+    if (target.extension() == ".pdf") browser_for(path);
+    expect_encoder(target);
 }
 
 namespace {
@@ -97,51 +116,25 @@ namespace {
         fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?", path.string(), reason));
 }
 
-/// The exit status of a program with these words, which says nothing here; none where there is no such program.
-std::optional<int> status_of(std::vector<std::string> words) {
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        ::posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-    pid_t process = -1;
-    const int error = ::posix_spawnp(&process, arguments[0], &actions, nullptr, arguments.data(), environ);
-    ::posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) return std::nullopt;
-    int status = 0;
-    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
 /// Prints the page in the file `from` to the file `to`. Our pages have no scripts and load nothing, so the browser
 /// needs no sandbox, which it would not get as root or in a container.
-void print_page(const fs::path& from, const fs::path& to, const fs::path& named) {
-    std::vector<std::string> browsers{"chromium", "chromium-browser", "google-chrome", "google-chrome-stable",
-                                      "microsoft-edge"};
-    if (const char* given = std::getenv("FLOES_BROWSER"); given != nullptr && *given != '\0') browsers = {given};
-    for (const std::string& browser : browsers) {
-        const std::optional<int> status =
-            status_of({browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer",
-                       "--print-to-pdf-no-header", "--print-to-pdf=" + fs::absolute(to).string(),
-                       "file://" + fs::absolute(from).string()});
-        if (!status) continue;
-        if (*status != 0 || !first_bytes(to).starts_with("%PDF"))
-            throw RunError(fmt::format("{} could not print {} (exit status {}); write {} and print it from a browser.",
-                                       browser, named.string(), *status,
-                                       fs::path(named).replace_extension(".html").string()));
-        return;
-    }
-    throw InputError(fmt::format(
-        "{} would be printed by a browser, and {} cannot be started. Install one of Chromium's kind, name it with "
-        "FLOES_BROWSER, or write {} and print it yourself.",
-        named.string(), fmt::join(browsers, ", "), fs::path(named).replace_extension(".html").string()));
+void print_page(const fs::path& from, const fs::path& to, const fs::path& named, Seconds longest) {
+    const std::string browser = browser_for(named);
+    const ProgramAnswer answer = answer_of(
+        {browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", "--print-to-pdf-no-header",
+         "--print-to-pdf=" + fs::absolute(to).string(), "file://" + fs::absolute(from).string()},
+        longest);
+    if (answer.good() && first_bytes(to).starts_with("%PDF")) return;
+    const std::string why = !answer.fault.empty() ? answer.fault
+                            : answer.status       ? fmt::format("exit status {}", *answer.status)
+                                                  : fmt::format("it took longer than {:g} s", longest.count());
+    throw RunError(fmt::format("{} could not print {} ({}); write {} and print it from a browser.", browser,
+                               named.string(), why, fs::path(named).replace_extension(".html").string()));
 }
 
 }  // namespace
 
-void write_page(const fs::path& path, const std::string& page) {
+void write_page(const fs::path& path, const std::string& page, Seconds longest_print) {
     const fs::path target = target_of(path);
     const bool printed = target.extension() == ".pdf";
     const AsideFile aside(target.string() + (printed ? ".tmp.html" : ".tmp"));
@@ -150,7 +143,7 @@ void write_page(const fs::path& path, const std::string& page) {
     file.close();
     if (!file) refuse_page(path, std::strerror(errno));
     const AsideFile print(target.string() + ".tmp.pdf");
-    if (printed) print_page(aside.path(), print.path(), path);
+    if (printed) print_page(aside.path(), print.path(), path, longest_print);
     std::error_code error;
     fs::rename(printed ? print.path() : aside.path(), target, error);
     if (error) refuse_page(path, error.message());

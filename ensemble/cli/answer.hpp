@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "core/started_program.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
@@ -43,16 +44,16 @@ std::optional<std::string_view> starter(std::string_view name);
 /// Makes a file of that text; one that exists is never touched. Throws InputError.
 void write_new(const std::filesystem::path& path, const std::string& text);
 
-/// Throws InputError, with what to do, unless a file can be written at `path`: its folder is there and permits it. For
-/// verbs that work for long before they write.
+/// Throws InputError, with what to do, unless a file can be written at `path`: its folder is there and permits it, and
+/// so is the program that a .pdf or a film needs. For verbs that work for long before they write.
 void expect_place(const std::filesystem::path& path);
 
 // Writes a page that a browser may be reading at the same time.
 
 /// Writes a temporary file and renames it, so that a reader finds either the old page or the new one. A path that ends
 /// with .pdf gets the page as a browser of this machine prints it (FLOES_BROWSER names one). Throws RunError if the
-/// file cannot be written, InputError where there is no browser.
-void write_page(const std::filesystem::path& path, const std::string& page);
+/// file cannot be written or the browser does not print it in time, InputError where there is no browser.
+void write_page(const std::filesystem::path& path, const std::string& page, Seconds longest_print = Seconds(300));
 
 /// Takes the file away that it names, unless it was renamed or never made.
 class AsideFile {

@@ -81,18 +81,17 @@ int wait_for(pid_t child, const sigset_t& signals) {
     }
 }
 
-/// Runs `command` (the words of this process, the first of them the program) under mpirun and waits for it. Ctrl-C,
-/// SIGTERM and SIGHUP ask the ranks to stop, as SIGUSR1 does; a second one of them ends mpirun. mpirun ends if this
-/// process dies. Returns mpirun's exit status, or 128 and its signal. The environment variable FLOES_MPIRUN names
-/// another mpirun. Throws RunError if it cannot be started. Call it before any thread.
+/// Runs `command` (the words of this process, the first of them the program) under mpirun and waits for it. The first
+/// of stop_signals asks the ranks to stop, as SIGUSR1 does; a second one ends mpirun. mpirun ends if this process dies.
+/// Returns mpirun's exit status, or 128 and its signal. The environment variable FLOES_MPIRUN names another mpirun.
+/// Throws RunError if it cannot be started. Call it before any thread.
 int run_ranks(int ranks, std::span<char* const> command) {
     prepare_environment(command[0]);
     sigset_t signals;
     sigemptyset(&signals);
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGCHLD}) sigaddset(&signals, signal);
-    struct sigaction hangup {};
-    sigaction(SIGHUP, nullptr, &hangup);
-    if (hangup.sa_handler != SIG_IGN) sigaddset(&signals, SIGHUP);  // which nohup sets
+    sigaddset(&signals, SIGCHLD);
+    for (const int signal : stop_signals)
+        if (!is_to_be_outlived(signal)) sigaddset(&signals, signal);
     sigprocmask(SIG_BLOCK, &signals, nullptr);
     const pid_t child = fork();
     if (child == 0) {
@@ -185,7 +184,8 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
     if (verb.ranks > 0 && verb.ranks != link.size())
         throw InputError(fmt::format("--ranks {} inside mpirun, which started {}; leave --ranks out there.", verb.ranks,
                                      counted(link.size(), "rank")));
-    const Walltime walltime(find_time_left(verb.time_left));
+    const JobTimeLeft time_left = find_time_left(verb.time_left);
+    const Walltime walltime(time_left.seconds);
     Campaign campaign = load_campaign(verb.config, verb.overrides);
     RunOptions options{.places = {.campaign_file = output_of(verb),
                                   .existing = existing_of(verb),
@@ -200,6 +200,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
     int status = 0;
     {
         Progress progress(std::cerr, style_of_standard_error());
+        if (!time_left.remark.empty()) progress.say(time_left.remark);
         for (const std::string& sentence : advice(campaign)) progress.say(sentence);
         Recorder::check(options.places);  // before the calibration, which takes a minute
         {

@@ -1,8 +1,7 @@
 #include "draw/picture.hpp"
 
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
+#include <sys/time.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -13,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +21,8 @@
 
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
+#include "core/started_program.hpp"
+#include "core/text.hpp"
 #include "draw/canvas.hpp"
 #include "tables/units.hpp"
 
@@ -570,10 +572,18 @@ std::vector<std::string> codec_of(const std::string& ending) {
     return {};
 }
 
+InputError no_ffmpeg(const std::filesystem::path& path, const std::string& why) {
+    return InputError(
+        fmt::format("{} is made by ffmpeg, which cannot be started ({}); install the package ffmpeg, or give the film "
+                    "the ending .apng, which needs nothing else.",
+                    path.string(), why));
+}
+
 /// Pictures through a socket to ffmpeg.
 class Ffmpeg final : public Encoder {
   public:
-    Ffmpeg(std::filesystem::path path, const FilmShape& shape) : path_(std::move(path)) {
+    Ffmpeg(std::filesystem::path path, const FilmShape& shape, Seconds longest_picture)
+        : path_(std::move(path)), longest_picture_(longest_picture), pictures_(shape.pictures) {
         std::array<int, 2> ends{};  // a socket, which tells of a reader that is gone by an error and not by a signal
         if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
             throw RunError(fmt::format("A socket to ffmpeg cannot be made ({}).", std::strerror(errno)));
@@ -588,23 +598,11 @@ class Ffmpeg final : public Encoder {
                                        "-i",        "-"};
         for (std::string& word : codec_of(path_.extension().string())) words.push_back(std::move(word));
         words.push_back(path_.string());
-        std::vector<char*> arguments;
-        for (std::string& word : words) arguments.push_back(word.data());
-        arguments.push_back(nullptr);
-        posix_spawn_file_actions_t actions;
-        ::posix_spawn_file_actions_init(&actions);
-        ::posix_spawn_file_actions_adddup2(&actions, read_end.get(), STDIN_FILENO);
-        const int error = ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
-        ::posix_spawn_file_actions_destroy(&actions);
-        if (error != 0)
-            throw InputError(fmt::format(
-                "{} is made by ffmpeg, which cannot be started ({}); install the package ffmpeg, or give the film the "
-                "ending .apng, which needs nothing else.",
-                path_.string(), std::strerror(error)));
-    }
-    ~Ffmpeg() override {
-        write_end_.close();
-        if (process_ > 0) ::waitpid(process_, nullptr, 0);
+        const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(longest_picture).count();
+        const timeval limit{microseconds / 1'000'000, microseconds % 1'000'000};
+        ::setsockopt(write_end_.get(), SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
+        process_.emplace(std::move(words), StartedProgram::Streams{.in = read_end.get(), .errors = STDERR_FILENO});
+        if (!process_->fault().empty()) throw no_ffmpeg(path_, process_->fault());
     }
 
     void add(const Canvas& picture) override {
@@ -612,6 +610,8 @@ class Ffmpeg final : public Encoder {
         while (!left.empty()) {
             const ssize_t written = ::send(write_end_.get(), left.data(), left.size(), MSG_NOSIGNAL);
             if (written < 0 && errno == EINTR) continue;
+            if (written < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
+                throw too_slow("took no picture", longest_picture_);
             if (written < 0) fail();
             left = left.subspan(static_cast<std::size_t>(written));
         }
@@ -619,9 +619,9 @@ class Ffmpeg final : public Encoder {
 
     void finish() override {
         write_end_.close();
-        int status = 0;
-        ::waitpid(std::exchange(process_, -1), &status, 0);
-        if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) fail();
+        const Seconds longest = longest_picture_ + Seconds(pictures_);  // a .gif is made when its last picture is known
+        if (!process_->wait(longest)) throw too_slow("did not end", longest);
+        if (process_->status() != 0) fail();
     }
 
   private:
@@ -629,9 +629,18 @@ class Ffmpeg final : public Encoder {
         throw RunError(fmt::format("ffmpeg could not write {}; its messages are above.", path_.string()));
     }
 
+    RunError too_slow(const char* what, Seconds longest) const {
+        return RunError(fmt::format(
+            "ffmpeg, which makes {}, {} within {} and was ended; give the film the ending .apng, which needs "
+            "no other program.",
+            path_.string(), what, duration_in_figures(longest.count())));
+    }
+
     std::filesystem::path path_;
+    Seconds longest_picture_;
+    int pictures_;
     Descriptor write_end_;
-    pid_t process_ = -1;
+    std::optional<StartedProgram> process_;  // the last: it is ended before its socket is closed
 };
 
 constexpr std::size_t length_and_type = 8;
@@ -701,22 +710,29 @@ class AnimatedPng final : public Encoder {
 };
 
 /// By the ending of `path`, as write_film().
-std::unique_ptr<Encoder> make_encoder(const std::filesystem::path& path, const FilmShape& shape) {
+std::unique_ptr<Encoder> make_encoder(const std::filesystem::path& path, const FilmShape& shape,
+                                      Seconds longest_picture) {
     const std::string ending = path.extension().string();
     if (ending == ".apng") return std::make_unique<AnimatedPng>(path, shape);
     if (codec_of(ending).empty())
         throw InputError(
             fmt::format("{} has no ending of a film; give .mp4, .webm, .webp, .gif or .apng.", path.string()));
-    return std::make_unique<Ffmpeg>(path, shape);
+    return std::make_unique<Ffmpeg>(path, shape, longest_picture);
 }
 
 }  // namespace
 
+void expect_encoder(const std::filesystem::path& path) {
+    if (!codec_of(path.extension().string()).empty() && !is_program("ffmpeg"))
+        throw no_ffmpeg(path, "it is not in the PATH");
+}
+
 void write_film(const std::filesystem::path& path, const Recording& recording, const PictureStyle& style, int rate,
-                const std::function<void(double)>& progress) {
+                const std::function<void(double)>& progress, Seconds longest_picture) {
     const Stage stage(recording.subject(), recording.outcome());
     const int height = picture_height(style, recording.subject());
-    const std::unique_ptr<Encoder> film = make_encoder(path, {style.width, height, recording.frames(), rate});
+    const std::unique_ptr<Encoder> film =
+        make_encoder(path, {style.width, height, recording.frames(), rate}, longest_picture);
     Canvas picture(style.width, height);
     Frame frame;
     for (int k = 0; k < recording.frames(); ++k) {

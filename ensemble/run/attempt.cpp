@@ -37,6 +37,7 @@
 #include "core/error.hpp"
 #include "member/array_output.hpp"
 #include "member/run_member.hpp"
+#include "run/signals.hpp"
 
 namespace floes {
 
@@ -73,9 +74,8 @@ std::string reason_of(const Ending& ending, const AttemptLimits& limits) {
                            WEXITSTATUS(ending.wait_status));
     }
     const int signal = WTERMSIG(ending.wait_status);
-    const char* name = ::sigabbrev_np(signal);
     const char* meaning = ::sigdescr_np(signal);
-    return fmt::format("The process of the member was killed by SIG{} ({}){}.", name == nullptr ? "?" : name,
+    return fmt::format("The process of the member was killed by {} ({}){}.", signal_name(signal),
                        meaning == nullptr ? "unknown" : meaning,
                        signal == SIGKILL ? ": by a user, or by the system because memory ran out" : "");
 }
@@ -339,7 +339,8 @@ class Server {
   public:
     Server(Descriptor control, const MemberFunction& compute) : control_(std::move(control)), compute_(compute) {
         // Requests to stop a run are for the process that this one serves, which then ends this one.
-        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGPIPE}) ::signal(signal, SIG_IGN);
+        for (const int signal : stop_signals) ::signal(signal, SIG_IGN);
+        ::signal(SIGPIPE, SIG_IGN);
         sigset_t child_ended;
         ::sigemptyset(&child_ended);
         ::sigaddset(&child_ended, SIGCHLD);

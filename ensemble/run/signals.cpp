@@ -8,11 +8,14 @@
 #include <atomic>
 #include <charconv>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <memory>
+#include <cstring>
 #include <string>
 #include <string_view>
+
+#include <fmt/format.h>
+
+#include "core/text.hpp"
 
 namespace floes {
 
@@ -36,6 +39,8 @@ std::int64_t now_ms() {
 
 void on_signal(int signal) {
     int none = 0;
+    // The system repeats SIGXCPU for each second of processor time above the limit, which many threads soon have.
+    if (signal == SIGXCPU && first_signal != none) return;
     if (first_signal.compare_exchange_strong(none, signal)) {
         first_time = now_ms();
         return;
@@ -63,8 +68,7 @@ void catch_all(void (*handler)(int), Former& former) {
     action.sa_flags = SA_RESTART;
     for (std::size_t i = 0; i < stop_signals.size(); ++i) {
         ::sigaction(stop_signals[i], nullptr, &former[i]);
-        const bool by_nohup = stop_signals[i] == SIGHUP && former[i].sa_handler == SIG_IGN;
-        if (!by_nohup) ::sigaction(stop_signals[i], &action, nullptr);
+        if (!is_to_be_outlived(stop_signals[i])) ::sigaction(stop_signals[i], &action, nullptr);
     }
 }
 
@@ -73,6 +77,12 @@ void give_back(const Former& former) {
 }
 
 }  // namespace
+
+bool is_to_be_outlived(int signal) {
+    struct sigaction now {};
+    ::sigaction(signal, nullptr, &now);
+    return (signal == SIGHUP || signal == SIGUSR2) && now.sa_handler == SIG_IGN;
+}
 
 StopSignals::StopSignals() {
     if (stop_signals_alive++ == 0) {
@@ -103,19 +113,9 @@ void outlive_readers() {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
-const char* signal_name(int signal) {
-    switch (signal) {
-        case SIGINT:
-            return "SIGINT";
-        case SIGTERM:
-            return "SIGTERM";
-        case SIGHUP:
-            return "SIGHUP";
-        case SIGUSR1:
-            return "SIGUSR1";
-        default:
-            return "a signal";
-    }
+std::string signal_name(int signal) {
+    const char* name = ::sigabbrev_np(signal);
+    return name != nullptr ? fmt::format("SIG{}", name) : "a signal";
 }
 
 namespace {
@@ -125,13 +125,6 @@ std::optional<int> number(std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || value < 0) return std::nullopt;
     return value;
-}
-
-std::string output_of(const std::string& command) {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
-    std::array<char, 64> text{};
-    if (!pipe || std::fgets(text.data(), text.size(), pipe.get()) == nullptr) return {};
-    return text.data();
 }
 
 }  // namespace
@@ -158,11 +151,23 @@ std::optional<double> parse_time_left(std::string_view text) {
     return *days * 86400.0 + seconds;
 }
 
-std::optional<double> find_time_left(double asked) {
-    if (asked > 0) return asked;
+JobTimeLeft find_time_left(double asked, Seconds longest_wait) {
+    if (asked > 0) return {asked, {}};
     const char* job = std::getenv("SLURM_JOB_ID");
-    if (job == nullptr || !number(job)) return std::nullopt;
-    return parse_time_left(output_of(std::string("squeue -h -j ") + job + " -o %L 2>/dev/null"));
+    if (job == nullptr || !number(job)) return {};
+    const ProgramAnswer answer = answer_of({"squeue", "-h", "-j", job, "-o", "%L"}, longest_wait);
+    if (answer.good() && answer.output.starts_with("UNLIMITED")) return {};
+    if (const auto seconds = parse_time_left(answer.output); answer.good() && seconds) return {seconds, {}};
+    const std::string why =
+        !answer.fault.empty() ? fmt::format("cannot be started ({})", answer.fault)
+        : !answer.status
+            ? fmt::format("did not answer within {}", duration_in_figures(longest_wait.count()))
+            : fmt::format("answers \"{}\" and ends with status {}",
+                          beginning(answer.output.substr(0, answer.output.find('\n')), 40), *answer.status);
+    return {{},
+            fmt::format("squeue {}, so it is not known when job {} ends: the run stops when Slurm signals it (sbatch "
+                        "--signal=B:USR1@120), or give --time-left SECONDS",
+                        why, job)};
 }
 
 Walltime::Walltime(std::optional<double> seconds_left, Time now) {

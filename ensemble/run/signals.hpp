@@ -1,19 +1,30 @@
 #pragma once
-// SIGINT, SIGTERM, SIGHUP and SIGUSR1 as a request to stop. The first signal is stored to be queried. A second one ends
-// the process immediately with the exit status "stopped and resumable", which the journal makes true at any moment.
+// Signals as a request to stop: those of users, and those that batch systems send before a limit. The first is stored
+// to be queried. A second one ends the process immediately with the exit status "stopped and resumable", which the
+// journal makes true at any moment.
 
 #include <array>
 #include <chrono>
 #include <csignal>
 #include <optional>
+#include <string>
 #include <string_view>
+
+#include "core/started_program.hpp"
 
 namespace floes {
 
 /// Exit status of a run that was stopped on request and can be resumed.
 inline constexpr int exit_stopped = 85;
 
-inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP, SIGUSR1};
+/// SIGXCPU is the soft limit of processor time (ulimit -S -t, s_cpu of Grid Engine), SIGUSR2 the notice of LSF and Grid
+/// Engine, SIGALRM that of a timer which the starting program has set.
+inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU, SIGQUIT, SIGALRM};
+
+/// Whether whoever started this process wants it to outlive the signal, as nohup (SIGHUP) and our array scripts
+/// (SIGUSR2) do: SIGHUP or SIGUSR2 that is ignored. Shells ignore SIGINT and SIGQUIT for all that runs in the
+/// background.
+bool is_to_be_outlived(int signal);
 
 /// Catches the signals during its lifetime. Of several in a process, those within another one see what that received
 /// before them.
@@ -49,15 +60,20 @@ class LeaveOnSignals {
 void outlive_readers();
 
 /// "SIGTERM" and so on.
-const char* signal_name(int signal);
+std::string signal_name(int signal);
 
 // The time left in the batch job: queried once, counted down on a monotonic clock.
 
 /// Seconds from the output of `squeue -o %L`: [days-][[hours:]minutes:]seconds. Empty for words such as UNLIMITED.
 std::optional<double> parse_time_left(std::string_view text);
 
-/// `asked` seconds if positive, otherwise the time left according to Slurm inside a job, otherwise empty.
-std::optional<double> find_time_left(double asked);
+struct JobTimeLeft {
+    std::optional<double> seconds;  ///< none: no limit that is known
+    std::string remark;             ///< a sentence where Slurm does not say what is left of its job; otherwise empty
+};
+
+/// `asked` seconds if positive, otherwise the time left according to Slurm inside a job, if it says so in time.
+JobTimeLeft find_time_left(double asked, Seconds longest_wait = Seconds(30));
 
 class Walltime {
   public:

@@ -27,7 +27,8 @@ int signal_of_trial(const std::function<void()>& work) {
         ::setrlimit(RLIMIT_CORE, &no_core);
         ::alarm(longest_wait);
         ::close(STDERR_FILENO);  // what a crash would print
-        for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) std::signal(signal, SIG_DFL);
+        for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGALRM, SIGXCPU})
+            std::signal(signal, SIG_DFL);
         try {
             work();
         } catch (const std::exception&) {

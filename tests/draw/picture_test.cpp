@@ -307,5 +307,33 @@ TEST(Film, SaysWhatIsMissing) {
     ::setenv("PATH", path.c_str(), 1);
 }
 
+TEST(Film, IsNotWaitedForWhereFfmpegHangs) {
+    const TemporaryFolder folder;
+    write_recording(folder / "a.h5", 1);
+    const Recording recording(folder / "a.h5");
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", ((folder / "").parent_path().string() + ":" + path).c_str(), 1);
+    for (const auto& [does, said] : {std::pair{"exec sleep 300", "took no picture within 200 ms and was ended"},
+                                     {"cat > /dev/null; exec sleep 300", "did not end within 1.2 s and was ended"}}) {
+        std::ofstream(folder / "ffmpeg") << "#!/bin/sh\n" << does << "\n";
+        std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+        EXPECT_THAT(
+            [&] {
+                write_film(
+                    folder / "a.mp4", recording, {.width = 640, .height = 400}, 25, [](double) {}, Seconds(0.2));
+            },
+            testing::ThrowsMessage<RunError>(HasSubstr(said)));
+    }
+    ::setenv("PATH", path.c_str(), 1);
+}
+
+TEST(Film, IsKnownBeforehandToNeedAnEncoder) {
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", "/nowhere", 1);
+    EXPECT_THAT(refusal([] { expect_encoder("a.gif"); }), HasSubstr("install the package ffmpeg"));
+    for (const char* other : {"a.apng", "a.html", "a.h5"}) expect_encoder(other);
+    ::setenv("PATH", path.c_str(), 1);
+}
+
 }  // namespace picture_test
 }  // namespace floes

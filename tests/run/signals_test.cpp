@@ -9,7 +9,7 @@ namespace floes {
 namespace signals_test {
 
 TEST(StopSignals, RememberTheFirst) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2, SIGXCPU, SIGQUIT, SIGALRM}) {
         const StopSignals signals;
         EXPECT_EQ(signals.received(), 0);
         std::raise(signal);
@@ -43,14 +43,30 @@ TEST(StopSignals, WithinOthersSeeWhatCameBefore) {
     EXPECT_EQ(outer.received(), SIGTERM);
 }
 
-TEST(StopSignals, LeaveAHangupThatIsToBeIgnored) {
-    std::signal(SIGHUP, SIG_IGN);  // as nohup does
-    {
-        const StopSignals signals;
-        std::raise(SIGHUP);
-        EXPECT_EQ(signals.received(), 0);
+TEST(StopSignals, AreCalledByTheirNames) {
+    EXPECT_EQ(signal_name(SIGXCPU), "SIGXCPU");
+    EXPECT_EQ(signal_name(SIGUSR2), "SIGUSR2");
+}
+
+TEST(StopSignals, LeaveWhatIsToBeIgnored) {
+    for (const int signal : {SIGHUP, SIGUSR2}) {  // as nohup does, and our array scripts
+        std::signal(signal, SIG_IGN);
+        {
+            const StopSignals signals;
+            std::raise(signal);
+            EXPECT_EQ(signals.received(), 0);
+        }
+        std::signal(signal, SIG_DFL);
     }
-    std::signal(SIGHUP, SIG_DFL);
+}
+
+// The system sends SIGXCPU again for each second of processor time, of all threads together.
+TEST(StopSignals, AreOneRequestWhileTheLimitOfProcessorTimeIsPassed) {
+    const StopSignals signals;
+    std::raise(SIGXCPU);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    std::raise(SIGXCPU);
+    EXPECT_EQ(signals.received(), SIGXCPU);
 }
 
 TEST(StopSignalsDeathTest, LeaveAtOnceOnTheSecond) {

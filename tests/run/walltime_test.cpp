@@ -1,8 +1,14 @@
 #include "run/signals.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
 #include "run/worker.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace floes {
 namespace walltime_test {
@@ -20,8 +26,51 @@ TEST(TimeLeftText, IsReadInEveryShapeThatSqueueHas) {
     }
 }
 
-TEST(TimeLeftText, IsWhatTheUserSaysFirst) {
-    EXPECT_EQ(find_time_left(120), 120.0);
+TEST(TimeLeft, IsWhatTheUserSaysFirst) {
+    EXPECT_EQ(find_time_left(120).seconds, 120.0);
+}
+
+/// Programs that stand for squeue, inside a job.
+class TimeLeftInAJob : public testing::Test {
+  protected:
+    TimeLeftInAJob() {
+        ::setenv("SLURM_JOB_ID", "12", 1);
+        ::setenv("PATH", ((folder_ / "").parent_path().string() + ":" + path_).c_str(), 1);
+    }
+    ~TimeLeftInAJob() override {
+        ::setenv("PATH", path_.c_str(), 1);
+        ::unsetenv("SLURM_JOB_ID");
+    }
+
+    JobTimeLeft with(const std::string& does, double longest = 60) {
+        std::ofstream(folder_ / "squeue") << "#!/bin/sh\n" << does << "\n";
+        std::filesystem::permissions(folder_ / "squeue", std::filesystem::perms::owner_all);
+        return find_time_left(0, Seconds(longest));
+    }
+
+    TemporaryFolder folder_;
+    std::string path_ = std::getenv("PATH");
+};
+
+TEST_F(TimeLeftInAJob, IsWhatSqueueSays) {
+    EXPECT_EQ(with("test \"$*\" = '-h -j 12 -o %L' && echo 1:30").seconds, 90.0);
+    const JobTimeLeft unlimited = with("echo UNLIMITED");
+    EXPECT_FALSE(unlimited.seconds);
+    EXPECT_EQ(unlimited.remark, "");
+}
+
+TEST_F(TimeLeftInAJob, IsNotKnownWhereSqueueHangsOrFails) {
+    for (const auto& [does, said] :
+         {std::pair{"exec sleep 300", "squeue did not answer within 300 ms"},
+          {"echo slurm_load_jobs; exit 1", "squeue answers \"slurm_load_jobs\" and ends with status 1"},
+          {"echo INVALID", "squeue answers \"INVALID\" and ends with status 0"}}) {
+        const JobTimeLeft left = with(does, std::string(does).starts_with("exec") ? 0.3 : 60);
+        EXPECT_FALSE(left.seconds);
+        EXPECT_THAT(left.remark, testing::HasSubstr(said));
+        EXPECT_THAT(left.remark, testing::HasSubstr("or give --time-left SECONDS"));
+    }
+    ::setenv("PATH", "/nowhere", 1);
+    EXPECT_THAT(find_time_left(0).remark, testing::HasSubstr("squeue cannot be started (No such file or directory)"));
 }
 
 TEST(WalltimeClock, KeepsTimeForPublishing) {

@@ -9,8 +9,8 @@
 # Two minutes before its time limit a task keeps what is done, submits itself again, and resumes.
 set -euo pipefail
 submit() {
-    flux submit --cc="$1" --ntasks=1 --cores-per-task=@CORES@ --time-limit=@HOURS@h --signal=USR1@2m --job-name=@NAME@ \
-        --output='@LOG@.part{cc}.log' bash @SCRIPT@
+    timeout 120 flux submit --cc="$1" --ntasks=1 --cores-per-task=@CORES@ --time-limit=@HOURS@h --signal=USR1@2m \
+        --job-name=@NAME@ --output='@LOG@.part{cc}.log' bash @SCRIPT@
 }
 if [[ -z ${FLUX_JOB_CC-} ]]; then
     submit "${1:-1-@PARTS@}"

@@ -21,6 +21,6 @@ set -euo pipefail
 status=0
 compute "$SLURM_ARRAY_TASK_ID" || status=$?
 if [[ ! $cancelled ]] && ((status == 85 || status >= 128)) && ((${SLURM_RESTART_COUNT:-0} < 100)); then
-    scontrol requeue "$SLURM_JOB_ID" || true
+    timeout 120 scontrol requeue "$SLURM_JOB_ID" || true
 fi
 exit "$status"
