@@ -94,7 +94,7 @@ std::string campaign_remedy(const std::filesystem::path& path) {
     const FileVerdict beside = verify_journal(journal);
     if (beside.counts.empty()) return fmt::format("Its journal is damaged as well: {}", otherwise);
     return fmt::format(
-        "floes run CONFIG.toml -o {} --resume makes it anew from its journal{}.", path.string(),
+        "floes run CONFIG.toml -o {} --resume makes it anew from its journal{}.", shell_word(path.string()),
         beside.state == FileState::good ? ", which is whole" : ", and computes again what is damaged there");
 }
 
@@ -115,6 +115,8 @@ void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
         verdict.notes.push_back(fmt::format(
             "Layout {} carries no digests: what HDF5 itself checks is whole, but a changed number would not show.",
             check.version));
+    if (const std::vector<std::string> added = check.added.words(); !added.empty())
+        verdict.notes.push_back(fmt::format("Added by other programs, and not checked: {}.", name_list(added)));
     if (check.good()) return;
     verdict.state = FileState::damaged;
     if (!check.fault.empty()) verdict.faults.push_back(fmt::format("The file: {}.", check.fault));
@@ -160,6 +162,9 @@ FileVerdict verify_file(const std::filesystem::path& path) {
     }
     try {
         verify_hdf5(path, verdict);
+    } catch (const hdf5::OpenElsewhere& error) {
+        verdict.state = FileState::open_elsewhere;
+        verdict.faults.emplace_back(error.what());
     } catch (const InputError& error) {
         verdict.state = FileState::not_of_floes;
         verdict.faults.push_back(error.what());
@@ -169,7 +174,7 @@ FileVerdict verify_file(const std::filesystem::path& path) {
 
 namespace {
 
-constexpr const char* state_words[]{"good", "damaged", "not of floes", "of a newer floes"};
+constexpr const char* state_words[]{"good", "damaged", "not of floes", "of a newer floes", "open elsewhere"};
 
 const char* state_word(const FileVerdict& verdict) {
     return state_words[static_cast<std::size_t>(verdict.state)];
@@ -210,7 +215,8 @@ int verify(const std::vector<std::string>& files, const std::string& format) {
     }
     if (format == "json") std::fputs(json_of(verdicts).c_str(), stdout);
     const auto any = [&](FileState state) { return std::ranges::count(verdicts, state, &FileVerdict::state) > 0; };
-    return any(FileState::damaged) ? 1 : any(FileState::not_of_floes) || any(FileState::newer) ? 2 : 0;
+    if (any(FileState::damaged)) return 1;
+    return any(FileState::not_of_floes) || any(FileState::newer) || any(FileState::open_elsewhere) ? 2 : 0;
 }
 
 }  // namespace
@@ -227,8 +233,9 @@ void add_verify(CommandLine& line) {
         .required();
     verb.option("--format", options->format, "table or json").one_of({"table", "json"}).shows_default();
     verb.footer(
-        "Exit status: 0 all good, 1 one is damaged, 2 none is damaged but one is no file of floes, or of a\nnewer "
-        "one.");
+        "What floes wrote is checked; what other programs have added to it is named.\n"
+        "Exit status: 0 all good, 1 one is damaged, 2 none is damaged but one is no file of floes, of a newer one, or\n"
+        "open for writing elsewhere.");
     verb.runs([options] { return verify(options->files, options->format); });
 }
 
@@ -267,7 +274,7 @@ int merge(const MergeOptions& options) {
         note(
             "the same command adds what the parts compute from now on; floes run CONFIG.toml -o {} --resume computes "
             "the missing members",
-            options.output);
+            shell_word(options.output));
     print({summary_section(summarise(table))}, "table");
     return failed + missing > 0 ? 1 : 0;
 }

@@ -9,7 +9,7 @@
 
 namespace floes {
 
-enum class FileState { good, damaged, not_of_floes, newer };
+enum class FileState { good, damaged, not_of_floes, newer, open_elsewhere };
 
 struct FileVerdict {
     std::string file;

@@ -1,7 +1,11 @@
 #include "hdf5/read.hpp"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <array>
+#include <map>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +16,7 @@
 #include "hdf5/digest.hpp"
 #include "hdf5/handle.hpp"
 #include "hdf5/pages.hpp"
+#include "store/file_calls.hpp"
 
 namespace floes::hdf5 {
 
@@ -115,6 +120,12 @@ std::vector<std::string> link_names(hid_t group, const std::string& path) {
     });
 }
 
+H5L_info_t link_of(hid_t file, const std::string& path) {
+    H5L_info_t link{};
+    check_read(H5Lget_info(file, path.c_str(), &link, H5P_DEFAULT), file, path);
+    return link;
+}
+
 void visit_readable(hid_t file, const std::string& path, int depth, Paths& found);
 
 void visit(hid_t file, const std::string& path, int depth, Paths& found) {
@@ -128,6 +139,7 @@ void visit(hid_t file, const std::string& path, int depth, Paths& found) {
 void visit_readable(hid_t file, const std::string& path, int depth, Paths& found) {
     if (depth > most_deep || found.groups.size() + found.datasets.size() > most_objects)
         refuse_damaged(file, fmt::format("{} has more in it than floes writes", path));
+    if (path != "/" && link_of(file, path).type != H5L_TYPE_HARD) return found.links.push_back(path);
     const Handle object = open_object(file, path);
     if (H5Iget_type(object.id()) == H5I_DATASET) return found.datasets.push_back(path);
     if (H5Iget_type(object.id()) != H5I_GROUP) return;
@@ -164,20 +176,94 @@ Paths paths_of(hid_t file) {
     return found;
 }
 
-ContentsDigests contents_digests(hid_t file) {
+namespace {
+
+/// Attributes that floes may write behind the one that ends an object's, so that the order does not tell.
+constexpr std::array written_late{"CLASS", "NAME", "flag_values", "flag_meanings", "element_side", "thickness"};
+
+/// The attribute that is written when all of an object is.
+const char* last_attribute(const std::string& path) {
+    return path == "/" ? contents_attribute : digest_attribute;
+}
+
+/// Where in the order of their creation an attribute of the object is; none where that is not kept.
+std::optional<std::int64_t> place_of(hid_t object, const std::string& name) {
+    H5A_info_t about{};
+    check_read(H5Aget_info_by_name(object, ".", name.c_str(), &about, H5P_DEFAULT), object, name);
+    return about.corder_valid ? std::optional<std::int64_t>(about.corder) : std::nullopt;
+}
+
+void add_attributes(hid_t file, const std::string& path, Additions& found) {
+    const Handle object = open_object(file, path);
+    const bool ended = has_attribute(object.id(), last_attribute(path));
+    const auto end = ended ? place_of(object.id(), last_attribute(path)) : std::nullopt;
+    for (const std::string& name : attribute_names(object.id()))
+        if (std::ranges::find(written_late, name) == written_late.end() &&
+            (!ended || place_of(object.id(), name) > end))
+            found.attributes.emplace(path, name);
+}
+
+std::string parent_of(const std::string& path) {
+    return path.substr(0, path.rfind('/') + 1);
+}
+
+/// What has no digest, or came after all that has one.
+Additions additions_to(hid_t file, const Paths& paths) {
+    Additions found;
+    found.objects.insert(paths.links.begin(), paths.links.end());
+    std::vector<std::string> written;
+    for (const std::string& path : paths.datasets) {
+        if (has_attribute(open_object(file, path).id(), digest_attribute))
+            written.push_back(path);
+        else
+            found.objects.insert(path);
+    }
+    const auto holds_written = [&](const std::string& group) {
+        return std::ranges::any_of(written, [&](const std::string& one) { return one.starts_with(group + "/"); });
+    };
+    std::map<std::string, std::int64_t> last;  // of what is written, by its folder
+    const auto note_written = [&](const std::string& path) {
+        std::int64_t& place = last.try_emplace(parent_of(path), -1).first->second;
+        place = std::max<std::int64_t>(place, link_of(file, path).corder);
+    };
+    std::ranges::for_each(written, note_written);
+    for (const std::string& path : paths.groups)
+        if (path != "/" && holds_written(path)) note_written(path);
+    for (const std::string& path : paths.groups) {
+        if (path == "/" || path == provenance_group || holds_written(path)) continue;
+        const auto before = last.find(parent_of(path));
+        if (before == last.end() || link_of(file, path).corder > before->second) found.objects.insert(path);
+    }
+    for (const std::vector<std::string>* all : {&paths.groups, &paths.datasets})
+        for (const std::string& path : *all)
+            if (!found.objects.contains(path)) add_attributes(file, path, found);
+    return found;
+}
+
+}  // namespace
+
+std::vector<std::string> Additions::words() const {
+    std::vector<std::string> made(objects.begin(), objects.end());
+    for (const auto& [path, name] : attributes) made.push_back(fmt::format("the attribute {} of {}", name, path));
+    return made;
+}
+
+ContentsDigests contents_digests(hid_t file, const Additions& without) {
     const Paths paths = paths_of(file);
     if (!paths.unreadable.empty()) refuse_damaged(file, fmt::format("{} cannot be read", paths.unreadable.front()));
     StreamingDigest contents;
     StreamingDigest provenance;
     for (const std::vector<std::string>* all : {&paths.groups, &paths.datasets}) {
         for (const std::string& path : *all) {
+            if (without.objects.contains(path)) continue;
             StreamingDigest& digest = is_provenance(path) ? provenance : contents;
             digest.add_text(path);
             const Handle object = open_object(file, path);
             for (const std::string& name : attribute_names(object.id())) {
                 const bool of_root = path == "/" && std::ranges::find(not_contents, name) != not_contents.end();
                 const bool itself = path == provenance_group && name == digest_attribute;
-                if (!of_root && !itself) add_attribute(object.id(), name, digest);
+                if (!of_root && !itself && !without.attributes.contains({path, name}))
+                    add_attribute(object.id(), name, digest);
             }
         }
     }
@@ -231,10 +317,35 @@ void compare(const Handle& dataset, const std::string& name, const std::optional
 
 }  // namespace
 
+OpenElsewhere::OpenElsewhere(const std::filesystem::path& path)
+    : InputError(fmt::format(
+          "{} is open for writing in another program, as h5py opens it with \"r+\" or \"a\": close it there, and try "
+          "again. If nothing has it open, the program was killed before it closed the file: h5clear -s {} frees it.",
+          path.string(), shell_word(path.string()))) {}
+
+namespace {
+
+/// Whether the file says that some program has it open for writing: HDF5 marks its beginning while one does. What HDF5
+/// says counts, since it has compared the checksum; the mark alone may be a damaged byte.
+void refuse_open_elsewhere(const std::filesystem::path& path) {
+    constexpr std::size_t marks_at = 11;  // in a superblock of version 2 or 3
+    constexpr unsigned writers = 5;       // one, or one that lets others read
+    Bytes begin(marks_at + 1);
+    if (!read_at(open_file(path, O_RDONLY), path, 0, begin)) return;
+    if ((std::to_integer<unsigned>(begin[marks_at]) & writers) == 0) return;
+    const Handle access = access_without_locks();
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
+    if (file < 0 && last_reason().find("already open for") != std::string::npos) throw OpenElsewhere(path);
+    if (file >= 0) H5Fclose(file);
+}
+
+}  // namespace
+
 Handle open_for_reading(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path)) throw InputError(fmt::format("there is no file {}.", path.string()));
     if (H5Fis_hdf5(path.c_str()) <= 0)
         throw InputError(fmt::format("{} is not an HDF5 file; give the .h5 that floes run wrote.", path.string()));
+    refuse_open_elsewhere(path);
     const Handle access = access_without_locks();
     std::optional<CheckedPages> pages = CheckedPages::open(path);
     if (pages) {
@@ -352,6 +463,18 @@ void check_dataset(hid_t file, const std::string& path, FileCheck& check) {
     if (!one.fault.empty()) check.damaged.push_back(std::move(one));
 }
 
+/// What was added to a file that is otherwise as it was written; none where it is not.
+std::optional<Additions> additions_of(hid_t file, const Paths& paths, const ContentsDigests& stored) {
+    try {
+        Additions added{{paths.links.begin(), paths.links.end()}, {}};
+        if (stored == contents_digests(file, added)) return added;
+        added = additions_to(file, paths);
+        if (stored == contents_digests(file, added)) return added;
+    } catch (const DamagedFile&) {  // the search for damage says where
+    }
+    return std::nullopt;
+}
+
 void check_contents(hid_t file, std::span<const std::string_view> filetypes, FileCheck& check) {
     if (has_attribute(file, "filetype")) check.filetype = read_text_attribute(file, "filetype");
     if (has_attribute(file, "version"))
@@ -361,11 +484,16 @@ void check_contents(hid_t file, std::span<const std::string_view> filetypes, Fil
     check.has_digests = !stored.contents.empty();
     if (!check.has_digests && std::ranges::find(filetypes, check.filetype) == filetypes.end()) return;
     const Paths paths = paths_of(file);
-    check.datasets = paths.datasets.size();
     for (const std::string& path : paths.unreadable)
         check.damaged.push_back({path, fmt::format("{} cannot be read", path), false, {}});
-    for (const std::string& path : paths.datasets) check_dataset(file, path, check);
-    if (check.has_digests && check.damaged.empty() && stored != contents_digests(file))
+    const std::optional<Additions> added = check.has_digests ? additions_of(file, paths, stored) : std::nullopt;
+    check.added = added.value_or(Additions{});
+    for (const std::string& path : paths.datasets) {
+        if (check.added.objects.contains(path)) continue;
+        ++check.datasets;
+        check_dataset(file, path, check);
+    }
+    if (check.has_digests && check.damaged.empty() && !added)
         check.fault = "its attributes, or the names of its datasets, are not those that were written";
 }
 

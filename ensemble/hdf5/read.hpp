@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hdf5/dataset.hpp"
@@ -50,18 +52,28 @@ struct Paths {
     std::vector<std::string> groups;  ///< the root "/" is the first
     std::vector<std::string> datasets;
     std::vector<std::string> unreadable;  ///< of both kinds; only a search for damage continues with these
+    std::vector<std::string> links;       ///< soft and external ones, which floes makes none of; not followed
 };
 Paths paths_of(hid_t file);
 
+/// What other programs may have put into a file of floes: all that it is whole without is that.
+struct Additions {
+    std::set<std::string> objects;                             ///< paths of groups, datasets and links
+    std::set<std::pair<std::string, std::string>> attributes;  ///< path of the object, and name
+
+    /// "/mine", "the attribute note of /members/status".
+    std::vector<std::string> words() const;
+};
+
 /// The digest over everything except how the file was made: for each group and dataset outside /provenance the path and
 /// all attributes that are text or numbers, which include the digest of the dataset. Two files of the same members have
-/// the same. `provenance`: the digest over /provenance; empty if there is none.
+/// the same. `provenance`: the digest over /provenance; empty if there is none. `without`: left out.
 struct ContentsDigests {
     std::string contents;
     std::string provenance;
     friend bool operator==(const ContentsDigests&, const ContentsDigests&) = default;
 };
-ContentsDigests contents_digests(hid_t file);
+ContentsDigests contents_digests(hid_t file, const Additions& without = {});
 
 /// Writes both digests, as attributes of the root and of /provenance. Call it last.
 void write_contents_digests(hid_t file);
@@ -71,7 +83,14 @@ ContentsDigests read_contents_digests(hid_t file);
 
 // Reading named datasets and attributes of an HDF5 file. Only for sources of modules with HDF5 files of their own.
 
-/// Opens an HDF5 file for reading. Throws InputError if the file does not exist or is not an HDF5 file.
+/// A file that another program has open for writing, or did when it was killed.
+class OpenElsewhere : public InputError {
+  public:
+    explicit OpenElsewhere(const std::filesystem::path& path);
+};
+
+/// Opens an HDF5 file for reading. Throws InputError if the file does not exist or is not an HDF5 file, and
+/// OpenElsewhere.
 Handle open_for_reading(const std::filesystem::path& path);
 
 /// Whether an object of that name exists; `name` may be a path.
@@ -125,18 +144,19 @@ struct DamagedDataset {
 struct FileCheck {
     std::string filetype;      ///< attribute of the root; empty where there is none
     std::string version;       ///< of the layout, "1.8"
-    std::size_t datasets = 0;  ///< that could be listed
+    std::size_t datasets = 0;  ///< of floes that could be listed
     bool has_digests = false;  ///< layouts before 1.8, and of records before 1.1, have none
     std::string contents;      ///< the digest over all outside /provenance, as written
     std::string fault;         ///< of the file as a whole; empty if there is none
     std::vector<DamagedDataset> damaged;
     std::string between;  ///< fault of bytes that belong to no dataset, if all datasets are good
+    Additions added;      ///< by other programs, to a file that is as it was written without them
 
     bool good() const { return fault.empty() && damaged.empty() && between.empty(); }
 };
 
 /// Reads the whole file; if it has no digests and none of the `filetypes`, only the attributes that show this. Damage
-/// is part of the result; throws InputError only if the file does not exist or is not an HDF5 file.
+/// is part of the result; throws InputError only if the file does not exist, is not an HDF5 file, or is open elsewhere.
 FileCheck check_file(const std::filesystem::path& path, std::span<const std::string_view> filetypes);
 
 }  // namespace floes::hdf5
