@@ -1,6 +1,7 @@
 #include "inference/emulator.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -368,7 +369,8 @@ double size_of_deviations(const EmulatorData& data) {
 }
 
 EmulatorForm fitted(const EmulatorData& data) {
-    return data.at.rows() >= 3 * (data.at.cols() + 2) ? fit_gaussian_process(data) : fit_polynomial(data);
+    return data.at.rows() >= points_for_gaussian_process(static_cast<int>(data.at.cols())) ? fit_gaussian_process(data)
+                                                                                           : fit_polynomial(data);
 }
 
 }  // namespace
@@ -394,6 +396,21 @@ Emulator::Emulator(const EmulatorData& data) : scaled_(scaled(data)), form_(fitt
         left_out_[static_cast<std::size_t>(point)] = {
             data.values(point), scaled_.shift + scaled_.scale * points[row].predicted, scaled_.scale * points[row].sd};
     }
+}
+
+const char* name_of(EmulatorKind kind) {
+    constexpr std::array names{"constant", "linear", "quadratic", "Gaussian process"};
+    return names.at(static_cast<std::size_t>(kind));
+}
+
+std::string Emulator::simpler() const {
+    if (kind() == EmulatorKind::gaussian_process) return {};
+    const char* what = kind() == EmulatorKind::constant ? "a constant, the same at all inputs,"
+                       : kind() == EmulatorKind::linear ? "a plane"
+                                                        : "a quadratic";
+    return fmt::format("is {} because it has {} points; {} or more make it a Gaussian process, which follows them",
+                       what, scaled_.data.at.rows(),
+                       points_for_gaussian_process(static_cast<int>(scaled_.data.at.cols())));
 }
 
 std::vector<EmulatorCovariance> Emulator::covariances() const {

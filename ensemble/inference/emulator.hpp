@@ -56,6 +56,14 @@ struct EmulatorData {
 
 enum class EmulatorKind { constant, linear, quadratic, gaussian_process };
 
+/// "constant", "linear", "quadratic", "Gaussian process".
+const char* name_of(EmulatorKind kind);
+
+/// So many points make an emulator a Gaussian process.
+inline int points_for_gaussian_process(int axes) {
+    return 3 * (axes + 2);
+}
+
 /// The deviations of the statistic from its mean function.
 struct EmulatorCovariance {
     Eigen::VectorXd lengths;  ///< of correlation along each axis, in half axes; empty unless a Gaussian process
@@ -110,6 +118,10 @@ class Emulator {
     explicit Emulator(const EmulatorData& data);
 
     EmulatorKind kind() const { return form_.kind; }
+    /// What it is instead of a Gaussian process and how many points would make it one, without subject: "is a constant,
+    /// the same at all inputs, because it has 4 points; 9 or more make it a Gaussian process, which follows them";
+    /// empty for a Gaussian process.
+    std::string simpler() const;
 
     /// Those that predictions are averaged over, with equal weights.
     std::vector<EmulatorCovariance> covariances() const;

@@ -117,9 +117,9 @@ ContourInputs from_distributions(const Document& document, const std::string& fi
             throw InputError(fmt::format("{}: {} is not known here; above the inputs there is hours_per_year only",
                                          entry.where, entry.path));
         hours = number_of(entry.value).value_or(-1);
-        if (!(hours > 0 && hours <= year_hours))
+        if (!(hours > 0 && hours <= leap_year_hours))
             throw InputError(fmt::format("{}: hours_per_year = {} must be above 0 and at most {:g}", entry.where,
-                                         to_text(entry.value), year_hours));
+                                         to_text(entry.value), leap_year_hours));
     }
     if (hours < 0)
         throw InputError(
@@ -180,6 +180,7 @@ ContourInputs from_regimes(const std::vector<Regime>& regimes, const std::string
         if (values[k].size() < fewest_classes)
             throw InputError(fmt::format("{}: {} has {} different values, and a distribution wants at least {}", file,
                                          made.keys[k], values[k].size(), fewest_classes));
+    std::ranges::sort(made.classes, {}, &ClassHours::value);  // sums do not depend on the order of the lines
     made.fit = fit_joint_inputs(made.classes);
     made.inputs = made.fit->inputs;
     if (!made.fit->valid())

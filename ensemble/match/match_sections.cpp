@@ -1,7 +1,6 @@
 #include "match/matching.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -148,9 +147,11 @@ Figure along_figure(const MatchData& data, const Matching& found) {
 namespace {
 
 const char* kind_word(const EmulatedTarget& target) {
-    if (!target.emulated()) return "none";
-    constexpr std::array kinds{"constant", "linear", "quadratic", "Gaussian process"};
-    return kinds.at(static_cast<std::size_t>(target.mean().kind()));
+    return target.emulated() ? name_of(target.mean().kind()) : "none";
+}
+
+std::size_t points_of(const EmulatedTarget& target) {
+    return target.emulated() ? target.mean().left_out().size() : 0;
 }
 
 /// Root of the mean of the squared errors in standard deviations: 1 for a right emulator.
@@ -237,6 +238,7 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
                                 {"discrepancy"},
                                 {"runs"},
                                 {"emulator", "emulator"},
+                                {"points"},
                                 {.key = "left_out_error", .words = "left-out error", .decimals = 2},
                                 {"unused"},
                                 {.key = "least_implausibility", .words = "least implausibility", .decimals = 2},
@@ -248,8 +250,9 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
         const TargetVerdict& verdict = found.verdicts[k];
         rows.add(named(about) + std::vector<Datum>{about.shown(about.value), about.value, about.uncertainty,
                                                    about.discrepancy, about.runs, kind_word(targets[k]),
-                                                   error_of_left_out(targets[k]), targets[k].unused(), verdict.least,
-                                                   verdict.bound, verdict.rules_out, verdict.alone});
+                                                   points_of(targets[k]), error_of_left_out(targets[k]),
+                                                   targets[k].unused(), verdict.least, verdict.bound, verdict.rules_out,
+                                                   verdict.alone});
     }
     Section section{
         .title = "Targets",
@@ -262,7 +265,10 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
     for (const auto& [reason, names] : unused_by_reason(targets))
         section.notes.push_back(fmt::format("Not used: {}: {}", fmt::join(names, ", "), reason));
     for (std::size_t k = 0; k < targets.size(); ++k)
-        if (targets[k].unused().empty()) note_bound(section, targets[k], found.verdicts[k].bound);
+        if (targets[k].unused().empty()) {
+            note_bound(section, targets[k], found.verdicts[k].bound);
+            for (std::string& note : targets[k].simplifications()) section.notes.push_back(std::move(note));
+        }
     if (std::ranges::any_of(found.verdicts, [](const TargetVerdict& one) { return one.rules_out > 0; }))
         section.figures = {ruled_out_figure(targets, found)};
     return section;
@@ -420,6 +426,8 @@ Section design_section(const std::vector<PredictedDesignLoad>& designs, const De
                              request.averaging, request.exposure / unit::hour)};
     for (const PredictedDesignLoad& one : designs)
         if (!one.unknown.empty()) section.notes.push_back(one.unknown);
+    for (const PredictedDesignLoad& one : designs)
+        section.notes.insert(section.notes.end(), one.notes.begin(), one.notes.end());
     if (std::ranges::none_of(designs, &PredictedDesignLoad::known)) return section;
     section.results = {results_of(designs, request)};
     section.after = fmt::format(

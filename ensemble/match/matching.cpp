@@ -88,7 +88,8 @@ EmulatorData data_of(const MatchData& data, const std::vector<int>& points, std:
 
 /// Emulates the logarithm of the variance of single runs. With f degrees of freedom that of a sample variance lies
 /// ψ(f/2) + ln(2/f) off on average, and has the variance ψ'(f/2), if single runs are normal.
-std::shared_ptr<const Emulator> scatter_emulator(const MatchData& data, const TargetData& target) {
+std::shared_ptr<const Emulator> scatter_emulator(const MatchData& data, const TargetData& target,
+                                                 std::string& why_not) {
     std::vector<int> points;
     std::vector<double> logs;
     std::vector<double> noise;
@@ -100,9 +101,11 @@ std::shared_ptr<const Emulator> scatter_emulator(const MatchData& data, const Ta
         logs.push_back(std::log(target.sample_variance[k]) - off);
         noise.push_back(boost::math::trigamma(freedom / 2));
     }
+    why_not = "fewer than two points have runs that differ";
     if (points.size() < 2) return nullptr;
     auto made = std::make_shared<const Emulator>(data_of(data, points, logs, noise));
-    return made->fault().empty() ? made : nullptr;
+    why_not = made->fault();
+    return why_not.empty() ? made : nullptr;
 }
 
 /// Degrees of freedom of a sample variance whose logarithm has this variance. Newton's method on 1/ψ', which is convex
@@ -209,7 +212,7 @@ Eigen::VectorXd coordinates_of(const MatchPoint& point) {
 }
 
 EmulatedTarget::EmulatedTarget(const MatchData& data, const TargetData& target)
-    : target_(target.target), log_scatter_(scatter_emulator(data, target)) {
+    : target_(target.target), log_scatter_(scatter_emulator(data, target, no_scatter_)) {
     double weight = 0;
     for (std::size_t k = 0; k < target.point.size(); ++k) {
         pooled_scatter_.variance += target.variance[k] * target.runs[k];
@@ -231,6 +234,19 @@ EmulatedTarget::EmulatedTarget(const MatchData& data, const TargetData& target)
     common_part_ = target.shared * static_cast<double>(target.point.size()) / weight;
     mean_ = std::make_shared<const Emulator>(data_of(data, target.point, target.mean, noise));
     unused_ = target_.held_out ? "held out" : mean_->fault();
+}
+
+std::vector<std::string> EmulatedTarget::simplifications() const {
+    std::vector<std::string> made;
+    if (!emulated()) return made;
+    if (const std::string simpler = mean_->simpler(); !simpler.empty())
+        made.push_back(fmt::format("{}: its emulator {}.", target_.name(), simpler));
+    if (!log_scatter_)
+        made.push_back(
+            fmt::format("{}: the scatter of single runs is taken as the same at all inputs: {}; run more "
+                        "arrangements.",
+                        target_.name(), no_scatter_.substr(0, no_scatter_.find_last_not_of('.') + 1)));
+    return made;
 }
 
 EmulatedTarget::ScatterAt EmulatedTarget::scatter_at(const Eigen::VectorXd& x) const {
@@ -458,7 +474,7 @@ Target to_predict(const std::string& quantity, const std::string& case_name) {
 
 Predicted predict(const OverLeft& left, const EmulatedTarget& quantity) {
     if (std::string unknown = unpredictable(quantity); !unknown.empty())
-        return {quantity.target().quantity, quantity.target().case_name, {}, {}, {}, 0, std::move(unknown)};
+        return {quantity.target().quantity, quantity.target().case_name, {}, {}, {}, 0, std::move(unknown), {}};
     const AtPoints mean = left.emulated(quantity);
     AtPoints run = mean;
     for (std::size_t k = 0; k < run.variance.size(); ++k)
@@ -470,7 +486,8 @@ Predicted predict(const OverLeft& left, const EmulatedTarget& quantity) {
             left.weighed(mean, about.least, about.most),
             left.weighed(run, about.least, about.most),
             left.effective(),
-            {}};
+            {},
+            quantity.simplifications()};
 }
 
 Section predicted_section(const std::vector<Predicted>& predicted) {
@@ -487,11 +504,12 @@ Section predicted_section(const std::vector<Predicted>& predicted) {
             section.notes.push_back(one.unknown);
             continue;
         }
+        section.notes.insert(section.notes.end(), one.notes.begin(), one.notes.end());
         rows.add_heading(std::string{one.quantity.label.view()}, Results::For::people, unit_of(one.quantity));
         rows.add({Named{one.case_name, one.case_name.empty() ? "all" : one.case_name},
                   std::string{one.quantity.key.view()}, one.mean, one.weighted, one.run, one.effective});
     }
-    if (section.notes.size() == predicted.size()) return section;
+    if (std::ranges::none_of(predicted, [](const Predicted& one) { return one.unknown.empty(); })) return section;
     section.results = {std::move(rows)};
     section.after =
         "\nIn brackets 95 %. Mean of runs: every combination of inputs that is left counts the same; weighed: by the "
@@ -586,6 +604,7 @@ std::vector<PredictedDesignLoad> predict_design_load(std::span<const MatchWave> 
         }
         const AtPoints mean_maximum = left.emulated(index);
         designs.push_back(of_case(runs_of(waves, data, at_left, index, request), mean_maximum, left, name, request));
+        designs.back().notes = index.simplifications();
     }
     return designs;
 }

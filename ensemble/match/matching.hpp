@@ -69,6 +69,9 @@ class EmulatedTarget {
     double implausibility(const Eigen::VectorXd& x) const { return compared(x).implausibility(); }
     /// Whether it is used and rules the point out.
     bool rules_out(const Eigen::VectorXd& x) const { return unused_.empty() && implausibility(x) > ruled_out_above; }
+    /// What its emulators leave out, a sentence each: that the mean's is simpler than a Gaussian process, or that the
+    /// scatter is taken as the same everywhere.
+    std::vector<std::string> simplifications() const;
     /// Why it is not used: its emulator fails its check, or it is held out; empty when it is used.
     const std::string& unused() const { return unused_; }
 
@@ -82,7 +85,8 @@ class EmulatedTarget {
 
     Target target_;
     std::shared_ptr<const Emulator> mean_;
-    std::shared_ptr<const Emulator> log_scatter_;  ///< none where no point has two runs
+    std::string no_scatter_;                       ///< why log_scatter_ is none
+    std::shared_ptr<const Emulator> log_scatter_;  ///< none where it cannot be emulated
     ScatterAt pooled_scatter_;
     double common_part_ = 0;  ///< c / n
     std::string unused_;
@@ -227,11 +231,12 @@ std::string unpredictable(const EmulatedTarget& quantity);
 struct Predicted {
     Quantity quantity;
     std::string case_name;
-    Estimate mean;         ///< over arrangements, with equal weights
-    Estimate weighted;     ///< the same, points weighed by the likelihood of the targets
-    Estimate run;          ///< of a single run, weighed
-    double effective = 0;  ///< OverLeft::effective()
-    std::string unknown;   ///< why it is not known, a sentence; then there are no ranges
+    Estimate mean;                   ///< over arrangements, with equal weights
+    Estimate weighted;               ///< the same, points weighed by the likelihood of the targets
+    Estimate run;                    ///< of a single run, weighed
+    double effective = 0;            ///< OverLeft::effective()
+    std::string unknown;             ///< why it is not known, a sentence; then there are no ranges
+    std::vector<std::string> notes;  ///< EmulatedTarget::simplifications()
 };
 
 /// Emulator uncertainty and, of a single run, scatter are added at each point. Throws as unpredictable() does.
@@ -265,7 +270,8 @@ struct PredictedDesignLoad {
     Estimate expected_weighed;     ///< with the likelihood of the targets as weights
     Estimate quantile;             ///< that the largest load stays below with the probability asked for
     Estimate quantile_weighed;
-    std::string unknown;  ///< why it is not known, a sentence; then there are no figures
+    std::string unknown;             ///< why it is not known, a sentence; then there are no figures
+    std::vector<std::string> notes;  ///< EmulatedTarget::simplifications() of the mean maximum
 
     bool known() const { return unknown.empty(); }
 };

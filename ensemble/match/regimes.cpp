@@ -43,7 +43,7 @@ Regime regime_of(const Block& block) {
     regime.where = block.where;
     double hours = -1;
     const Keys keys{text_key("name", regime.name, "", ""),
-                    number_key("hours_per_year", hours, unit::one, at_least(0).at_most(year_hours), "", ""),
+                    number_key("hours_per_year", hours, unit::one, at_least(0).at_most(leap_year_hours), "", ""),
                     text_key("case", regime.case_name, "", "")};
     for (const Entry& entry : block.entries) {
         if (entry.path.find('.') == std::string::npos)
@@ -89,11 +89,11 @@ void refuse_twice(const std::vector<Regime>& regimes) {
 void refuse_too_long(const std::vector<Regime>& regimes, const std::string& file) {
     double sum = 0;
     for (const Regime& regime : regimes) sum += regime.time / unit::hour;
-    if (sum > year_hours)
+    if (sum > leap_year_hours * (1 + rounding_of_hours))
         throw InputError(
-            fmt::format("{}: the regimes have {:.6g} h together, and a year has {:g}; hours_per_year is of each regime "
-                        "alone, and open water is none",
-                        file, sum, year_hours));
+            fmt::format("{}: the regimes have {:.6g} h together, and a year has {:g}, a leap year {:g}; hours_per_year "
+                        "is of each regime alone, and open water is none",
+                        file, sum, year_hours, leap_year_hours));
 }
 
 std::vector<Regime> regimes_of(const std::vector<Block>& blocks, const std::string& file) {

@@ -18,8 +18,11 @@ struct Regime {
     std::string where;          ///< "year.toml:12"
 };
 
-/// Hours of a year with its share of a leap day.
+/// Hours of a year with its share of a leap day. Hours are taken as they stand: of regimes that fill a year of 365
+/// days, or a leap year, the loads are those of that year.
 inline constexpr double year_hours = 8766;
+inline constexpr double leap_year_hours = 8784;
+inline constexpr double rounding_of_hours = 1e-9;  ///< relative, of a sum of regimes
 
 /// Reads the [[regime]] tables of a TOML text; `file` names it in messages.
 ///
@@ -30,8 +33,8 @@ inline constexpr double year_hours = 8766;
 ///     ice.thickness_m = 0.5
 ///
 /// Regimes of 0 hours are left out. Throws InputError, one sentence, for other keys (naming the nearest), a regime
-/// without hours, or with neither case nor values, two regimes of one name or one place, more hours than a year has,
-/// and a text without regimes.
+/// without hours, or with neither case nor values, two regimes of one name or one place, more hours than a leap year
+/// has, and a text without regimes.
 std::vector<Regime> read_regimes(std::string_view text, const std::string& file);
 
 /// The same of a scatter diagram, CSV (RFC 4180): a header line with the columns hours_per_year, and case or axes, and

@@ -78,6 +78,10 @@ class TargetReader {
         if (relative != nullptr && block_.find("discrepancy") != nullptr)
             throw InputError(fmt::format("{}: discrepancy_percent = {} and discrepancy are both given; keep one",
                                          relative->where, to_text(relative->value)));
+        if (percent_of_value > 0 && target_.value == 0)
+            throw InputError(
+                fmt::format("{}: discrepancy_percent = {} of value = 0 is no discrepancy; give discrepancy instead, {}",
+                            relative->where, to_text(relative->value), unit_words()));
         if (relative != nullptr) target_.discrepancy = percent_of_value * std::abs(target_.value);
         return target_;
     }

@@ -6,12 +6,16 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <span>
+#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/conditions.hpp"
 #include "findings/design_load.hpp"
@@ -61,12 +65,14 @@ std::string design_case(const MatchWave& campaign, const Regime& regime) {
 /// (DividedRun).
 class InterpolatedDesign {
   public:
-    /// Throws InputError as match_data() and averaging_time() do, and where the emulator fails its check.
+    /// Throws InputError as match_data() and averaging_time() do, and where the emulator fails its check or is a
+    /// constant: the share of a regime would be that of its hours.
     InterpolatedDesign(const MatchWave& campaign, const std::string& base, const DesignLoadRequest& request);
 
     const std::vector<PeakRow>& rows() const { return rows_; }  ///< divided by the mean maximum at their points
     const Measured& measured() const { return measured_; }
     const std::vector<int>& members() const { return members_; }
+    const Emulator& index() const { return index_.front().mean(); }
     std::size_t fewest_arrangements() const { return fewest_; }  ///< of a point
 
     /// The mean maximum there, N, with the variance of the emulator and of what all points share. Throws InputError for
@@ -90,11 +96,14 @@ InterpolatedDesign::InterpolatedDesign(const MatchWave& campaign, const std::str
     data_ = match_data(waves, targets);
     index_ = emulate(data_);
     const EmulatedTarget& index = index_.front();
-    if (!index.emulated() || !index.mean().fault().empty())
+    std::string fault = index.emulated() ? index.mean().fault() : "no point is done";
+    if (fault.empty() && index.mean().kind() == EmulatorKind::constant)
+        fault = fmt::format("its emulator {}", index.mean().simpler());
+    if (!fault.empty())
         throw InputError(
             fmt::format("{}: the mean maximum cannot be interpolated between the points of the design: {}; run more "
                         "points, or name points as cases",
-                        campaign.file, index.emulated() ? index.mean().fault() : "no point is done"));
+                        campaign.file, fault));
     const CaseRuns runs = runs_of(waves, data_, std::vector<bool>(data_.points.size(), true), index, request);
     DividedRows divided = rows_of(runs.runs);
     measured_ = runs.measured;
@@ -204,8 +213,15 @@ class TailFinder {
                                   request_);
             const InterpolatedDesign& design =
                 designs_.try_emplace(made.sources.size(), campaign_, base, request_.load).first->second;
-            add({base, std::nullopt, design.members(), design.fewest_arrangements(), 0, {}}, design.rows(),
-                design.measured(), regime);
+            add({base,
+                 std::nullopt,
+                 design.members(),
+                 design.fewest_arrangements(),
+                 0,
+                 {},
+                 name_of(design.index().kind()),
+                 design.index().simpler()},
+                design.rows(), design.measured(), regime);
             known = made.sources.end() - 1;
         }
         row.tail.source = static_cast<std::size_t>(known - made.sources.begin());
@@ -244,10 +260,33 @@ class TailFinder {
     std::map<std::size_t, InterpolatedDesign> designs_;  ///< by source
 };
 
-YearTails year_tails(const MatchWave& campaign, const std::vector<Regime>& regimes, const YearRequest& request) {
+/// The regimes' places in an order that their text does not give, so that neither tails nor sums depend on it.
+std::vector<std::size_t> order_of(const std::vector<Regime>& regimes) {
+    const auto place = [&](std::size_t k) {
+        std::vector<std::pair<std::string, double>> values;
+        for (const Entry& value : regimes[k].values) values.emplace_back(value.path, number_of(value.value).value());
+        std::ranges::sort(values);
+        return std::tuple(regimes[k].case_name, values, regimes[k].time);
+    };
+    std::vector<std::size_t> order(regimes.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, place);
+    return order;
+}
+
+/// The items back in the order of the text.
+template <class Item>
+std::vector<Item> as_given(std::vector<Item> sorted, const std::vector<std::size_t>& order) {
+    std::vector<Item> given(sorted.size());
+    for (std::size_t k = 0; k < sorted.size(); ++k) given[order[k]] = std::move(sorted[k]);
+    return given;
+}
+
+YearTails year_tails(const MatchWave& campaign, const std::vector<Regime>& regimes,
+                     const std::vector<std::size_t>& order, const YearRequest& request) {
     TailFinder finder(campaign, request);
-    for (const Regime& regime : regimes) {
-        YearRegimeRow row = finder.row(regime);
+    for (const std::size_t k : order) {
+        YearRegimeRow row = finder.row(regimes[k]);
         finder.made.regimes.push_back(std::move(row));
     }
     return std::move(finder.made);
@@ -289,7 +328,8 @@ std::string per_year_text(double per_year) {
 }
 
 Year find_year(const MatchWave& campaign, const std::vector<Regime>& regimes, const YearRequest& request) {
-    YearTails tails = year_tails(campaign, regimes, request);
+    const std::vector<std::size_t> order = order_of(regimes);
+    YearTails tails = year_tails(campaign, regimes, order, request);
     std::vector<const PosteriorLoad*> posteriors;
     for (const auto& one : tails.posteriors) posteriors.push_back(one.get());
     std::vector<YearRegime> parts;
@@ -303,9 +343,12 @@ Year find_year(const MatchWave& campaign, const std::vector<Regime>& regimes, co
     for (const double per_year : curve_probabilities(request.per_year)) {
         YearCurvePoint& point = year.curve.emplace_back(YearCurvePoint{per_year, load.load(per_year), {}});
         for (const YearLoad& one : alone) point.alone.push_back(one.load(per_year).value);
+        point.alone = as_given(std::move(point.alone), order);
     }
+    for (YearLevel& level : year.levels)
+        if (!level.shares.empty()) level.shares = as_given(std::move(level.shares), order);
     year.sources = std::move(tails.sources);
-    year.regimes = std::move(tails.regimes);
+    year.regimes = as_given(std::move(tails.regimes), order);
     return year;
 }
 
@@ -342,7 +385,7 @@ std::string hours_asked(const Year& year, const YearLevel& level, const YearRequ
                        row.regime.name, hours_text(time * year.sources[row.tail.source].time_run));
 }
 
-/// Members that stand out, and loads asked for farther than anybody tried.
+/// Members that stand out, designs of few points, and loads asked for farther than anybody tried.
 std::string doubt_lines(const Year& year, const YearRequest& request) {
     std::string lines;
     for (const TailSource& source : year.sources) {
@@ -353,6 +396,9 @@ std::string doubt_lines(const Year& year, const YearRequest& request) {
             "! {}: {} of {} members stand out: replay {}. They are a kind of member whose share is uncertain.\n",
             source.words(), numbers.size(), source.members.size(), fmt::join(numbers, ", "));
     }
+    for (const TailSource& source : year.sources)
+        if (!source.simpler.empty())
+            lines += fmt::format("! {}: between its points the mean maximum {}.\n", source.words(), source.simpler);
     for (const YearLevel& level : year.levels)
         if (level.beyond_run > tried_beyond)
             lines += fmt::format(
@@ -471,12 +517,13 @@ Section sources_section(const Year& year, const YearRequest& request) {
         shown.add(std::move(line));
     }
     Results all{.place = "year/sources",
-                .columns = program_columns("source members hours_run stand_out exceeded_a_year share_of_uncertainty")};
+                .columns = program_columns(
+                    "source members hours_run stand_out interpolation exceeded_a_year share_of_uncertainty")};
     for (const YearLevel& level : year.levels)
         for (std::size_t k = 0; k < level.uncertainty.size(); ++k) {
             const TailSource& source = year.sources[k];
             all.add({source.words(), source.members.size(), hours * source.time_run, source.unlike.out.size(),
-                     level.per_year, level.uncertainty[k]});
+                     source.interpolation, level.per_year, level.uncertainty[k]});
         }
     return {
         .results = {std::move(shown), std::move(all)},
@@ -505,8 +552,10 @@ std::vector<Section> year_sections(const Evidence& evidence, const Year& year, c
             ? ""
             : fmt::format("Full scale by Froude, 1 : {:g}: hours, averaging time and loads are those at full scale.\n",
                           request.load.scale);
-    return {{.before = fmt::format("{}Campaign {}: {} regimes with {:g} h a year.\n{}{}\n", doubt_lines(year, request),
-                                   evidence.summary.title, year.regimes.size(), hours, scale,
+    const bool leap = hours > year_hours * (1 + rounding_of_hours);
+    return {{.before = fmt::format("{}Campaign {}: {} regimes with {:g} h a year{}.\n{}{}\n",
+                                   doubt_lines(year, request), evidence.summary.title, year.regimes.size(), hours,
+                                   leap ? ", a leap year, whose hours are taken as they stand" : "", scale,
                                    fmt::join(condition_lines(evidence.summary), "\n"))},
             loads_section(year, request),
             regimes_section(year, request),
@@ -574,11 +623,11 @@ Section year_next(const Evidence& evidence, const Year& year, const std::string&
     const std::string& name = evidence.campaign.name;
     const int arrangements = 2 * std::max(evidence.campaign.arrangements, static_cast<int>(source.arrangements));
     return {.before = fmt::format(
-                "Next: {} wants more members: it has {} of the uncertainty of the load of {} a year.\n  {} run {}.toml "
+                "Next: {} wants more members: it has {} of the uncertainty of the load of {} a year.\n  {} run {} "
                 "-o {} --set campaign.arrangements={} --resume\nThis doubles the arrangements of all cases; what is "
                 "done is not computed again. Give every --set of the first run as well.\n",
-                source.words(), percent_of(rarest.uncertainty[widest]), per_year_text(rarest.per_year), program, name,
-                evidence.file.string(), arrangements)};
+                source.words(), percent_of(rarest.uncertainty[widest]), per_year_text(rarest.per_year), program,
+                shell_word(name + ".toml"), shell_word(evidence.file.string()), arrangements)};
 }
 
 }  // namespace floes

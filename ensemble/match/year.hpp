@@ -39,6 +39,8 @@ struct TailSource {
     std::size_t arrangements = 0;        ///< of the case; of a design of the point with the fewest
     double time_run = 0;                 ///< s, at the scale of the campaign
     UnlikeMembers unlike;
+    const char* interpolation = "";  ///< of a design: the form of what is between its points; empty of a case
+    std::string simpler = {};        ///< Emulator::simpler() of that
 
     /// "case thin", "the design", "the design's case E60".
     std::string words() const;

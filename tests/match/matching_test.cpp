@@ -286,6 +286,30 @@ TEST(Matching, SaysWhichMultipleOfTheExpectedDifferenceRulesOut) {
 }
 
 // The correlation of one input with itself is no finding.
+// What is predicted by less than was asked for is said beside the figures, with what would do.
+TEST(Matching, SaysWhereAnEmulatorIsSimpler) {
+    Tank tank(3);
+    tank.add(load, "mean_load", 40);
+    MatchData data = tank.data();
+    const auto notes_at = [&](std::size_t points) {
+        TargetData& target = data.targets.front();
+        for (auto* all : {&target.mean, &target.sample_variance, &target.variance}) all->resize(points);
+        target.point.resize(points);
+        target.runs.resize(points);
+        const std::vector<EmulatedTarget> targets = emulate(data);
+        EXPECT_EQ(targets.front().simplifications().empty(), points >= 12);
+        return text(match_sections(data, targets, match(data, targets, 64, 1)), 400);
+    };
+    EXPECT_THAT(notes_at(12), testing::Not(HasSubstr("Gaussian process, which follows them")));
+    EXPECT_THAT(notes_at(8), HasSubstr("because it has 8 points; 12 or more make it a Gaussian process"));
+    EXPECT_THAT(notes_at(5),
+                HasSubstr("mean_load: its emulator is a constant, the same at all inputs, because it has 5"));
+    data.targets.front().runs.assign(5, 1);
+    const EmulatedTarget single(data, data.targets.front());
+    EXPECT_THAT(single.simplifications().back(),
+                HasSubstr("the scatter of single runs is taken as the same at all inputs: fewer than two points"));
+}
+
 TEST(Matching, OfOneInputHasNoCorrelations) {
     const MatchData data = six_points(4);
     const std::vector<EmulatedTarget> targets = emulate(data);

@@ -74,12 +74,33 @@ TEST(Regimes, RefuseWhatMakesNoYear) {
     EXPECT_THAT(refusal([&] { toml(""); }), HasSubstr("no regime has any hours"));
 }
 
+TEST(Regimes, MayFillAYearUpToALeapYear) {
+    const auto classes = [](int count, const char* hours) {
+        std::string text = "ice.thickness_m,hours_per_year\n";
+        for (int k = 1; k <= count; ++k) text += "0." + std::to_string(k) + "," + hours + "\n";
+        return text;
+    };
+    EXPECT_EQ(table(classes(9, "974")).size(), 9u);
+    double sum = 0;
+    for (int k = 0; k < 6; ++k) sum += 1464.0000000000001;
+    EXPECT_GT(sum, 8784);  // by rounding
+    EXPECT_EQ(table(classes(6, "1464.0000000000001")).size(), 6u);
+    EXPECT_EQ(toml("[[regime]]\nhours_per_year = 8784\ncase = \"E60\"\n").front().time, 8784 * 3600.0);
+    EXPECT_THAT(refusal([&] { table(classes(6, "1464.01")); }),
+                HasSubstr("the regimes have 8784.06 h together, and a year has 8766, a leap year 8784"));
+    EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 8785\ncase = \"E60\"\n"); }), HasSubstr("8784"));
+}
+
 TEST(Regimes, RefuseTablesThatAreNone) {
     EXPECT_THAT(refusal([&] { table(""); }), HasSubstr("year.csv: the table is empty"));
     EXPECT_THAT(refusal([&] { table("case,hours_per_year\nE60,3,4\n"); }),
                 HasSubstr("year.csv:2: the line has 3 cells, and the header has 2 columns"));
     EXPECT_THAT(refusal([&] { table("case,hours\nE60,3\n"); }), HasSubstr("did you mean hours_per_year"));
     EXPECT_THAT(refusal([&] { table("case,hours_per_year\n\"E60,3\n"); }), HasSubstr("close it with \""));
+    for (const char* hours : {"3 h", "+-3", "3,5", "1e"})
+        EXPECT_THAT(refusal([&] { table(std::string("case;hours_per_year\nE60;") + hours + "d\n"); }),
+                    HasSubstr("year.csv:2: hours_per_year = \""))
+            << hours;
 }
 
 }  // namespace regimes_test

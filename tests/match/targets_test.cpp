@@ -98,6 +98,8 @@ TEST(Targets, AreRefusedInASentence) {
         {mean + "value = 3\ndiscrepancy_percent = -1.0\n", "t.toml:4: discrepancy_percent = -1.0 is out of range"},
         {mean + "value = 3\ndiscrepancy = 1\ndiscrepancy_percent = 2\n",
          "t.toml:5: discrepancy_percent = 2 and discrepancy are both given; keep one"},
+        {mean + "value = 0\ndiscrepancy_percent = 10\n",
+         "t.toml:4: discrepancy_percent = 10 of value = 0 is no discrepancy; give discrepancy instead, in N"},
         {mean + "value = 3\nruns = 0\n", "t.toml:4: runs = 0 is out of range; allowed: a whole number from 1"},
         {mean + "value = 3\nheld_out = 1\n", "t.toml:4: held_out = 1 is neither true nor false"},
         {"[[target]]\nquantity = \"failure_ratio\"\nvalue = 101\n", "allowed: at least 0 and at most 100"},
@@ -106,6 +108,11 @@ TEST(Targets, AreRefusedInASentence) {
     };
     for (const auto& [text, sentence] : wrong)
         EXPECT_THAT(refusal([&, &given = text] { read(given); }), HasSubstr(sentence)) << text;
+}
+
+TEST(Targets, OfZeroMayHaveNoDiscrepancyOrOneInTheirUnit) {
+    EXPECT_EQ(read(mean + "value = 0\ndiscrepancy_percent = 0\n").front().discrepancy, 0);
+    EXPECT_EQ(read(mean + "value = 0\ndiscrepancy = 2\n").front().discrepancy, 2);
 }
 
 TEST(Targets, OfOneQuantityMayBeOfTwoCases) {

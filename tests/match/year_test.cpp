@@ -129,6 +129,72 @@ TEST(Year, LiesBetweenThePointsOfADesign) {
     }
 }
 
+/// At so many thicknesses.
+MatchWave design_of(int points) {
+    std::string values;
+    for (int k = 0; k < points; ++k) values += (k > 0 ? ", " : "") + std::to_string(0.02 + 0.01 * k);
+    return measured(
+        "[campaign]\narrangements = 12\n[design]\nmethod = \"list\"\n[[design.axis]]\n"
+        "key = \"ice.thickness_m\"\nvalues = [" +
+            values + "]\n",
+        [](const Case& one) { return 1000 * one.scenario.floe.thickness; });
+}
+
+// Where it is one number for all regimes, the share of each is that of its hours, which is no answer.
+TEST(Year, IsRefusedWhereTheDesignIsAConstant) {
+    EXPECT_EQ(refusal([&] { find_year(design_of(4), {at_thickness(0.03, 300)}, {}); }),
+              "my.h5: the mean maximum cannot be interpolated between the points of the design: its emulator is a "
+              "constant, the same at all inputs, because it has 4 points; 9 or more make it a Gaussian process, which "
+              "follows them; run more points, or name points as cases");
+}
+
+TEST(Year, SaysThatADesignOfFewPointsIsAPlane) {
+    const auto told = [](int points) {
+        const MatchWave wave = design_of(points);
+        const Year year = find_year(wave, {at_thickness(0.025, 300), at_thickness(0.03, 30)}, {});
+        const std::vector<Section> sections = year_sections(evidence_of(wave.campaign, wave.table), year, {});
+        const auto records = nlohmann::json::parse(json(sections)).at("year");
+        return std::pair(text(sections, 400), records.at("sources").at(0).at("interpolation").get<std::string>());
+    };
+    const auto [few, plane] = told(6);
+    EXPECT_THAT(few,
+                HasSubstr("! the design: between its points the mean maximum is a plane because it has 6 points; 9 "
+                          "or more make it a Gaussian process"));
+    EXPECT_EQ(plane, "linear");
+    const auto [many, process] = told(9);
+    EXPECT_THAT(many, Not(HasSubstr("between its points")));
+    EXPECT_EQ(process, "Gaussian process");
+}
+
+TEST(Year, DoesNotDependOnTheOrderOfItsRegimes) {
+    const std::vector<Regime> there{regime("thin", 300), regime("thick", 5), regime("thin", 20, "late")};
+    const std::vector<Regime> back{there.rbegin(), there.rend()};
+    const Year one = find_year(two_cases(), there, {});
+    const Year other = find_year(two_cases(), back, {});
+    for (std::size_t level = 0; level < one.levels.size(); ++level) {
+        EXPECT_EQ(one.levels[level].load.value, other.levels[level].load.value);
+        EXPECT_EQ(one.levels[level].load.interval.high, other.levels[level].load.interval.high);
+        for (std::size_t k = 0; k < there.size(); ++k)
+            EXPECT_EQ(one.levels[level].shares[k].value, other.levels[level].shares[there.size() - 1 - k].value);
+    }
+    for (std::size_t k = 0; k < there.size(); ++k) {
+        EXPECT_EQ(one.regimes[k].regime.name, there[k].name);
+        EXPECT_EQ(other.regimes[k].regime.name, back[k].name);
+        EXPECT_EQ(one.curve[0].alone[k], other.curve[0].alone[there.size() - 1 - k]);
+    }
+}
+
+TEST(Year, SaysWhereItIsALeapYear) {
+    const MatchWave wave = two_cases();
+    const Evidence evidence = evidence_of(wave.campaign, wave.table);
+    const auto told = [&](double hours) {
+        return text(year_sections(evidence, find_year(wave, {regime("thin", hours)}, {}), {}), 400);
+    };
+    EXPECT_THAT(told(8784),
+                HasSubstr("1 regimes with 8784 h a year, a leap year, whose hours are taken as they stand."));
+    EXPECT_THAT(told(8766), Not(HasSubstr("leap")));
+}
+
 TEST(Year, GrowsByFroude) {
     const double scale = 36;
     const Year model = find_year(two_cases(), {regime("thin", 100)}, {});
@@ -160,6 +226,9 @@ TEST(Year, SaysWhatItRestsOnAndWhatIsNext) {
     const std::string next = year_next(evidence, year, "floes").before;
     EXPECT_THAT(next, HasSubstr("Next: case thick wants more members"));
     EXPECT_THAT(next, HasSubstr("-o my.h5 --set campaign.arrangements=120 --resume"));
+    evidence.file = "my ice.h5";
+    evidence.campaign.name = "my ice";
+    EXPECT_THAT(year_next(evidence, year, "floes").before, HasSubstr("floes run 'my ice.toml' -o 'my ice.h5' --set"));
 }
 
 TEST(Year, SaysWhereTheTailCannotSay) {
