@@ -38,9 +38,9 @@ std::string missing(const fs::path& path) {
     if (given_file(journal) != GivenFile::journal) return fmt::format("there is no file {}.", path.string());
     const std::string so_far = fs::path(path).replace_extension("").string() + "_so_far.h5";
     return fmt::format(
-        "there is no file {0} yet, but its journal {1} has the members that are done: floes run CONFIG.toml -o {0} "
-        "--resume computes the rest and writes the file; floes merge {0} -o {2} writes one of what is done.",
-        path.string(), journal.string(), so_far);
+        "there is no file {} yet, but its journal {} has the members that are done: floes run CONFIG.toml -o {} "
+        "--resume computes the rest and writes the file; floes merge {} -o {} writes one of what is done.",
+        path.string(), journal.string(), shell_word(path.string()), shell_word(path.string()), shell_word(so_far));
 }
 
 std::string what_it_is(const fs::path& path, GivenFile kind) {
@@ -57,8 +57,8 @@ std::string what_it_is(const fs::path& path, GivenFile kind) {
             return fmt::format("{} is the journal of a campaign; give its campaign file, {}.", name, campaign_file);
         case GivenFile::text:
             if (path.extension() == ".toml")
-                return fmt::format("{0} is a configuration, not a campaign file; floes run {0} -o {1} makes {1}.", name,
-                                   campaign_file);
+                return fmt::format("{} is a configuration, not a campaign file; floes run {} -o {} makes {}.", name,
+                                   shell_word(name), shell_word(campaign_file), campaign_file);
             return fmt::format("{} is a text, not a campaign file; give the .h5 that floes run wrote.", name);
         case GivenFile::hdf5:
         case GivenFile::other:

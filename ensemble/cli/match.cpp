@@ -36,7 +36,9 @@ void write_next(const MatchOptions& options, const std::vector<MatchWave>& waves
     const std::filesystem::path path = options.next;
     write_page(path, write_campaign(next_wave(waves.front(), data.axes, points, path.stem().string(),
                                               waves.front().campaign.seed + waves.size())));
-    note("{0} has the next wave, {1} points; run it with floes run {0}", path.string(), points.rows());
+    note("{} has the next wave, {}{}; run it with floes run {}", path.string(), counted(points.rows(), "point"),
+         points.rows() < options.points ? fmt::format(" (of {}: no more are left that differ)", options.points) : "",
+         shell_word(path.string()));
 }
 
 /// The coordinates of a point given by KEY=VALUE pairs, one for each axis.
@@ -128,7 +130,7 @@ std::string command_of(const MatchOptions& options) {
     std::string command = "floes match";
     for (const std::string& file : options.files) command += " " + shell_word(file);
     command += fmt::format(" --targets {} --samples {}", shell_word(options.targets), options.samples);
-    for (const std::string& one : options.predicted) command += " --predict " + one;
+    for (const std::string& one : options.predicted) command += " --predict " + shell_word(one);
     if (options.exposure_h > 0)
         command += fmt::format(" --exposure-h {:g} --averaging-s {:g} --quantile {:g} --scale {:g}", options.exposure_h,
                                options.design.averaging, options.design.quantiles.front(), options.design.scale);

@@ -98,7 +98,8 @@ void report(const ReportOptions& options) {
     const bool follows_cfm = first.joint.model == JointModel::cfm;  // else there is no curve: E is what it says
     if (!options.skip_plate_tests && follows_cfm) data.evidence.plate_tests = measure_curve(curve_plans(first));
     if (options.pictures != "none") add_moments(file, options.pictures == "all", data);
-    data.command = fmt::format("./floes run {0}.toml -o {0}.h5", data.evidence.summary.title);
+    data.command = fmt::format("./floes run {} -o {}", shell_word(data.evidence.summary.title + ".toml"),
+                               shell_word(data.evidence.summary.title + ".h5"));
     write_page(output, report_page(std::move(data)));
     std::printf("%s\n", output.string().c_str());
 }

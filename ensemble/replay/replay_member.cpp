@@ -254,9 +254,9 @@ FrameTimes chosen_times(const ReplaySubject& subject, const TimeChoice& choice) 
     if (choice.worst) {
         if (subject.stored.status == RowStatus::missing)
             throw InputError(fmt::format(
-                "Member {0} is not in {1} yet, so nothing says when its largest load comes: leave --worst out, or "
-                "compute the rest of the campaign first, floes run CONFIG.toml -o {1} --resume.",
-                subject.about.member, subject.file.string()));
+                "Member {} is not in {} yet, so nothing says when its largest load comes: leave --worst out, or "
+                "compute the rest of the campaign first, floes run CONFIG.toml -o {} --resume.",
+                subject.about.member, subject.file.string(), shell_word(subject.file.string())));
         times.through = time_of_largest_load(subject);
         if (std::isnan(times.through))
             throw InputError(fmt::format(

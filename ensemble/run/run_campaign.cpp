@@ -634,7 +634,7 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     if (tally.failed() > 0) {
         progress.say(fmt::format("{} of {} failed and {} missing in {}; floes status {} shows the reasons",
                                  tally.failed(), counted(total, "member"), tally.failed() == 1 ? "is" : "are", file,
-                                 file));
+                                 shell_word(file)));
         return 1;
     }
     return 0;

@@ -71,7 +71,7 @@ ModelAnswer means(const std::vector<MemberRow>& rows, const std::vector<std::str
             fmt::format("{} of {} failed, the first with: {} floes status {} shows all reasons; remove that "
                         "file, and its journal, to have them computed again",
                         std::ranges::count_if(rows, [](const MemberRow& row) { return !row.done(); }),
-                        counted(std::ssize(rows), "member"), bad->reason, file.string()));
+                        counted(std::ssize(rows), "member"), bad->reason, shell_word(file.string())));
     ModelValues answer;
     for (const std::string& output : outputs) {
         const Quantity quantity = any_quantity(output).value();

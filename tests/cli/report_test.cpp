@@ -11,6 +11,7 @@
 #include <string>
 
 #include "campaign_file/publish.hpp"
+#include "cli/answer.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "support/file_bytes.hpp"
@@ -161,9 +162,27 @@ TEST_F(PrintedReport, SaysWhichBrowserFailed) {
     EXPECT_THAT([&] { run(file_.string() + " --pictures none -o " + page_.string()); },
                 testing::ThrowsMessage<RunError>(HasSubstr("could not print " + page_.string() + " (exit status 3)")));
     setenv("FLOES_BROWSER", (folder_ / "none").c_str(), 1);
-    EXPECT_THAT([&] { run(file_.string() + " --pictures none -o " + page_.string()); },
-                testing::ThrowsMessage<InputError>(HasSubstr("name it with FLOES_BROWSER")));
+    testing::internal::CaptureStderr();
+    EXPECT_THROW(run((folder_ / "no_such_file.h5").string() + " -o " + page_.string()), CommandLineEnd)
+        << "before anything is read";
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), HasSubstr("name it with FLOES_BROWSER"));
     EXPECT_EQ(files(), before);
+}
+
+TEST_F(PrintedReport, DoesNotWaitForABrowserThatHangs) {
+    browser("exec sleep 300");
+    EXPECT_THAT([&] { write_page(page_, "<html></html>", Seconds(0.3)); },
+                testing::ThrowsMessage<RunError>(
+                    HasSubstr("could not print " + page_.string() + " (it took longer than 0.3 s)")));
+    EXPECT_FALSE(std::filesystem::exists(page_));
+}
+
+TEST_F(Report, HasACommandThatAShellTakes) {
+    Campaign campaign = synthetic::campaign();
+    campaign.name = "my channel";
+    publish(file_, campaign, synthetic::records(campaign), std::vector<Session>{synthetic::session()});
+    run(file_.string() + " --pictures none -o " + page_.string());
+    EXPECT_THAT(file_text(page_), HasSubstr("./floes run 'my channel.toml' -o 'my channel.h5'"));
 }
 
 }  // namespace report_test
