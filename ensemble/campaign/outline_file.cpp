@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <string_view>
@@ -17,6 +18,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/lost_digits.hpp"
+#include "campaign/shared_area.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "keys/csv.hpp"
@@ -33,12 +36,74 @@ constexpr std::string_view kinds = "Polygon, MultiPolygon, Feature, FeatureColle
 constexpr int deepest = 16;         // collections within collections
 constexpr int deepest_value = 100;  // of any JSON; a coordinate of the above lies less deep
 
+/// The name of the file's reference system; empty without one.
+std::string reference_system(const Json& object) {
+    for (const Json::json_pointer& path :
+         {"/crs/properties/name"_json_pointer, "/crs/properties/code"_json_pointer, "/coordRefSys"_json_pointer})
+        if (object.contains(path) && !object.at(path).is_structured())
+            return object.at(path).is_string() ? object.at(path).get<std::string>() : object.at(path).dump();
+    return "";
+}
+
+/// Whether a code of EPSG is that of a projection with true lengths in metres, of those that maps of ice are in: UTM
+/// zones, polar maps, and Canada's, Greenland's and Finland's.
+bool is_in_metres(const std::string& code) {
+    struct Range {
+        int first, last;
+    };
+    constexpr std::array known{Range{3031, 3032},   Range{3035, 3035},   Range{3067, 3067},   Range{3178, 3189},
+                               Range{3347, 3348},   Range{3408, 3413},   Range{3571, 3576},   Range{3973, 3976},
+                               Range{3978, 3979},   Range{3995, 3996},   Range{5041, 5042},   Range{5921, 5940},
+                               Range{6931, 6932},   Range{25828, 25838}, Range{26701, 26722}, Range{26901, 26923},
+                               Range{32201, 32260}, Range{32301, 32360}, Range{32601, 32661}, Range{32701, 32761}};
+    int number = 0;
+    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), number);
+    return error == std::errc{} && end == code.data() + code.size() &&
+           std::ranges::any_of(known,
+                               [&](const Range& range) { return range.first <= number && number <= range.last; });
+}
+
+/// By the name of the reference system of the file, or of an object in it, at `file`.
+void refuse_other_systems(const Json& object, const std::string& file) {
+    const std::string system = reference_system(object);
+    for (const char* member : {"crs", "coordRefSys"})
+        if (const auto found = object.find(member); system.empty() && found != object.end() && !found->is_null())
+            throw InputError(
+                fmt::format("{}: its reference system is not known, since {} has no name in it: {}; name it, as "
+                            "EPSG:32633, or, if its places are lengths, take it out of the file and give shapes.unit",
+                            file, member, beginning(found->dump(-1, ' ', true), 100)));
+    const auto number =
+        std::ranges::find_if_not(system.rbegin(), system.rend(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    const std::string code(number.base(), system.end());
+    constexpr std::array geographic{"84", "4326", "4979", "4258", "4269", "4267"};
+    constexpr std::array mercator{"3857", "900913", "3785", "102100"};
+    if (std::ranges::find(geographic, code) != geographic.end())
+        throw InputError(
+            fmt::format("{}: its reference system {} is in degrees of longitude and latitude; project it "
+                        "to lengths first, such as the UTM zone of the picture",
+                        file, system));
+    if (std::ranges::find(mercator, code) != mercator.end())
+        throw InputError(
+            fmt::format("{}: its reference system {} is the Mercator projection of web maps, in which "
+                        "lengths are too long by one over the cosine of the latitude; project it to true "
+                        "lengths first, such as the UTM zone of the picture",
+                        file, system));
+    if (!system.empty() && !is_in_metres(code))
+        throw InputError(
+            fmt::format("{}: its reference system {} is none that is known here to have lengths in metres, which UTM "
+                        "zones (EPSG:326.., 327.., 258.., 269..) and polar maps (EPSG:3413, 3995, 3996, 3031) have; "
+                        "project it to one of these, or, if its places are lengths, take the system out of the file "
+                        "and give shapes.unit",
+                        file, system));
+}
+
 class Reader {
   public:
     explicit Reader(std::string file) : file_(std::move(file)) {}
 
     void take(const Json& object, const std::string& where, const std::string& name, int depth) {
         const std::string type = type_of(object, where);
+        refuse_other_systems(object, where);
         if (depth > deepest) throw InputError(fmt::format("{}: collections lie {} deep; flatten them", where, depth));
         if (type == "FeatureCollection") {
             take_each(object, "features", "feature", where, name, depth);
@@ -145,62 +210,6 @@ class Reader {
     std::size_t corners_ = 0;
 };
 
-/// The name of the file's reference system; empty without one.
-std::string reference_system(const Json& object) {
-    for (const Json::json_pointer& path :
-         {"/crs/properties/name"_json_pointer, "/crs/properties/code"_json_pointer, "/coordRefSys"_json_pointer})
-        if (object.contains(path) && !object.at(path).is_structured())
-            return object.at(path).is_string() ? object.at(path).get<std::string>() : object.at(path).dump();
-    return "";
-}
-
-/// Whether a code of EPSG is that of a projection with true lengths in metres, of those that maps of ice are in: UTM
-/// zones, polar maps, and Canada's, Greenland's and Finland's.
-bool is_in_metres(const std::string& code) {
-    struct Range {
-        int first, last;
-    };
-    constexpr std::array known{Range{3031, 3032},   Range{3035, 3035},   Range{3067, 3067},   Range{3178, 3189},
-                               Range{3347, 3348},   Range{3408, 3413},   Range{3571, 3576},   Range{3973, 3976},
-                               Range{3978, 3979},   Range{3995, 3996},   Range{5041, 5042},   Range{5921, 5940},
-                               Range{6931, 6932},   Range{25828, 25838}, Range{26701, 26722}, Range{26901, 26923},
-                               Range{32201, 32260}, Range{32301, 32360}, Range{32601, 32661}, Range{32701, 32761}};
-    int number = 0;
-    const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), number);
-    return error == std::errc{} && end == code.data() + code.size() &&
-           std::ranges::any_of(known,
-                               [&](const Range& range) { return range.first <= number && number <= range.last; });
-}
-
-/// By the name of the file's own reference system.
-void refuse_other_systems(const Json& object, const std::string& file) {
-    if (!object.is_object()) return;
-    const std::string system = reference_system(object);
-    const auto number =
-        std::ranges::find_if_not(system.rbegin(), system.rend(), [](unsigned char c) { return std::isdigit(c) != 0; });
-    const std::string code(number.base(), system.end());
-    constexpr std::array geographic{"84", "4326", "4979", "4258", "4269", "4267"};
-    constexpr std::array mercator{"3857", "900913", "3785", "102100"};
-    if (std::ranges::find(geographic, code) != geographic.end())
-        throw InputError(
-            fmt::format("{}: its reference system {} is in degrees of longitude and latitude; project it "
-                        "to lengths first, such as the UTM zone of the picture",
-                        file, system));
-    if (std::ranges::find(mercator, code) != mercator.end())
-        throw InputError(
-            fmt::format("{}: its reference system {} is the Mercator projection of web maps, in which "
-                        "lengths are too long by one over the cosine of the latitude; project it to true "
-                        "lengths first, such as the UTM zone of the picture",
-                        file, system));
-    if (!system.empty() && !is_in_metres(code))
-        throw InputError(
-            fmt::format("{}: its reference system {} is none that is known here to have lengths in metres, which UTM "
-                        "zones (EPSG:326.., 327.., 258.., 269..) and polar maps (EPSG:3413, 3995, 3996, 3031) have; "
-                        "project it to one of these, or, if its places are lengths, take the system out of the file "
-                        "and give shapes.unit",
-                        file, system));
-}
-
 /// Floes of a GeoJSON text: polygons, multipolygons (each polygon a floe), and features or collections of such. A
 /// floe's name is its feature's id, or else the property "floe" or "name". Throws InputError, beginning with `file`:
 /// what is no such text, other geometries, rings that are not closed, and coordinates that are degrees or no lengths by
@@ -219,7 +228,6 @@ std::vector<TracedFloe> read_geojson(const std::string& text, const std::string&
         throw InputError(
             fmt::format("{}: this is no JSON: {}", file, beginning(what.substr(what.find("] ") + 2), 160)));
     }
-    refuse_other_systems(object, file);
     Reader reader(file);
     reader.take(object, file, "", 0);
     return std::move(reader).floes();
@@ -230,6 +238,18 @@ double finite_number(const std::string& cell, const std::string& where) {
     if (!number || !std::isfinite(*number))
         throw InputError(fmt::format("{}: {:?} is not a finite number", where, beginning(cell, 40)));
     return *number;
+}
+
+/// Where all floes end as they begin, the last one with fewer corners shows that the file was cut off.
+void refuse_open_end(const std::vector<TracedFloe>& floes) {
+    const auto is_closed = [](const TracedFloe& one) {
+        return one.ring.size() > 3 && one.ring.front() == one.ring.back();
+    };
+    if (floes.size() < 2 || std::ranges::find_if_not(floes, is_closed) != floes.end() - 1) return;
+    throw InputError(fmt::format(
+        "{}: floe {} does not end at the corner with which it begins, as all others do; was the file cut off? "
+        "Close it too, or none",
+        floes.back().where, floes.back().name));
 }
 
 /// Floes of a CSV text: the header floe,x,y, and a line for each corner; lines of a floe follow one another. Throws
@@ -270,6 +290,7 @@ std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::str
                 fmt::format("{}: the file has more than {} corners; simplify its outlines", where, most_file_corners));
         floes.back().ring.push_back(corner);
     }
+    refuse_open_end(floes);
     return floes;
 }
 
@@ -343,17 +364,76 @@ struct Bounds {
     }
 };
 
+/// How wide a floe is that lies across the date line, where longitudes jump from 180 to -180; nothing of another.
+std::optional<double> width_across_date_line(const Outline& ring) {
+    constexpr double widest = 10;  // degrees
+    double east = -180;
+    double west = 180;
+    for (const Corner& one : ring) {
+        if (!(std::abs(one.x) <= 180)) return std::nullopt;
+        (one.x > 0 ? west : east) = one.x > 0 ? std::min(west, one.x) : std::max(east, one.x);
+    }
+    const double width = (180 - west) + (east + 180);
+    const auto [low, high] = std::ranges::minmax(ring, {}, &Corner::x);
+    return low.x < 0 && high.x > 0 && width < widest ? std::optional(width) : std::nullopt;
+}
+
 /// Floes of some metres are some 1e-5 degrees wide, and no file in lengths has floes as small beside its coordinates.
 void refuse_degrees(const std::vector<TracedFloe>& floes, const Bounds& bounds, const std::string& file) {
     constexpr double widest = 0.1;  // degrees, of one floe: 11 km
     double size = 0;
-    for (const TracedFloe& one : floes) size = std::max({size, size_of(one.ring).x, size_of(one.ring).z});
-    if (size > widest || bounds.low.x < -180 || bounds.high.x > 360 || bounds.low.z < -90 || bounds.high.z > 90) return;
+    bool across = false;
+    for (const TracedFloe& one : floes) {
+        const std::optional<double> width = width_across_date_line(one.ring);
+        across = across || width;
+        size = std::max({size, width.value_or(size_of(one.ring).x), size_of(one.ring).z});
+    }
+    const double most = across ? std::numeric_limits<double>::infinity() : widest;
+    if (size > most || bounds.low.x < -180 || bounds.high.x > 360 || bounds.low.z < -90 || bounds.high.z > 90) return;
     throw InputError(fmt::format(
-        "{}: its coordinates look like degrees of longitude and latitude: the largest floe is {:.3g} across, and all "
+        "{}: its coordinates look like degrees of longitude and latitude: the largest floe is {:.3g} across{}, and all "
         "lie within x = {:.6g} to {:.6g} and y = {:.6g} to {:.6g}; project them to lengths first, such as the UTM zone "
         "of the picture, or, if they are lengths, write them in a smaller unit with shapes.unit",
-        file, size, bounds.low.x, bounds.high.x, 0.0 - bounds.high.z, 0.0 - bounds.low.z));
+        file, size, across ? " over the date line" : "", bounds.low.x, bounds.high.x, 0.0 - bounds.high.z,
+        0.0 - bounds.low.z));
+}
+
+/// Two standard deviations of the area over it, where each corner is rounded to steps along x and z.
+double area_off(const Outline& ring, const Corner& step) {
+    double variance = 0;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Corner beside = after(ring, (k + 1) % ring.size()) - ring[k];  // of the corner between, times 1/2
+        variance += (std::pow(step.x * beside.z, 2) + std::pow(step.z * beside.x, 2)) / 48;
+    }
+    return 2 * std::sqrt(variance) / std::abs(floes::area_of(ring));
+}
+
+/// Of coordinates far from the origin, in single precision or in so many digits, little is left of a floe.
+void refuse_lost_digits(const std::vector<TracedFloe>& floes) {
+    constexpr double most_off = 0.1;  // what filled holes may add by default (shapes.most_added_percent)
+    std::vector<double> along;
+    std::vector<double> aside;
+    for (const TracedFloe& one : floes) {
+        for (const Corner& corner : one.ring) {
+            along.push_back(corner.x);
+            aside.push_back(corner.z);
+        }
+    }
+    const auto step_of = [](const std::vector<double>& numbers) {
+        return std::max(single_precision_step(numbers), decimal_step(numbers));
+    };
+    const Corner step{step_of(along), step_of(aside)};
+    const auto worst =
+        std::ranges::max_element(floes, {}, [&](const TracedFloe& one) { return area_off(one.ring, step); });
+    const double off = area_off(worst->ring, step);
+    if (off <= most_off) return;
+    const auto multiples = [](double one, const char* axis) {
+        return one > 0 ? fmt::format("in {} all are multiples of {:.4g}", axis, one) : std::string();
+    };
+    throw InputError(fmt::format(
+        "{}: the coordinates of this file lost their last digits: {}{}{}, so that the area of this floe may be off by "
+        "{:.2g} %; export them with all digits, or with an origin near the floes",
+        worst->where, multiples(step.x, "x"), step.x > 0 && step.z > 0 ? ", " : "", multiples(step.z, "y"), 100 * off));
 }
 
 /// With as many corners as a floe may have. Bays of less than a hundredth of the area are closed.
@@ -392,6 +472,7 @@ void take_outlines(TracedOutlines& traced, const std::string& text, const std::s
         bounds.hold(one.ring);
     }
     refuse_degrees(floes, bounds, file);
+    refuse_lost_digits(floes);
     const double unit = metres(traced.unit);
     const double size = unit * std::max(bounds.high.x - bounds.low.x, bounds.high.z - bounds.low.z);
     if (!(size > smallest_map && size < largest_map))
@@ -409,6 +490,7 @@ void take_outlines(TracedOutlines& traced, const std::string& text, const std::s
         outlines.push_back(outline_of(std::move(placed)));
         of_floes.hold(outlines.back());
     }
+    refuse_shared_area(floes, file);
     const Corner origin{of_floes.low.x, 0.5 * (of_floes.low.z + of_floes.high.z)};
     for (Outline& one : outlines)
         for (Corner& corner : one) corner = corner - origin;

@@ -18,7 +18,6 @@ class Floes(CMakePackage):
     depends_on("eigen@3.4:")
     depends_on("random123")
     depends_on("boost@1.74:")
-    depends_on("assimp")
     depends_on("netcdf-c~mpi")
     depends_on("nlopt")
     depends_on("xxhash")

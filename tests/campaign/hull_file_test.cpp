@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "campaign/closed_bodies.hpp"
 #include "campaign/drawn.hpp"
 #include "core/error.hpp"
 
@@ -202,14 +203,8 @@ TEST(TakeHull, SaysWhatIsWrongWithAFile) {
     std::vector<Triangle3> twisted = closed;
     std::swap(twisted[0][1], twisted[0][2]);
     EXPECT_NE(refusal_of(stl_bytes(twisted), "x.stl").find("same direction"), std::string::npos);
-    std::vector<Triangle3> hollow = box({-3, -3, -3}, {3, 3, 3});
-    for (Triangle3 one : closed) {
-        std::swap(one[1], one[2]);
-        hollow.push_back(one);
-    }
-    EXPECT_NE(refusal_of(stl_bytes(hollow), "x.stl").find("inside out"), std::string::npos);
     EXPECT_NE(refusal_of("nonsense", "x.stl").find("x.stl: this is no readable .stl file"), std::string::npos);
-    EXPECT_NE(refusal_of("", "x.obj").find("x.obj: this is no readable .obj file"), std::string::npos);
+    EXPECT_NE(refusal_of("", "x.obj").find("x.obj: the file has no triangles"), std::string::npos);
     EXPECT_NE(refusal_of("x", "x.step").find("export one of these"), std::string::npos);
     EXPECT_NE(refusal_of(stl_bytes(box({-1, -1, 1}, {1, 1, 2})), "x.stl").find("does not stand in the water"),
               std::string::npos);

@@ -12,7 +12,7 @@ import re
 MOST_LINES, MOST_LINES_OF_A_FUNCTION = 800, 60
 FILES_AND_OUTPUT = {"fstream", "iostream", "cstdio", "print", "syncstream"}
 LIBRARIES = {  # name: what stands between the angle brackets
-    "assimp": r"assimp/.*", "Boost": r"boost/.*", "Bullet": r"(bt[A-Z]|Bullet|LinearMath/).*",
+    "Boost": r"boost/.*", "Bullet": r"(bt[A-Z]|Bullet|LinearMath/).*",
     "cairo": r"(cairo/)?cairo.*\.h", "CLI11": r"CLI/.*", "Eigen": r"(unsupported/)?Eigen/.*", "fmt": r"fmt/.*",
     "HDF5": r"hdf5(_hl)?\.h|hdf5/serial/.*|H5.*", "libxlsxwriter": r"xlsxwriter(/.*)?\.h", "NetCDF": r"netcdf.*\.h", "MPI": r"(mpi|openmpi/).*",
     "NLopt": r"nlopt\.h(pp)?", "nlohmann json": r"nlohmann/.*",
