@@ -66,7 +66,7 @@ class SharedArea {
     }
 
     double within(const Enclosed& of, const Enclosed& other) {
-        constexpr std::size_t most_looked_at = 30'000'000;
+        constexpr std::size_t most_looked_at = 10'000'000;
         looked_at_ += of.corners() + other.corners();
         if (looked_at_ > most_looked_at)
             throw InputError(fmt::format(
