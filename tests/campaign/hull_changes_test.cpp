@@ -5,13 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "campaign/drawn.hpp"
 #include "campaign/hull_file.hpp"
-#include "campaign/text_changes.hpp"
 #include "core/error.hpp"
+#include "readers/example.hpp"
 #include "shapes/hydrostatics.hpp"
 #include "support/refusal.hpp"
+#include "support/written_otherwise.hpp"
 
 namespace floes {
 namespace hull_changes_test {
@@ -71,39 +73,23 @@ void turn_over(std::vector<Triangle3>& triangles) {
     for (Triangle3& one : triangles) std::swap(one[1], one[2]);
 }
 
-/// Faces count points by whole numbers, which stay: "2/" is no number.
-std::string change_of_points(const std::string& obj, const TextChange& change) {
-    std::string text;
-    for (std::size_t at = 0; at < obj.size();) {
-        const std::size_t end = obj.find('\n', at);
-        const std::string line = obj.substr(at, end - at);
-        text += (line.starts_with("f ") ? "f" + replaced(line.substr(1) + " ", " ", "/ ").substr(1) : line) + "\n";
-        at = end + 1;
-    }
-    return change(text);
-}
-
 std::string message(const Solids& solids) {
     return refusal([&] { static_cast<void>(taken(stl_text(solids), "x.stl", in_water)); });
 }
 
+// tests/readers has the changes that all texts have in common.
 TEST(HullChanges, TextsThatAreWrittenOtherwiseAreTheSameHull) {
     const Structure plain = taken(stl_text(l_and_leg()), "x.stl", in_water);
     EXPECT_NEAR(plain.hull_file.volume, l_volume + 5 * 6 * 9.25, 1e-9);
-    auto changes = line_changes();
-    for (auto& one : number_changes()) changes.push_back(std::move(one));
-    for (auto& one : lenient_number_changes()) changes.push_back(std::move(one));
-    changes.emplace_back("blanks", [](const std::string& text) { return replaced(text, " ", " \t  "); });
-    for (const auto& [what, change] : changes) {
-        expect_same(plain, taken(change(stl_text(l_and_leg())), "x.stl", in_water), what + " in STL");
-        expect_same(plain, taken(change_of_points(obj_text(l_and_leg()), change), "x.obj", in_water), what + " in OBJ");
-    }
-    expect_same(plain, taken(in_case(stl_text(l_and_leg()), std::toupper), "X.STL", in_water), "upper case");
-    expect_same(plain, taken(in_case(stl_text(l_and_leg()), std::tolower), "x.stl", in_water), "lower case");
-    expect_same(plain, taken(in_case(obj_text(l_and_leg()), std::toupper), "X.OBJ", in_water), "upper case, OBJ");
-    expect_same(plain,
-                taken("# made by hand\n" + replaced(obj_text(l_and_leg()), "f ", "s off\nf \\\n "), "x.obj", in_water),
+    const std::string stl = stl_text(l_and_leg());
+    const std::string obj = obj_text(l_and_leg());
+    expect_same(plain, taken(in_capitals(stl), "X.STL", in_water), "STL in capitals");
+    expect_same(plain, taken(in_capitals(obj), "X.OBJ", in_water), "OBJ in capitals");
+    expect_same(plain, taken(replaced(stl, " ", " \t  "), "x.stl", in_water), "blanks in STL");
+    expect_same(plain, taken(replaced(obj, " ", " \t  "), "x.obj", in_water), "blanks in OBJ");
+    expect_same(plain, taken("# made by hand\n" + replaced(obj, "f ", "s off # none\nf \\\n "), "x.obj", in_water),
                 "comments and lines that go on");
+    expect_same(plain, taken(replaced(stl, " 20 ", " 20. "), "x.stl", in_water), "a point at the end");
 }
 
 TEST(HullChanges, TheOrderOfTrianglesAndCornersDoesNotMatter) {
@@ -163,10 +149,10 @@ TEST(HullChanges, SaysThatDigitsAreLost) {
     EXPECT_THAT(refusal([&] { taken(stl_bytes(moved.front().second), "x.stl", in_water); }),
                 AllOf(said, HasSubstr("are 0.5 apart"), HasSubstr("by 1.7 %")));  // 0.5 / 29.5
     const auto few = [](double number) { return fmt::format("{:e}", number); };
-    EXPECT_THAT(refusal([&] { taken(with_numbers(stl_text(moved), few), "x.stl", in_water); }),
+    EXPECT_THAT(refusal([&] { taken(test::rewritten(stl_text(moved), few), "x.stl", in_water); }),
                 AllOf(said, HasSubstr("are 1 apart")));
     expect_same(taken(stl_text({{"", l_prism()}}), "x.stl", in_water),
-                taken(with_numbers(stl_text({{"", l_prism()}}), few), "x.stl", in_water), "as few, near the origin");
+                taken(test::rewritten(stl_text({{"", l_prism()}}), few), "x.stl", in_water), "as few, near the origin");
 }
 
 TEST(HullChanges, AxesThatAreTurnedTogetherWithTheKeysAreTheSame) {
@@ -274,26 +260,10 @@ TEST(HullChanges, AnotherUnitIsRefusedWhereItIsNoStructure) {
         HasSubstr("is hull.unit right?"));
 }
 
-/// Whoever reads a part of the file says so, or it was a part without meaning.
-void expect_refused_wherever_it_is_cut(const std::string& bytes, const std::string& name, std::size_t step,
-                                       std::size_t meaningless) {
-    const Structure whole = taken(bytes, name, in_water);
-    for (const std::string& cut : cuts_of(bytes, step)) {
-        try {
-            const Structure part = taken(cut, name, in_water);
-            EXPECT_GE(cut.size(), bytes.size() - meaningless)
-                << cut.substr(cut.size() - std::min<std::size_t>(cut.size(), 30));
-            expect_same(whole, part, "cut");
-        } catch (const InputError& error) {
-            EXPECT_THAT(error.what(), StartsWith(name + ":"));
-        }
-    }
-}
-
-TEST(HullChanges, AFileThatIsCutOffIsRefused) {
-    expect_refused_wherever_it_is_cut(stl_text({{"one l", l_prism()}}), "x.stl", 3, 8);  // of "endsolid one l\n"
-    expect_refused_wherever_it_is_cut(obj_text({{"l", l_prism()}}), "x.obj", 3, 1);
-    expect_refused_wherever_it_is_cut(stl_bytes(l_prism()), "x.stl", 7, 0);
+TEST(HullChanges, BytesThatAreCutOffAreRefused) {
+    const std::string bytes = stl_bytes(l_prism());
+    for (std::size_t size = 1; size < bytes.size(); size += 7)
+        EXPECT_THAT(refusal([&] { taken(bytes.substr(0, size), "x.stl"); }), StartsWith("x.stl: "));
     EXPECT_EQ(refusal([] { taken("solid a\nfacet normal 0 0 1\n outer loop\n", "x.stl"); }),
               "x.stl:4: the file ends before endsolid, so it was cut off; export it anew");
 }

@@ -43,7 +43,7 @@ Example stl() {
             .first = 1,
             .rows = rows,
             .read = [](const std::string& text) { return hull_numbers(text, "barge.stl"); },
-            .outcomes = "======xxxx-xx"};
+            .outcomes = "=======xxx-xx"};
 }
 
 Example obj() {
@@ -60,7 +60,7 @@ Example obj() {
             .first = first,
             .rows = triangles.size(),
             .read = [](const std::string& text) { return hull_numbers(text, "barge.obj"); },
-            .outcomes = "======xxxx-xx"};
+            .outcomes = "=======xxx-xx"};
 }
 
 Numbers outline_numbers(const std::string& text, const std::string& file) {
