@@ -11,12 +11,14 @@ namespace floes {
 
 struct MooringFile {
     std::vector<HangingLine> lines{};
-    std::vector<std::string> remarks{};  ///< sentences about what was taken for granted
+    std::string extent{};                ///< what was read, in one line
+    std::vector<std::string> remarks{};  ///< sentences about what was taken for granted and what is not modelled
 };
 
-/// Lines from fairleads on the vessel to anchors, hanging as at rest. `file` names it in messages; density (kg/m³) and
+/// Lines from fairleads on the vessel to anchors, hanging as at rest. `name` is for messages; density (kg/m³) and
 /// gravity (m/s²) hold where the file's options have none. Throws InputError, with the line, for what is no such file
-/// and for what such lines are not: rods, free points, lines between two fairleads.
-MooringFile read_moorings(std::string_view text, const std::string& file, double density, double gravity);
+/// for what such lines are not (rods, free points, lines between two fairleads, lines that fail together or at a time),
+/// for what stands twice with other values, and for a line that a configuration refuses.
+MooringFile read_moorings(std::string_view text, const std::string& name, double density, double gravity);
 
 }  // namespace floes

@@ -14,8 +14,14 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "hydro/hydrostatic_file.hpp"
 #include "hydro/mooring_file.hpp"
+#include "hydro/mooring_sections.hpp"
 #include "hydro/radiation.hpp"
+#include "keys/document.hpp"
+#include "keys/read.hpp"
+#include "scenario/tables.hpp"
+#include "scenario/validate.hpp"
 #include "shapes/hydrostatics.hpp"
 
 namespace floes {
@@ -45,10 +51,6 @@ Surroundings surroundings(const MooringKeysRequest& request) {
     found.depth = request.depth.value_or(found.depth);
     if (request.waterplane) found.waterplane = request.waterplane;
     return found;
-}
-
-double period_of(double frequency) {
-    return 2 * std::numbers::pi / frequency;
 }
 
 /// The mean of its halves, which rounding makes unlike, without what couples two motions by less than a thousandth of
@@ -169,20 +171,23 @@ std::string radiation_text(const MooringKeysRequest& request, const Surroundings
                     reference.isZero() ? "its own reference point, taken as the axis at the calm water"
                                        : fmt::format("the axis at the calm water, from ({:g}, {:g}, {:g}) m",
                                                      reference.x(), reference.y(), reference.z()));
+    out += fmt::format("# read: {}\n", extent_of(radiation));
     for (const std::string& remark : radiation.remarks) out += "# " + remark + "\n";
+    if (const std::string doubt = doubts(radiation, request.file, frequencies); !doubt.empty())
+        out += "# " + doubt + "\n";
     return out + guard(request, here, radiation) + matrix_text("added_mass", about_origin(at.added, reference)) +
            matrix_text("radiation_damping", about_origin(at.damping, reference));
 }
 
 /// No keys: floes has the water's stiffness from the hull. It says whether both mean the same hull.
 std::string hydrostatic_text(const MooringKeysRequest& request, const Surroundings& here, const std::string& text) {
+    const Mat6 theirs = read_hydrostatics(text, request.file, here.units, here.gravity);
     if (request.weight.empty())
         throw InputError(
             fmt::format("{}: say with --weight inside or --weight outside whether its stiffness in roll and pitch "
                         "holds the hull's weight; WAMIT has what its own file of forces says, NEMOH and Capytaine "
                         "have it inside, HydroDyn wants it outside",
                         request.file));
-    const Mat6 theirs = read_hydrostatics(text, request.file, here.units, here.gravity);
     std::string out = fmt::format(
         "# {}, weight {}, is no key: floes has the water's stiffness from the hull\n"
         "# waterplane {:.5g} m²\n",
@@ -212,7 +217,7 @@ std::string hydrostatic_text(const MooringKeysRequest& request, const Surroundin
 
 std::string moorings_text(const MooringKeysRequest& request, const Surroundings& here, const std::string& text) {
     const MooringFile moorings = read_moorings(text, request.file, here.units.density, here.gravity);
-    std::string out;
+    std::string out = fmt::format("# {}, read: {}\n", request.file, moorings.extent);
     for (const std::string& remark : moorings.remarks) out += "# " + remark + "\n";
     out +=
         "# x, height and z of the fairlead, azimuth, distance, depth, length, weight, stiffness, friction, break load\n"
@@ -226,13 +231,28 @@ std::string moorings_text(const MooringKeysRequest& request, const Surroundings&
     return out + "]\n";
 }
 
+/// What a configuration would say of these keys: hydro prints none that it refuses.
+void refuse_as_configuration(const std::string& keys, const std::string& file) {
+    const std::string whose = "what " + file + " gives";
+    Moorings moorings;
+    Keys known;
+    add_moorings(known, moorings);
+    for (const Entry& entry : parse_document("[moorings]\n" + keys, whose).entries) assign_known(known, entry);
+    Contradictions found;
+    check_matrices(moorings, found);
+    if (!found.empty()) throw InputError(fmt::format("{}: {}", whose, found.front().sentence));
+}
+
 }  // namespace
 
 std::string mooring_keys(const MooringKeysRequest& request, const std::string& bytes) {
     const Surroundings here = surroundings(request);
-    const bool has_lines = bytes.find("LINE") != std::string::npos;
-    if (is_radiation(bytes) || (!has_lines && !is_hydrostatic(bytes))) return radiation_text(request, here, bytes);
-    return has_lines ? moorings_text(request, here, bytes) : hydrostatic_text(request, here, bytes);
+    const bool radiation = is_radiation(bytes);
+    const bool has_lines = !radiation && is_mooring_file(bytes);
+    if (!radiation && !has_lines && is_hydrostatic(bytes)) return hydrostatic_text(request, here, bytes);
+    std::string keys = has_lines ? moorings_text(request, here, bytes) : radiation_text(request, here, bytes);
+    refuse_as_configuration(keys, request.file);
+    return keys;
 }
 
 }  // namespace floes

@@ -4,27 +4,30 @@
 // with x ahead, y to port and z up, about the program's own reference point.
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/vector.hpp"
+#include "hydro/wamit.hpp"
 
 namespace floes {
 
 inline constexpr std::array<std::string_view, 6> hydrodynamic_motions{"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
-/// What a WAMIT file does not say; NEMOH's is in SI.
-struct WamitUnits {
-    double density = 1025;  ///< ρ, kg/m³
-    double length = 1;      ///< L, ULEN of the GDF file, m
-};
+/// Of a frequency in rad/s, s.
+constexpr double period_of(double frequency) {
+    return 2 * std::numbers::pi / frequency;
+}
 
 struct RadiationPoint {
     double frequency = 0;         ///< rad/s
     Mat6 added = Mat6::Zero();    ///< kg, kg m, kg m²
     Mat6 damping = Mat6::Zero();  ///< over s
+
+    friend bool operator==(const RadiationPoint&, const RadiationPoint&) = default;
 };
 
 /// The water that a program computed in, and the hull in it, where its file says so: Capytaine's does.
@@ -33,6 +36,8 @@ struct RadiationWater {
     double gravity = 0;     ///< m/s²
     double depth = 0;       ///< m, infinite: deep
     double waterplane = 0;  ///< m², by its own stiffness in heave; 0: not said
+
+    friend bool operator==(const RadiationWater&, const RadiationWater&) = default;
 };
 
 struct RadiationFile {
@@ -42,13 +47,22 @@ struct RadiationFile {
     std::optional<Mat6> at_infinity{};     ///< likewise
     std::optional<RadiationWater> water{};
     std::optional<Vec3> reference{};  ///< about which its matrices are, if it says so: x ahead, y to port, z up, m
+    int elements = 0;                 ///< of the 36 of each matrix, that it has
+    int mirrored = 0;                 ///< of these, that stand in the other half
+
+    friend bool operator==(const RadiationFile&, const RadiationFile&) = default;
 };
+
+/// What was read, in one line: periods, elements, limits.
+std::string extent_of(const RadiationFile& radiation);
 
 /// Whether the beginning is that of a file whose kind cannot be mistaken, NetCDF or NEMOH's.
 bool is_radiation(std::string_view bytes);
 
 /// `bytes`: the whole file, of which kind its beginning says; `file` names it in messages. Throws InputError, with the
-/// line, for what is no such file and for numbers that are none.
+/// line, for what is no such file, for numbers that are none, for a table that is not complete (an element stands at
+/// all periods or, zero by symmetry, at none), for what stands twice with other values, and for halves of a matrix that
+/// contradict each other.
 RadiationFile read_radiation(std::string_view bytes, const std::string& file, const WamitUnits& units);
 
 /// Between the two nearest frequencies. Throws InputError outside those of the file.
@@ -57,6 +71,18 @@ RadiationPoint radiation_at(const RadiationFile& radiation, double frequency);
 /// Each motion at a frequency of its own, rad/s: the element of two motions at the mean of theirs. Outside the file's
 /// frequencies those at its end.
 RadiationPoint radiation_at(const RadiationFile& radiation, const std::array<double, 6>& frequencies);
+
+/// What interpolation may be off by, where that is more than a tenth of the largest damping of a motion in the file and
+/// of a tenth of its ω A: a sentence, or none. `frequencies`: of each motion. Throws InputError where it is more than a
+/// half. Between neighbours a and b, a share t of the way, it is
+///
+///   4 t (1 - t) max(E_a, E_b, (r - 1)²/r max(B_a, B_b)),   r = ω_b/ω_a
+///
+/// E_a, E_b: what it would be off by at a and b if the file had no row there. The last term is for files that have too
+/// few rows to show it: a hull's damping ω³ e^(-1.5 ω²) about its peak has (r - 1)² 3/4r. Files of WAMIT's hulls of one
+/// piece (WEC-Sim: cylinder, ellipsoid, float), thinned to r from 1.1 to 2, are nowhere off by more than it and a
+/// tenth; a resonance narrower than the gap is not seen.
+std::string doubts(const RadiationFile& radiation, const std::string& file, const std::array<double, 6>& frequencies);
 
 /// A matrix about `reference` (m, in the file's axes) as it is about the origin: forces and motions of a body are those
 /// of the same body.
@@ -69,15 +95,5 @@ std::optional<double> waterplane_by_waves(const RadiationFile& radiation, double
 
 /// Length of the file's longest waves, m.
 double longest_wave(const RadiationFile& radiation, double gravity, double depth);
-
-// The water's stiffness by a radiation program: WAMIT's .hst, or the six rows of NEMOH's KH.dat. floes has it from the
-// hull's own shape; a file of it says whether both programs mean the same hull.
-
-/// Whether the first row of numbers is one of such a file: three of them (i, j, C), or six.
-bool is_hydrostatic(std::string_view text);
-
-/// N/m, N, N m, in the axes of radiation programs. Without the units of WAMIT's files, ρ g L^k, NEMOH's are in SI.
-/// Throws InputError, with the line, for numbers that are none, for a second body, and where all are zero.
-Mat6 read_hydrostatics(std::string_view text, const std::string& file, const WamitUnits& units, double gravity);
 
 }  // namespace floes

@@ -151,30 +151,6 @@ void check_lines(const Scenario& scenario, Contradictions& found) {
     }
 }
 
-void check_hanging(const Moorings& moorings, Contradictions& found) {
-    constexpr double most_strain = 0.1;
-    for (std::size_t row = 0; row < moorings.hanging.size(); ++row) {
-        const HangingLine& line = moorings.hanging[row];
-        const auto wrong = [&](const std::string& what) {
-            refuse(found, {"moorings.hanging_lines"}, fmt::format("moorings.hanging_lines[{}] {}", row, what));
-        };
-        const double drop = line.depth + line.fairlead.y();
-        if (!(drop > 1e-4 * line.distance)) {  // ten times what the stiffness is found with
-            wrong(fmt::format("has its fairlead {:g} m below its anchor; depth_m is of the anchor below the calm water",
-                              -drop));
-            continue;
-        }
-        const double chord = std::hypot(line.distance, drop);
-        if (chord > (1 + most_strain) * line.cable.length)
-            wrong(fmt::format(
-                "is {:.4g} m long and would be stretched to {:.4g} m; take a longer line or a nearer anchor",
-                line.cable.length, chord));
-        const double tension = pull(line, Vec6::Zero()).tension;
-        if (line.break_load > 0 && tension > line.break_load)
-            wrong(fmt::format("pulls with {:.4g} kN at rest, more than its break load", tension / unit::kilonewton));
-    }
-}
-
 void check_turret(const Moorings& moorings, Contradictions& found) {
     const std::vector<TensionPoint>& curve = moorings.turret_curve;
     if (curve.empty()) return;
@@ -318,6 +294,30 @@ double structure_over_floe(const Scenario& scenario) {
     return std::min(inertia(0, 0), inertia(1, 1)) / heaviest;
 }
 
+void check_hanging(const HangingLine& line, const std::string& name, Contradictions& found) {
+    constexpr double most_strain = 0.1;
+    const auto wrong = [&](const std::string& what) {
+        refuse(found, {"moorings.hanging_lines"}, fmt::format("{} {}", name, what));
+    };
+    const double drop = line.depth + line.fairlead.y();
+    if (!(drop > 1e-4 * line.distance))  // ten times what the stiffness is found with
+        return wrong(fmt::format(
+            "has its fairlead {:g} m below its anchor; depth_m is of the anchor below the calm water", -drop));
+    const double chord = std::hypot(line.distance, drop);
+    if (chord > (1 + most_strain) * line.cable.length)
+        wrong(fmt::format("is {:.4g} m long and would be stretched to {:.4g} m; take a longer line or a nearer anchor",
+                          line.cable.length, chord));
+    const double tension = pull(line, Vec6::Zero()).tension;
+    if (line.break_load > 0 && tension > line.break_load)
+        wrong(fmt::format("pulls with {:.4g} kN at rest, more than its break load", tension / unit::kilonewton));
+}
+
+void check_matrices(const Moorings& moorings, Contradictions& found) {
+    check_matrix(moorings.added_mass, "moorings.added_mass", found);
+    check_matrix(moorings.radiation_damping, "moorings.radiation_damping", found);
+    check_damping(moorings.radiation_damping, found);
+}
+
 void check_path(const Scenario& scenario, Contradictions& found) {
     const Path& path = scenario.path;
     if (!path.any()) return;
@@ -332,12 +332,11 @@ void check_moorings(const Scenario& scenario, Contradictions& found) {
     if (!moorings.give_way()) return;
     const std::size_t before = found.size();
     check_lines(scenario, found);
-    check_hanging(moorings, found);
+    for (std::size_t row = 0; row < moorings.hanging.size(); ++row)
+        check_hanging(moorings.hanging[row], fmt::format("moorings.hanging_lines[{}]", row), found);
     check_turret(moorings, found);
     check_thrusters(scenario, found);
-    check_matrix(moorings.added_mass, "moorings.added_mass", found);
-    check_matrix(moorings.radiation_damping, "moorings.radiation_damping", found);
-    check_damping(moorings.radiation_damping, found);
+    check_matrices(moorings, found);
     if (found.size() > before) return;
     check_inertia(scenario, found);
     if (scenario.path.any() && scenario.path.bow == PathBow::ahead && !scenario.path.legs.empty()) {

@@ -59,6 +59,9 @@ void check_shape(const Scenario& scenario, Contradictions& found);        ///< a
 void check_tow(const Scenario& scenario, Contradictions& found);          ///< it meets the ice and stays in it
 void check_path(const Scenario& scenario, Contradictions& found);         ///< likewise, of a path that is not straight
 void check_moorings(const Scenario& scenario, Contradictions& found);     ///< they hold, and a step resolves the motion
+/// Those of moorings alone, which other programs' moorings go through too. `name` begins the sentences about a line.
+void check_hanging(const HangingLine& line, const std::string& name, Contradictions& found);  ///< it can be hung up
+void check_matrices(const Moorings& moorings, Contradictions& found);     ///< symmetric, and damping takes energy
 void check_boundaries(const Scenario& scenario, Contradictions& found);   ///< what presses has something to press on
 void check_wake(const Scenario& scenario, Contradictions& found);         ///< the structure strikes no resting floe
 void check_endless(const Scenario& scenario, Contradictions& found);      ///< such ice comes from ahead and rests there

@@ -1,0 +1,271 @@
+#include "hydro/radiation_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "hydro/rows.hpp"
+
+namespace floes {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double turn = 2 * std::numbers::pi;
+
+struct Matrices {
+    Mat6 added = Mat6::Constant(nan);
+    Mat6 damping = Mat6::Constant(nan);
+};
+
+/// What one of a pair of halves has the other gets; what neither has is zero by symmetry.
+int mirror(Mat6& matrix) {
+    int mirrored = 0;
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            if (!std::isnan(matrix(i, j)) || std::isnan(matrix(j, i))) continue;
+            matrix(i, j) = matrix(j, i);
+            ++mirrored;
+        }
+    }
+    matrix = matrix.array().isNaN().select(0.0, matrix);
+    return mirrored;
+}
+
+using Periods = std::map<double, Matrices>;  // below 0: the limit of zero frequency; 0: that of infinite frequency
+
+std::string period_name(double period) {
+    return period < 0    ? "the limit of zero frequency"
+           : period == 0 ? "the limit of infinite frequency"
+                         : fmt::format("the period {:.6g} s", period);
+}
+
+/// What stands at one period stands at all; what stands at none is zero by symmetry. A limit may have less, and is left
+/// out then; it does not have more.
+void refuse_gaps(Periods& periods, const std::string& file, std::vector<std::string>& remarks) {
+    const auto finite = std::ranges::count_if(periods, [](const auto& one) { return one.first > 0; });
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+            const auto has = [&](const auto& one) { return !std::isnan(one.second.added(i, j)); };
+            const auto count =
+                std::ranges::count_if(periods, [&](const auto& one) { return one.first > 0 && has(one); });
+            for (auto one = periods.begin(); one != periods.end();) {
+                const auto at = one++;
+                const bool limit = at->first <= 0;
+                if (has(*at) == (count > 0)) continue;
+                if (limit && count > 0) {
+                    remarks.push_back(fmt::format("{}: {} lacks the element {} {}, which periods have, and is left out",
+                                                  file, period_name(at->first), i + 1, j + 1));
+                    periods.erase(at);
+                } else if (limit && finite > 0) {
+                    throw InputError(fmt::format("{}: {} has the element {} {}, which no period has; were rows lost?",
+                                                 file, period_name(at->first), i + 1, j + 1));
+                } else if (!limit) {
+                    throw InputError(fmt::format(
+                        "{}: {} lacks the element {} {}, which {} of the {} periods have; was a row lost? An "
+                        "element that is zero by symmetry is missing at all periods",
+                        file, period_name(at->first), i + 1, j + 1, count, finite));
+                }
+            }
+        }
+    }
+}
+
+int elements_of(const Matrices& block) {
+    return static_cast<int>((!block.added.array().isNaN()).count());
+}
+
+/// Of a table's frequencies, which may be periods.
+struct FrequencyUnit {
+    std::string name = "rad/s";
+    double factor = 1;
+    bool period = false;
+
+    double in_rad_s(double value) const { return period ? turn / value : factor * value; }
+};
+
+/// By the head of the first column: "w (rad/s)", "f (Hz)", "T (s)".
+FrequencyUnit unit_of(std::string_view header, const std::string& file, std::size_t number) {
+    const std::size_t open = header.find('(');
+    const std::size_t close = header.find(')', std::min(open, header.size()));
+    const std::string unit(close == std::string_view::npos ? "" : header.substr(open + 1, close - open - 1));
+    if (unit == "rad/s") return {.name = unit};
+    if (unit == "Hz") return {.name = unit, .factor = turn};
+    if (unit == "s") return {.name = unit, .period = true};
+    throw InputError(fmt::format("{}:{}: {}; its frequencies are to be in (rad/s), (Hz) or (s)", file, number,
+                                 unit.empty() ? "names no unit" : fmt::format("has the unit ({})", unit)));
+}
+
+/// The number behind a word in the head of a zone, Zone t="Motion of body   1 in DoF   1",I=  26,F=POINT; 0 if none.
+int number_behind(std::string_view word, std::string_view head) {
+    const std::size_t at = head.find(word);
+    if (at == std::string_view::npos) return 0;
+    const std::string_view rest = head.substr(at + word.size());
+    const std::vector<std::string> words = words_of(rest.substr(0, rest.find_first_of(",\"")));
+    return words.empty() ? 0 : static_cast<int>(number_of(words.front()).value_or(0));
+}
+
+class NemohZones {
+  public:
+    NemohZones(std::string_view text, std::string file) : file_(std::move(file)) {
+        std::size_t number = 0;
+        for (const std::string_view line : lines_of(text)) {
+            ++number;
+            if (line.find("VARIABLES") != std::string_view::npos) unit_ = unit_of(line, file_, number);
+            const bool zone =
+                line.find("Zone") != std::string_view::npos || line.find("ZONE") != std::string_view::npos;
+            if (zone) {
+                begin_zone(line, number);
+            } else if (const std::optional<std::vector<double>> row = numbers_of(line); row && !row->empty()) {
+                add(*row, number);
+            } else if (moves_ > 0 && !row && !is_title(line)) {
+                throw wrong(number, "has a word that is no number");
+            }
+        }
+        end_zone();
+        if (moves_ != 6)
+            throw InputError(
+                fmt::format("{}: has {} of the six zones, one for each motion; was the file cut off?", file_, moves_));
+    }
+
+    const std::map<double, Matrices>& blocks() const { return blocks_; }
+    const std::string& unit() const { return unit_.name; }
+
+  private:
+    InputError wrong(std::size_t number, const std::string& what) const {
+        return InputError(
+            fmt::format("{}:{}: {}; a row of NEMOH's radiation coefficients is the frequency and an added "
+                        "mass and a damping for each of six forces",
+                        file_, number, what));
+    }
+
+    void add(const std::vector<double>& row, std::size_t number) {
+        if (moves_ == 0 || moves_ > 6) throw wrong(number, "is outside the zones of six motions");
+        if (row.size() != 13) throw wrong(number, fmt::format("has {} numbers", row.size()));
+        for (const double value : row)
+            if (!std::isfinite(value))
+                throw wrong(number, "has a number that is not finite, as at very low frequencies");
+        if (!(row.front() > 0)) throw wrong(number, fmt::format("has {:g} ({}), not above 0", row.front(), unit_.name));
+        if (const auto other = once_.other_line({moves_, row.front()}, row, number))
+            throw wrong(number, fmt::format("gives {:g} ({}) other values than line {} of the same zone", row.front(),
+                                            unit_.name, *other));
+        ++rows_;
+        Matrices& block = blocks_[unit_.in_rad_s(row.front())];
+        for (int force = 0; force < 6; ++force) {
+            block.added(force, moves_ - 1) = row[static_cast<std::size_t>(1 + 2 * force)];
+            block.damping(force, moves_ - 1) = row[static_cast<std::size_t>(2 + 2 * force)];
+        }
+    }
+
+    void begin_zone(std::string_view head, std::size_t number) {
+        end_zone();
+        ++moves_;
+        stated_ = number_behind(",I=", head);
+        if (number_behind("body", head) > 1)
+            throw wrong(number, "is of a second body, and one body of six motions is read");
+        const int motion = number_behind("DoF", head);
+        if (motion > 0 && motion != moves_)
+            throw wrong(number, fmt::format("is the zone of motion {}, and that of motion {} is due", motion, moves_));
+    }
+
+    void end_zone() {
+        if (stated_ > 0 && stated_ != rows_)
+            throw InputError(fmt::format("{}: zone {} has {} rows, and its head says {}; were some lost?", file_,
+                                         moves_, rows_, stated_));
+        rows_ = 0;
+    }
+
+    std::string file_;
+    FrequencyUnit unit_{};
+    int moves_ = 0;   ///< zones so far
+    int rows_ = 0;    ///< of this zone
+    int stated_ = 0;  ///< rows by its head
+    GivenOnce<std::pair<int, double>, std::vector<double>> once_{};
+    std::map<double, Matrices> blocks_{};
+};
+
+}  // namespace
+
+bool is_nemoh(std::string_view bytes) {
+    return bytes.substr(0, 4096).find("VARIABLES") != std::string_view::npos;
+}
+
+RadiationFile read_wamit(std::string_view text, const std::string& file, const WamitUnits& units) {
+    refuse_cut_number(text, file);
+    Periods periods;
+    GivenOnce<std::tuple<double, int, int>, std::vector<double>> once;
+    std::size_t number = 0;
+    for (const std::string_view line : lines_of(text)) {
+        ++number;
+        const auto wrong = [&](const std::string& what) {
+            return InputError(
+                fmt::format("{}:{}: {}; a row of WAMIT's .1 is period, i, j, added mass and, but for the "
+                            "limits, damping",
+                            file, number, what));
+        };
+        const std::optional<std::vector<double>> row = numbers_of(line);
+        if (row && row->empty()) continue;
+        if (!row && number == 1 && is_title(line)) continue;
+        if (!row) throw wrong("has a word that is no number");
+        const bool limit = row->front() <= 0;
+        if (row->size() != (limit ? 4U : 5U) && !(limit && row->size() == 5))
+            throw wrong(fmt::format("has {} numbers", row->size()));
+        for (const double value : *row)
+            if (!std::isfinite(value)) throw wrong("has a number that is not finite, as at very low frequencies");
+        const auto [a, b] = motions_in((*row)[1], (*row)[2], "second and third column", wrong);
+        const double period = row->front() < 0 ? -1.0 : row->front();
+        if (const auto other = once.other_line({period, a, b}, *row, number))
+            throw wrong(fmt::format("gives the element {} {} of {} other values than line {}", a + 1, b + 1,
+                                    period_name(period), *other));
+        Matrices& block = periods[period];
+        const double scale = units.density * std::pow(units.length, 3 + turns_of(a, b));  // ρL^k
+        block.added(a, b) = (*row)[3] * scale;
+        if (!limit) block.damping(a, b) = (*row)[4] * scale * turn / period;
+    }
+    RadiationFile found;
+    refuse_gaps(periods, file, found.remarks);
+    for (auto& [period, block] : periods) {
+        if (period > 0) found.elements = elements_of(block);
+        const int mirrored = mirror(block.added);
+        mirror(block.damping);
+        if (period < 0)
+            found.at_zero = block.added;
+        else if (period == 0)
+            found.at_infinity = block.added;
+        else
+            found.points.push_back({turn / period, block.added, block.damping});
+        if (period > 0) found.mirrored = mirrored;
+    }
+    found.elements += found.mirrored;
+    std::ranges::reverse(found.points);  // of rising frequencies
+    return found;
+}
+
+RadiationFile read_nemoh(std::string_view text, const std::string& file) {
+    refuse_cut_number(text, file);
+    const NemohZones zones(text, file);
+    RadiationFile found;
+    found.elements = 36;
+    for (const auto& [frequency, block] : zones.blocks()) {
+        if (block.added.hasNaN())
+            throw InputError(
+                fmt::format("{}: has {:.6g} rad/s, a period of {:.6g} s, in some of its six zones and not in "
+                            "all; was a row lost?",
+                            file, frequency, turn / frequency));
+        found.points.push_back({frequency, block.added, block.damping});
+    }
+    found.remarks.push_back(fmt::format("{}: its frequencies are in {}", file, zones.unit()));
+    return found;
+}
+
+}  // namespace floes

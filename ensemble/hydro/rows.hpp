@@ -1,0 +1,48 @@
+#pragma once
+// Lines, words and numbers of the texts that other programs write.
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace floes {
+
+/// Without line ends (\n, \r\n or \r) and without a byte order mark before the first.
+std::vector<std::string_view> lines_of(std::string_view text);
+
+std::vector<std::string> words_of(std::string_view line);
+
+/// As Fortran writes it too, 1.0D+00; nothing for another word.
+std::optional<double> number_of(std::string_view word);
+
+/// The numbers of a line, divided by blanks, tabs or commas; nothing if a word is none. In a line of several words a
+/// comma within one is a decimal comma.
+std::optional<std::vector<double>> numbers_of(std::string_view line);
+
+/// Whether a line is a title: most of its words are no numbers.
+bool is_title(std::string_view line);
+
+/// Throws InputError where a text without a line end at its end stops within a number: its last row has the form of the
+/// others, whose last numbers all have the same length, and a shorter one.
+void refuse_cut_number(std::string_view text, const std::string& file);
+
+/// Which lines gave what. A file may give a thing again as it was, and not with another value.
+template <class Thing, class Value>
+class GivenOnce {
+  public:
+    /// Notes what a line gives. The line that gave the same thing another value; nothing if none did.
+    std::optional<std::size_t> other_line(const Thing& thing, const Value& value, std::size_t line) {
+        const auto [found, is_new] = given_.try_emplace(thing, value, line);
+        if (is_new || found->second.first == value) return {};
+        return found->second.second;
+    }
+
+  private:
+    std::map<Thing, std::pair<Value, std::size_t>> given_{};
+};
+
+}  // namespace floes
