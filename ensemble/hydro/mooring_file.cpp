@@ -252,6 +252,10 @@ MooringFile read_moorings(std::string_view text, const std::string& name, double
         }
     }
     if (lines.empty()) throw InputError(fmt::format("{}: has no lines", name));
+    for (const auto& [number, point] : parts.points)
+        if (!parts.used_points.contains(number))
+            throw InputError(fmt::format(
+                "{}: no line ends at point {}; was a line lost? Leave out a point that holds none", name, number));
     take_failures(file, lines);
     name_other_sections(file, remarks);
     std::size_t break_loads = 0;
@@ -261,11 +265,11 @@ MooringFile read_moorings(std::string_view text, const std::string& name, double
         break_loads += line.hanging.break_load > 0 ? 1 : 0;
     }
     found.extent = fmt::format(
-        "{}, {} of {} line types, {} of {} points; density {:g} kg/m³, gravity {:g} m/s², friction {:g}, {}; lines "
+        "{}, {} of {} line types, {} points; density {:g} kg/m³, gravity {:g} m/s², friction {:g}, {}; lines "
         "hang at "
         "rest, without their damping, drag and added mass",
-        counted(std::ssize(lines), "line"), parts.used_types.size(), parts.types.size(), parts.used_points.size(),
-        parts.points.size(), parts.options.density, parts.options.gravity, parts.options.friction,
+        counted(std::ssize(lines), "line"), parts.used_types.size(), parts.types.size(), parts.points.size(),
+        parts.options.density, parts.options.gravity, parts.options.friction,
         break_loads == 0 ? "no break loads" : counted(static_cast<std::int64_t>(break_loads), "break load"));
     return found;
 }

@@ -109,6 +109,11 @@ std::vector<MooringSection> sections_of(std::string_view text, const std::string
                                 "this line",
                                 file, number));
         } else if (std::vector<std::string> words = words_before_comment(line); !words.empty()) {
+            const std::size_t columns = found.back().columns.size();
+            if (columns > 0 && words.size() > columns)
+                throw InputError(
+                    fmt::format("{}:{}: has {} words for the {} columns of its table; a comment begins with #", file,
+                                number, words.size(), columns));
             found.back().rows.push_back({number, std::move(words)});
         }
         header = std::max(header - 1, 0);

@@ -50,33 +50,26 @@ std::string period_name(double period) {
                          : fmt::format("the period {:.6g} s", period);
 }
 
-/// What stands at one period stands at all; what stands at none is zero by symmetry. A limit may have less, and is left
-/// out then; it does not have more.
-void refuse_gaps(Periods& periods, const std::string& file, std::vector<std::string>& remarks) {
-    const auto finite = std::ranges::count_if(periods, [](const auto& one) { return one.first > 0; });
+/// What stands at one period or limit stands at all; what stands at none is zero by symmetry. A motion that moves with
+/// another has an element of its own.
+void refuse_gaps(const Periods& periods, const std::string& file) {
+    const auto stands = [&](int i, int j) {
+        return std::ranges::count_if(periods, [&](const auto& one) { return !std::isnan(one.second.added(i, j)); });
+    };
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
-            const auto has = [&](const auto& one) { return !std::isnan(one.second.added(i, j)); };
-            const auto count =
-                std::ranges::count_if(periods, [&](const auto& one) { return one.first > 0 && has(one); });
-            for (auto one = periods.begin(); one != periods.end();) {
-                const auto at = one++;
-                const bool limit = at->first <= 0;
-                if (has(*at) == (count > 0)) continue;
-                if (limit && count > 0) {
-                    remarks.push_back(fmt::format("{}: {} lacks the element {} {}, which periods have, and is left out",
-                                                  file, period_name(at->first), i + 1, j + 1));
-                    periods.erase(at);
-                } else if (limit && finite > 0) {
-                    throw InputError(fmt::format("{}: {} has the element {} {}, which no period has; were rows lost?",
-                                                 file, period_name(at->first), i + 1, j + 1));
-                } else if (!limit) {
-                    throw InputError(fmt::format(
-                        "{}: {} lacks the element {} {}, which {} of the {} periods have; was a row lost? An "
-                        "element that is zero by symmetry is missing at all periods",
-                        file, period_name(at->first), i + 1, j + 1, count, finite));
-                }
-            }
+            const auto count = stands(i, j);
+            if (count == 0) continue;
+            for (const auto& [period, block] : periods)
+                if (std::isnan(block.added(i, j)))
+                    throw InputError(
+                        fmt::format("{}: {} lacks the element {} {}, which {} of {} periods and limits have; "
+                                    "was a row lost? What is zero by symmetry is missing at all of them",
+                                    file, period_name(period), i + 1, j + 1, count, periods.size()));
+            for (const int own : {i, j})
+                if (stands(own, own) == 0)
+                    throw InputError(fmt::format("{}: has the element {} {} and nowhere {} {}; were rows lost?", file,
+                                                 i + 1, j + 1, own + 1, own + 1));
         }
     }
 }
@@ -159,8 +152,8 @@ class NemohZones {
         if (const auto other = once_.other_line({moves_, row.front()}, row, number))
             throw wrong(number, fmt::format("gives {:g} ({}) other values than line {} of the same zone", row.front(),
                                             unit_.name, *other));
-        ++rows_;
         Matrices& block = blocks_[unit_.in_rad_s(row.front())];
+        rows_ += std::isnan(block.added(0, moves_ - 1)) ? 1 : 0;
         for (int force = 0; force < 6; ++force) {
             block.added(force, moves_ - 1) = row[static_cast<std::size_t>(1 + 2 * force)];
             block.damping(force, moves_ - 1) = row[static_cast<std::size_t>(2 + 2 * force)];
@@ -233,7 +226,7 @@ RadiationFile read_wamit(std::string_view text, const std::string& file, const W
         if (!limit) block.damping(a, b) = (*row)[4] * scale * turn / period;
     }
     RadiationFile found;
-    refuse_gaps(periods, file, found.remarks);
+    refuse_gaps(periods, file);
     for (auto& [period, block] : periods) {
         if (period > 0) found.elements = elements_of(block);
         const int mirrored = mirror(block.added);

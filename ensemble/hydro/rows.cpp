@@ -94,7 +94,10 @@ void refuse_cut_number(std::string_view text, const std::string& file) {
     if (lines.empty() || text.ends_with('\n') || text.ends_with('\r')) return;
     const std::vector<std::string_view> last = words_between(lines.back(), blanks);
     if (last.empty()) return;
-    const auto length = [](std::string_view word) { return word.size() - (word.find_first_of("+-") == 0 ? 1 : 0); };
+    const auto length = [](std::string_view word) {  // behind the point
+        const std::size_t point = word.find_first_of(".,");
+        return point == std::string_view::npos ? 0 : word.size() - point;
+    };
     std::set<std::size_t> lengths;
     int alike = 0;
     for (std::size_t k = 0; k + 1 < lines.size(); ++k) {

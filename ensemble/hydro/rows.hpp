@@ -27,7 +27,7 @@ std::optional<std::vector<double>> numbers_of(std::string_view line);
 bool is_title(std::string_view line);
 
 /// Throws InputError where a text without a line end at its end stops within a number: its last row has the form of the
-/// others, whose last numbers all have the same length, and a shorter one.
+/// others, whose last numbers have all as many digits behind the point, and its own has fewer.
 void refuse_cut_number(std::string_view text, const std::string& file);
 
 /// Which lines gave what. A file may give a thing again as it was, and not with another value.

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
@@ -32,10 +35,19 @@ std::string cylinder() {
                 "surge_kN_m = 1.0\nsway_kN_m = 1.0\nyaw_kN_m_rad = 0.2\n");
 }
 
-/// Added mass in heave falls from 0.4 to 0.1 of ρ L³; the damping of 100 s is that of the cylinder's waterplane.
+/// Added mass in heave falls from 0.4 to 0.1 of ρ L³ with the frequency; the damping of 100 s is that of the cylinder's
+/// waterplane. Periods are near enough to be interpolated.
 std::string radiation() {
-    const std::string long_waves = "1.0E+02 3 3 0.4 2.98E-05\n1.0E+02 1 1 0.17 0\n1.0E+02 1 3 1E-05 0\n";
-    return file("cylinder.1", long_waves + "1.0E+00 3 3 0.1 0.02\n1.0E+00 1 1 0.17 0\n1.0E+00 1 3 -1E-05 0\n");
+    std::string rows;
+    constexpr int steps = 20;
+    for (int k = 0; k <= steps; ++k) {
+        const double period = std::pow(100.0, 1 - static_cast<double>(k) / steps);
+        const double share = (1 / period - 0.01) / 0.99;
+        rows += fmt::format("{0:.6E} 3 3 {1:.6E} {2:.6E}\n{0:.6E} 1 1 0.17 0\n{0:.6E} 1 3 {3:.6E} 0\n", period,
+                            std::lerp(0.4, 0.1, share), std::lerp(2.98e-5 * 0.01, 0.02, share) * period,
+                            std::lerp(1e-5, -1e-5, share));
+    }
+    return file("cylinder.1", rows);
 }
 
 std::string hydro(const std::string& arguments) {
@@ -90,6 +102,25 @@ TEST(Hydro, MovesMatricesFromTheirReference) {
     EXPECT_THAT(keys, HasSubstr("about the axis at the calm water, from (0, 0, -2) m"));
     EXPECT_THAT(keys, HasSubstr("  [0.001, 0, 0, 0, -0.002, 0],"));
     EXPECT_THAT(keys, HasSubstr("  [-0.002, 0, 0, 0, 0.004, 0],"));
+}
+
+TEST(Hydro, SaysWhatItRead) {
+    EXPECT_THAT(
+        hydro(radiation() + " --period-s 9"),
+        HasSubstr("# read: 21 periods from 1 to 100 s; 4 of 36 elements, 1 of them by symmetry from the other "
+                  "half, the others 0 by symmetry; neither the limit of zero nor that of infinite frequency\n"));
+    const std::string few = file("few.1", "5 3 3 1 0.3\n40 3 3 1 0.1\n");
+    EXPECT_THAT(message(few + " --period-s 9"),
+                HasSubstr("few.1: has no period near enough to know the damping in heave"));
+    EXPECT_THAT(hydro(few + " --period-s 40"), HasSubstr("added_mass"));
+}
+
+// Halves that programs differ by pass; a motion of its own that would be driven on does not, as in a configuration.
+TEST(Hydro, PrintsNothingThatAConfigurationRefuses) {
+    const std::string driven =
+        file("driven.1", "10 3 3 1 0\n10 5 5 1 0.001\n10 3 5 0 0.01\n10 1 1 1 0\n10 2 2 1 0\n10 4 4 1 0\n");
+    EXPECT_THAT(message(driven + " --period-s 10 --reference-m 5,0,0"),
+                HasSubstr("which would drive that motion on; give 0 or more"));
 }
 
 }  // namespace hydro_test
