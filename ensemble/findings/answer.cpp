@@ -1,10 +1,12 @@
 #include "findings/answer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -155,6 +157,54 @@ std::string few_text(const Summary& summary) {
     return fmt::format("n = {}{}: no interval worth printing; {}.", count, where, remedy);
 }
 
+/// Rad, by which a hull turns before the edge of its deck is in the water, about the axis across the tow (0) and along
+/// it (1).
+std::array<double, 2> turns_to_deck(const Shape& shape) {
+    constexpr int sides = 48;
+    std::array<double, 2> reach{};
+    for (const Vec3& point : shape.mesh(sides).points) {
+        if (point.y() < shape.top() - 1e-9) continue;
+        reach[0] = std::max(reach[0], std::abs(point.x()));
+        reach[1] = std::max(reach[1], std::abs(point.z()));
+    }
+    return {std::atan2(shape.top(), reach[0]), std::atan2(shape.top(), reach[1])};
+}
+
+/// Cases in which a hull turned further than holds what it is computed by (docs/moorings.md).
+std::string heel_text(const CampaignTable& table, const Summary& summary) {
+    constexpr double small_turn = 5 * unit::degree;
+    std::vector<std::string> far;
+    std::vector<std::string> wet;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
+        std::optional<std::array<double, 2>> to_deck;
+        for (const auto& [which, key, words] :
+             {std::tuple{0U, "largest_pitch", "pitch"}, std::tuple{1U, "largest_roll", "roll"}}) {
+            double largest = 0;  // of members that float: others have no such number
+            for (const MemberRow* row : done_members(table, k))
+                largest = std::max(largest, std::abs(row->value(*find_quantity(key))));
+            if (!(largest > small_turn)) continue;
+            if (!to_deck) to_deck = turns_to_deck(summary.cases[k].about.shape);
+            const std::string turn =
+                fmt::format("{}: {} of {:.1f}°", summary.label_of(k), words, largest / unit::degree);
+            far.push_back(turn);
+            if (largest > to_deck->at(which))
+                wet.push_back(fmt::format("{}, wet from {:.1f}°", turn, to_deck->at(which) / unit::degree));
+        }
+    }
+    if (far.empty()) return "";
+    std::string told = fmt::format(
+        "The hull turns by more than 5° ({}): righting moments, buoyancy and moorings are those of small turns, and "
+        "the "
+        "wall meets ice at another angle than the hull at rest.",
+        fmt::join(far, "; "));
+    if (!wet.empty())
+        told += fmt::format(
+            " The edge of its deck is in the water ({}): it rights itself less than is computed, and ice can come on "
+            "deck.",
+            fmt::join(wet, "; "));
+    return told;
+}
+
 std::string failed_text(const Counts& found, const Summary& summary) {
     std::string text = fmt::format("{} of {} failed and {} in no figure. Member {}: {}", found.failed_members,
                                    counted(found.members, "member"), found.failed_members == 1 ? "counts" : "count",
@@ -182,6 +232,7 @@ std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& 
         sentences.push_back(unsteady_text(found));
     if (std::string unsolved = unsolved_text(table, summary); !unsolved.empty())
         sentences.push_back(std::move(unsolved));
+    if (std::string heel = heel_text(table, summary); !heel.empty()) sentences.push_back(std::move(heel));
     if (std::string out = standing_out_text(table, summary); !out.empty()) sentences.push_back(std::move(out));
     if (std::string few = few_text(summary); !few.empty()) sentences.push_back(std::move(few));
     return sentences;

@@ -544,7 +544,7 @@ std::vector<Section> parts_sections(Evidence& evidence) {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 12> shares{{
+constexpr std::array<std::pair<const char*, const char*>, 13> shares{{
     {"work_ice_friction", "friction, ice on ice"},
     {"work_ice_crushing", "crushing and stopping, ice on ice"},
     {"work_hull_friction", "friction on the structure"},
@@ -556,6 +556,7 @@ constexpr std::array<std::pair<const char*, const char*>, 12> shares{{
     {"work_lifting", "lifting and pushing under"},
     {"work_driving", "against sheets that give way and wind"},
     {"work_motion", "motion of ice and water"},
+    {"work_giving_way", "motion of the structure on its moorings"},
     {"work_rest", "lost by finite steps"},
 }};
 
@@ -568,7 +569,8 @@ Results shown(const Results& all, const Evidence& evidence) {
             if (all.name(r, "case") != evidence.summary.name_of(k)) continue;
             const double force = all.number(r, "force");
             sum += force;
-            if (all.name(r, "quantity") != "work_driving" || force != 0) some.add(all.rows[r]);
+            const std::string cause = all.name(r, "quantity");
+            if ((cause != "work_driving" && cause != "work_giving_way") || force != 0) some.add(all.rows[r]);
         }
         if (sum != 0)
             some.add({Named{"", evidence.summary.label_of(k)}, Named{"", "together"}, Estimate{.value = sum}, 1.0, 0});

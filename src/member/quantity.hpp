@@ -175,6 +175,10 @@ inline constexpr std::array work_quantities{
     work_quantity("work_motion",
                   "work over the distance towed that goes into motion of the ice and the water it carries",
                   at<&MemberOutputs::work, &WorkShares::motion>()),
+    work_quantity("work_giving_way",
+                  "work over the distance towed that goes into motion of the moored structure: damped by moorings, "
+                  "water and thrusters, or stored",
+                  at<&MemberOutputs::work, &WorkShares::giving_way>(), 16),
     work_quantity(
         "work_rest",
         "work over the distance towed that goes into what steps of finite length lose: the load less all other shares",

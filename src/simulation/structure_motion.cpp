@@ -26,8 +26,8 @@ PathPlace StructureMotion::prescribed(int step) const {
 
 void StructureMotion::follow(const PathPlace& place) {
     after_ = {.position = {place.pose.x, 0, place.pose.z}, .yaw = place.pose.yaw};
-    velocity_ = {place.velocity.x(), 0, place.velocity.y()};
-    angular_velocity_ = {0, place.turning, 0};
+    velocity_ = towed_ = {place.velocity.x(), 0, place.velocity.y()};
+    angular_velocity_ = towed_turning_ = {0, place.turning, 0};
     pace_ = place.velocity.norm();
 }
 

@@ -128,6 +128,10 @@ class StructureMotion {
     /// Likewise, rad/s, in the world's axes.
     const Vec3& angular_velocity() const { return angular_velocity_; }
 
+    /// Likewise of what it is towed by, moorings or not; the rest of its velocities is how it gives way.
+    const Vec3& towed() const { return towed_; }
+    const Vec3& towed_turning() const { return towed_turning_; }
+
     /// How fast what it is towed by goes in the step, m/s.
     double pace() const { return pace_; }
 
@@ -155,6 +159,8 @@ class StructureMotion {
     StructurePose before_, after_;
     Vec3 velocity_ = Vec3::Zero();
     Vec3 angular_velocity_ = Vec3::Zero();
+    Vec3 towed_ = Vec3::Zero();
+    Vec3 towed_turning_ = Vec3::Zero();
     double pace_ = 0;
 };
 

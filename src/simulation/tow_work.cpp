@@ -81,8 +81,11 @@ void TowWork::add(const World& world, const IceField& ice, const Sheets& sheets,
         position_[i] = before[i].position;
     }
     const double before_step = together(sum_);
-    double load = -world.contact_force(structure_).dot(motion.velocity());
-    load -= add_contacts(world, ice, sheets, motion).dot(motion.angular_velocity());
+    const Vec3 force = world.contact_force(structure_);
+    const Vec3 moment = add_contacts(world, ice, sheets, motion);
+    const double load = -force.dot(motion.towed()) - moment.dot(motion.towed_turning());
+    sum_.giving_way +=
+        force.dot(motion.velocity() - motion.towed()) + moment.dot(motion.angular_velocity() - motion.towed_turning());
     add_water();
     add_motion(water, before, after);
     sum_.joints -= ice.joint_power(world, before, velocity_, angular_velocity_);

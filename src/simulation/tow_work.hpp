@@ -1,8 +1,7 @@
 #pragma once
 // Where the work of the tow goes. Forces of a step are multiplied with the mean of the velocities at its beginning and
 // its end, which is exactly the work they do in it. Divided by the distance towed, each share is a force, and together
-// they are the mean load; of a structure that gives way without what the damping of its moorings takes. Looked at in
-// some steps of the window only: it costs more than a step.
+// they are the mean load. Looked at in some steps of the window only: it costs more than a step.
 
 #include <array>
 #include <span>

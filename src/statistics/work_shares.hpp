@@ -18,14 +18,17 @@ struct WorkShares {
     double lifting = 0;        ///< N, against weight and buoyancy: ice that is pushed down or up
     double driving = 0;  ///< N, on ice sheets that give way and against the wind; negative where these push the ice
     double motion = 0;   ///< N, kinetic energy of the ice and of the water that moves with it
-    double rest = 0;     ///< N, what steps of finite length lose: the load less all others
+    double giving_way =
+        0;            ///< N, motion of a moored structure: damped by moorings, water and thrusters, or still stored
+    double rest = 0;  ///< N, what steps of finite length lose: the load less all others
 };
 
 /// All of them, `rest` last.
 inline constexpr std::array all_work_shares{
     &WorkShares::ice_friction,  &WorkShares::ice_crushing, &WorkShares::hull_friction, &WorkShares::hull_crushing,
     &WorkShares::vertical_drag, &WorkShares::plane_drag,   &WorkShares::waves,         &WorkShares::joints,
-    &WorkShares::lifting,       &WorkShares::driving,      &WorkShares::motion,        &WorkShares::rest};
+    &WorkShares::lifting,       &WorkShares::driving,      &WorkShares::motion,        &WorkShares::giving_way,
+    &WorkShares::rest};
 
 /// N
 inline double together(const WorkShares& shares) {
