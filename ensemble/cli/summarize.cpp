@@ -28,7 +28,7 @@ std::string sheet_name(std::string_view part) {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kinds{{
     {"cases",
      "a line for each case: means over arrangements with their 95 % intervals: _low and _high by "
-     "Student's t, _bca_ by bootstrap, _prediction_ of one further run"},
+     "Student's t, _prediction_ of one further run"},
     {"members", "a line for each simulation"},
     {"pairs", "differences of two cases within the same arrangements, with their 95 % intervals and tests"},
     {"points", "the points of the design with their results"},

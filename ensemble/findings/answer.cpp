@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -76,17 +77,40 @@ std::string unsteady_text(const Counts& found) {
         all, counted(found.done, "member"), how);
 }
 
-/// Cases whose load has a trend over all their members: a sentence for all.
-std::string joint_text(const CampaignTable& table, const Summary& summary) {
+constexpr std::size_t most_named = 3;  // cases in a sentence
+
+/// A line on each case whose trend `which` is true of: "…; and 2 cases more". Empty of none.
+std::string trend_lines(const Summary& summary, const auto& which, const auto& line) {
     std::vector<std::string> lines;
-    for (const JointTrend& trend : joint_trends(table))
-        if (trend.seen) lines.push_back(fmt::format("{}: {}", summary.label_of(trend.case_index), trend_text(trend)));
-    if (lines.empty()) return "";
-    constexpr std::size_t most = 3;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        if (const JointTrend& trend = summary.cases[k].trend; std::invoke(which, trend))
+            lines.push_back(fmt::format("{}: {}", summary.label_of(k), line(trend)));
     const std::size_t all = lines.size();
-    lines.resize(std::min(all, most));
-    return fmt::format("Not steady: {}{}. A later analysis.steady_start_s, or --window auto.", fmt::join(lines, "; "),
-                       all > most ? fmt::format("; and {} more", counted(static_cast<int>(all - most), "case")) : "");
+    lines.resize(std::min(all, most_named));
+    if (all > most_named)
+        lines.push_back(fmt::format("and {} more", counted(static_cast<int>(all - most_named), "case")));
+    return fmt::format("{}", fmt::join(lines, "; "));
+}
+
+/// Sentences on loads that rise or fall, and on those of which that is not known.
+std::vector<std::string> trend_sentences(const Summary& summary, const Counts& found) {
+    const auto judged = [](const JointTrend& trend) { return std::isfinite(trend.load.low); };
+    const auto open = [&](const JointTrend& trend) {
+        return judged(trend) && trend.steadiness == Steadiness::not_known;
+    };
+    std::vector<std::string> sentences;
+    if (const std::string lines = trend_lines(summary, &JointTrend::seen, trend_text); !lines.empty())
+        sentences.push_back(fmt::format("Not steady: {}. A later analysis.steady_start_s, or --window auto.", lines));
+    if (const std::string lines = trend_lines(summary, open, change_words); !lines.empty())
+        sentences.push_back(
+            fmt::format("Not known whether the load changes by less than {:g} % of its mean over the measured window: "
+                        "{}. More arrangements or a longer window would tell.",
+                        steady_change / unit::percent, lines));
+    // Of one or two members nothing else is known.
+    if (std::ranges::none_of(summary.cases, judged, &CaseSummary::trend) &&
+        more_than_chance(found.rising + found.falling, found.done))
+        sentences.push_back(unsteady_text(found));
+    return sentences;
 }
 
 /// Cases in which most steps end before contacts are solved: in ice that jams loads are then too low
@@ -226,10 +250,7 @@ std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& 
                         found.missing_members == 1 ? "has" : "have",
                         found.done > 0 ? ". Short runs finish first, so the figures lean towards them." : "."));
     if (found.untouched > 0) sentences.push_back(untouched_text(found, summary.cases.size()));
-    if (std::string joint = joint_text(table, summary); !joint.empty())
-        sentences.push_back(std::move(joint));
-    else if (more_than_chance(found.rising + found.falling, found.done))
-        sentences.push_back(unsteady_text(found));
+    std::ranges::move(trend_sentences(summary, found), std::back_inserter(sentences));
     if (std::string unsolved = unsolved_text(table, summary); !unsolved.empty())
         sentences.push_back(std::move(unsolved));
     if (std::string heel = heel_text(table, summary); !heel.empty()) sentences.push_back(std::move(heel));
@@ -288,11 +309,11 @@ std::string design_words(const DesignLoadRequest& asked, const DesignLoad& found
                        load(made.quantiles.front(), found.arrangements, units), doubt_words(asked, found));
 }
 
-/// "n = 2" or "3 of 8 not steady", beside the mean that it is about.
+/// "n = 2" or "rises", beside the mean that it is about.
 std::string mean_doubts(const CaseSummary& row) {
     std::vector<std::string> doubts;
     if (row.done < fewest_for_interval) doubts.push_back(fmt::format("n = {}", row.done));
-    if (row.not_steady > 0) doubts.push_back(fmt::format("{} of {} not steady", row.not_steady, row.done));
+    if (row.trend.seen()) doubts.push_back(fmt::format("not steady: it {}", name_of(row.trend.steadiness)));
     return doubts.empty() ? "" : fmt::format(" [{}]", fmt::join(doubts, ", "));
 }
 
@@ -371,10 +392,15 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
         std::ranges::move(variation_lines(evidence.campaign, evidence.summary), std::back_inserter(sentences));
     }
     std::ranges::move(condition_lines(stated), std::back_inserter(sentences));
-    const MemberCounts counts = evidence.summary.counts();
-    sentences.push_back(fmt::format("{}, one for each case and arrangement; in {} of them the load still had a trend.",
-                                    counted(counts.done, "simulation"),
-                                    counts.not_steady == 0 ? "none" : fmt::format("{}", counts.not_steady)));
+    const auto cases_that = [&](Steadiness steadiness) {
+        return std::ranges::count(evidence.summary.cases, steadiness,
+                                  [](const CaseSummary& row) { return row.trend.steadiness; });
+    };
+    sentences.push_back(fmt::format(
+        "{}, one for each case and arrangement; through the window the load is steady in {}, rises in {}, falls in {}; "
+        "of {} it is not known.",
+        counted(evidence.summary.counts().done, "simulation"), counted(cases_that(Steadiness::steady), "case"),
+        cases_that(Steadiness::rises), cases_that(Steadiness::falls), cases_that(Steadiness::not_known)));
     double times = 0;
     for (const CaseDesignLoad& one : designs.of_cases)
         if (one.load.valid()) times = std::max(times, designs.asked.model_exposure() / one.load.time_run);

@@ -184,10 +184,11 @@ std::string heading(const Summary& summary, const MemberCounts& totals) {
 std::string notes(const Summary& summary, const MemberCounts& totals) {
     std::string text = fmt::format(
         "\nOne arrangement is one value. Brackets, all 95 %: confidence interval of the mean over all arrangements by "
-        "Student's t, or by a mixture where members stand out; below it by BCa bootstrap, which assumes no "
-        "distribution; then the prediction interval of one further run; –: one that would say nothing, of fewer than "
-        "{} arrangements or too wide. Failure ratio: broken floes / floes. Joints failed: mean per run.\n",
-        fewest_for_interval);
+        "Student's t, or by a mixture where members stand out; below it the prediction interval of one further run; –: "
+        "one that would say nothing, of fewer than {} arrangements or too wide. Load through the window: rises, falls "
+        "or is steady where the 95 % interval of its change says so; steady: below {:g} % of the mean. Failure ratio: "
+        "broken floes / floes. Joints failed: mean per run.\n",
+        fewest_for_interval, steady_change / unit::percent);
     text +=
         has_rigid_contacts(summary)
             ? "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within "
@@ -197,11 +198,6 @@ std::string notes(const Summary& summary, const MemberCounts& totals) {
     text += unseen_text(summary);
     if (totals.missing_members > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
-    }
-    if (totals.not_steady > 0) {
-        text += fmt::format(
-            "Not steady: in {} of {} the load still had a trend in the window; the figures above include them.\n",
-            totals.not_steady, counted(totals.done, "member"));
     }
     for (std::size_t index = 0; index < std::min(summary.failed.size(), most_reasons); ++index) {
         text += fmt::format("Member {} failed: {}\n", summary.failed[index].member, summary.failed[index].reason);
@@ -223,16 +219,15 @@ bool never_happened(const Summary& summary, const Quantity& quantity) {
 using CaseTable = ByColumn<CaseSummary>;
 
 /// For people only where the interval says something of some case.
-void add_bracket(const Summary& summary, const std::string& key, const char* words, const Quantity& quantity,
-                 const auto& value, CaseTable& table) {
-    const bool said = quantity.shown >= Shown::in_table3 &&
-                      std::ranges::any_of(summary.cases, [&](const CaseSummary& row) { return value(row).said; });
-    table.add({.key = key,
-               .words = said ? words : "",
+void add_further_run(const Summary& summary, const Quantity& quantity, CaseTable& table) {
+    const auto further = [&](const CaseSummary& row) { return one_further_run(row, quantity); };
+    const bool said = quantity.shown >= Shown::in_table3 && std::ranges::any_of(summary.cases, &Bracket::said, further);
+    table.add({.key = std::string{quantity.key.view()} + "_prediction",
+               .words = said ? "  one further run" : "",
                .unit = unit_of(quantity),
                .holds = ResultColumn::Holds::brackets,
                .decimals = column_of(quantity).decimals},
-              value);
+              further);
 }
 
 void add_counts(const Summary& summary, CaseTable& table) {
@@ -247,7 +242,14 @@ void add_counts(const Summary& summary, CaseTable& table) {
     table.add({"done", "  done"}, [](Row row) { return row.done; });
     table.add({"failed_members", "  failed"}, [](Row row) { return row.failed_members; });
     table.add({"missing_members"}, [](Row row) { return row.missing_members; });
-    table.add({"not_steady", "  not steady"}, [](Row row) { return row.not_steady; });
+    table.add({"not_steady"}, [](Row row) { return row.not_steady; });
+    table.add({"trend", "load through the window"}, [](Row row) { return name_of(row.trend.steadiness); });
+    table.add(
+        {.key = "change_over_window", .words = "  changes by", .unit = "N", .holds = ResultColumn::Holds::estimates},
+        [](Row row) {
+            const Interval& change = row.trend.load;
+            return Estimate{change.estimate, change.low, change.high, std::isfinite(change.low)};
+        });
 }
 
 void add_quantity(const Summary& summary, const Quantity& quantity, Reference reference, CaseTable& table) {
@@ -256,14 +258,7 @@ void add_quantity(const Summary& summary, const Quantity& quantity, Reference re
     ResultColumn about = column_of(quantity);
     if (never_happened(summary, quantity)) about.words.clear();
     table.add(std::move(about), [&](Row row) { return estimate_of(row, quantity); });
-    const auto by_bootstrap = [&](Row row) {
-        const CaseEstimate& known = row.of(quantity);
-        return Bracket{known.bca,
-                       row.done >= fewest_for_bca && says_something(quantity, known.estimate, known.bca, row.done)};
-    };
-    add_bracket(summary, key + "_bca", "  bootstrap", quantity, by_bootstrap, table);
-    const auto further = [&](Row row) { return one_further_run(row, quantity); };
-    add_bracket(summary, key + "_prediction", "  one further run", quantity, further, table);
+    add_further_run(summary, quantity, table);
     if (kind_of(quantity).load)
         table.add({key + "_standing_out"}, [&](Row row) { return row.of(quantity).standing_out; });
     if (!reference) return;

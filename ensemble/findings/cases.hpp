@@ -75,7 +75,7 @@ Results table3(const Campaign& campaign, const Summary& summary);
 
 /// Conditions, counts, every quantity with its intervals, failures by mode, members set aside; for people one column
 /// for each case. CSV and JSON: for each case its counts and conditions; for each quantity KEY with KEY_low and
-/// KEY_high, KEY_bca_…, KEY_prediction_…; of loads KEY_standing_out, the members that the intervals count as a kind of
+/// KEY_high, KEY_prediction_…; of loads KEY_standing_out, the members that the intervals count as a kind of
 /// their own; of counts KEY_total; with a reference KEY_difference_percent. JSON also has the hulls, as "profiles".
 Section summary_section(const Summary& summary, Reference reference = {});
 

@@ -189,11 +189,10 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
     const Exposure exposure{request.model_exposure(), request.quantiles, request.share,
                             table.cases.size() > most_averaged_cases};
     std::vector<CaseDesignLoad> designs;
-    const std::vector<JointTrend> trends = joint_trends(table);
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
         CaseDesignLoad one;
         one.case_index = index;
-        one.trend = trends[index];
+        one.trend = joint_trend(table, index);
         const CasePeaks& found = peaks.at(index);
         one.separation = found.measured.separation;
         one.arrangements = found.arrangements;
@@ -321,18 +320,18 @@ Results basis_rows(const Summary& summary, const std::vector<CaseDesignLoad>& de
     Results results{
         .place = "design/basis",
         .columns = program_columns(
-            "case arrangements refused_as_rising trend_seen trend_p change_over_window change_over_window_low "
+            "case arrangements refused_as_rising trend_seen trend change_over_window change_over_window_low "
             "change_over_window_high time_run exposure peak_separation peaks threshold pareto_scale pareto_shape "
             "weibull_origin weibull_scale weibull_shape weibull_weight stand_out peaks_carried unseen_share scatter "
             "alike_probability dispersion dispersion_p resamples resamples_without_fit"),
         .in_csv = false};
     for (const CaseDesignLoad& design : designs) {
         const DesignLoad& load = design.load;
-        const Change& change = design.trend.load;
+        const Interval& change = design.trend.load;
         const auto seen = [&](Datum value) { return design.refused ? Datum(Undefined{}) : value; };
         const auto fitted = [&](Datum value) { return load.valid() ? value : Datum(Undefined{}); };
-        results.add(row_of(summary.named(design.case_index), load.arrangements, design.refused, design.trend.seen,
-                           change.p, change.over_window.estimate, change.over_window.low, change.over_window.high,
+        results.add(row_of(summary.named(design.case_index), load.arrangements, design.refused, design.trend.seen(),
+                           name_of(design.trend.steadiness), change.estimate, change.low, change.high,
                            seen(load.time_run), request.model_exposure(), design.separation, seen(load.peaks),
                            seen(load.threshold), fitted(load.pareto.scale), fitted(load.pareto.shape),
                            fitted(load.weibull.origin), fitted(load.weibull.scale), fitted(load.weibull.shape),
@@ -390,13 +389,6 @@ std::string doubt_lines(const Summary& summary, const std::vector<CaseDesignLoad
         if (const std::string text = standing_out_text(one); !text.empty())
             lines += fmt::format("! {}: {}\n", summary.label_of(one.case_index), text);
     return lines;
-}
-
-/// A sentence on a rise or fall that is sure, but too small to matter; empty if there is none.
-std::string negligible_text(const std::string& name, const JointTrend& trend) {
-    if (!trend.negligible()) return "";
-    return fmt::format("{}: {}; surely less than {:g} %, it is taken as steady.", name, trend_text(trend),
-                       negligible_change / unit::percent);
 }
 
 }  // namespace
@@ -464,13 +456,11 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
     for (const CaseDesignLoad& one : designs) {
         const std::string& name = summary.label_of(one.case_index);
         const CaseRow& about = summary.cases[one.case_index].about;
-        if (std::string small = negligible_text(name, one.trend); !small.empty())
-            steadiness.push_back(std::move(small));
         if (!one.load.valid()) {
             too_few.push_back(fmt::format("{}: {}", name, none_text(one, about)));
             continue;
         }
-        if (std::string steady = stationary_text(name, one.trend, about); !steady.empty())
+        if (std::string steady = steady_text(name, one.trend, about); !steady.empty())
             steadiness.push_back(std::move(steady));
         for (const DesignLoadEstimate& made : shown(one)) {
             const bool first = made.method == LargestBy::both_tails;
@@ -478,8 +468,10 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
                                           : fmt::format("  {}", name_of(made.method))};
             const auto add = [&](const LoadFigure& figure) {
                 const int runs = static_cast<int>(one.load.arrangements);
-                line.emplace_back(shown_figure(figure, request.factor() * request.of.shown_factor(),
-                                               says_something(figure.value, figure.interval, runs)));
+                const double factor = request.factor() * request.of.shown_factor();
+                line.push_back(
+                    first ? Datum(shown_figure(figure, factor, says_something(figure.value, figure.interval, runs)))
+                          : Datum(factor * figure.value));
             };
             add(made.expected);
             for (const LoadFigure& figure : made.quantiles) add(figure);
@@ -500,13 +492,19 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
             .results = std::move(results),
             .after =
                 "\nBrackets: 95 %. Both tails: Pareto and Weibull tail of members that may differ, above several "
-                "thresholds; its interval includes which of these it is. The others, by bootstrap over arrangements, "
-                "take members as alike; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
+                "thresholds; its interval includes which of these it is. The others take members as alike and have "
+                "no interval that holds; Gumbel and GEV: of the segment maxima. docs/design_load.md\n" +
                 scale_words(request),
             .notes = std::move(notes)};
 }
 
 namespace {
+
+/// Of the load over the window, of its mean.
+Estimate relative_change(const JointTrend& trend) {
+    const Interval& change = trend.load;
+    return {change.estimate / trend.mean, change.low / trend.mean, change.high / trend.mean, std::isfinite(change.low)};
+}
 
 /// For people, a line for each figure.
 Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
@@ -536,7 +534,9 @@ Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& d
     add({.words = "peaks above the threshold a member, variance / mean", .decimals = 2},
         [](Design one) { return one.load.unlike.dispersion; });
     add({.words = "  p, if members are alike", .digits = 3}, [](Design one) { return one.load.unlike.dispersion_p; });
-    add({.words = "not steady"}, [&](Design one) { return summary.cases[one.case_index].not_steady; });
+    table.add({.words = "the load through the window"}, [](Design one) { return name_of(one.trend.steadiness); });
+    table.add({.words = "  changes by", .unit = "share", .holds = ResultColumn::Holds::estimates, .decimals = 0},
+              [](Design one) { return relative_change(one.trend); });
     add({.words = "peaks at least apart, s", .digits = 3}, [&](Design one) { return one.separation * times; });
     add({.words = "threshold", .unit = shown_unit, .digits = 3},
         [&](Design one) { return factor * one.load.threshold; });

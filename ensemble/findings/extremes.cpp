@@ -23,11 +23,6 @@ std::string hours(double seconds) {
                                 : fmt::format("{:.3g} h", seconds / unit::hour);
 }
 
-/// A level; its interval is said where the bootstrap says more than that nothing is known.
-Estimate shown_level(const ReturnLevel& level) {
-    return within(level.level, level.interval, says_something(level.level, level.interval, fewest_for_interval));
-}
-
 /// Columns for people, then those for programs.
 Results empty_fits() {
     Results results{.place = "extremes",
@@ -37,14 +32,12 @@ Results empty_fits() {
                                 {.words = "ξ", .decimals = 2},
                                 {.words = "p A²", .p = true}}};
     for (const double period : return_periods)
-        results.columns.push_back(estimates("", fmt::format("1 in {:g}", period), "N"));
-    results.columns = std::move(results.columns) + program_columns("case distribution averaging segment maxima");
-    for (const char* key : {"location", "scale", "shape"}) results.columns.push_back(estimates(key, ""));
-    results.columns =
-        std::move(results.columns) +
-        program_columns("log_likelihood anderson_darling anderson_darling_p kolmogorov_smirnov kolmogorov_smirnov_p");
-    for (const double period : return_periods)
-        results.columns.push_back(estimates(fmt::format("level_{:g}", period), ""));
+        results.columns.push_back({.words = fmt::format("1 in {:g}", period), .unit = "N"});
+    results.columns = std::move(results.columns) +
+                      program_columns(
+                          "case distribution averaging segment maxima location scale shape log_likelihood "
+                          "anderson_darling anderson_darling_p kolmogorov_smirnov kolmogorov_smirnov_p");
+    for (const double period : return_periods) results.columns.push_back({fmt::format("level_{:g}", period)});
     return results;
 }
 
@@ -56,18 +49,13 @@ void add_fit(const Summary& summary, const CaseExtremes& extremes, const FittedE
     std::vector<Datum> row{fmt::format("  {}{}", name_of(fitted.kind), degenerate ? ": no fit" : ""),
                            shown(fitted.fit.location), shown(fitted.fit.scale),
                            gev ? shown(fitted.fit.shape) : Datum(Absent{}), shown(fitted.goodness.anderson_darling_p)};
-    const auto add_levels = [&](const auto& cell_of) {
-        for (std::size_t k = 0; k < std::size(return_periods); ++k)
-            row.push_back(k < fitted.levels.size() ? cell_of(fitted.levels[k]) : Datum(Undefined{}));
-    };
-    add_levels([&](const ReturnLevel& level) { return shown(shown_level(level)); });
+    for (const double period : return_periods) row.push_back(shown(return_level(fitted.fit, period)));
     row.insert(row.end(),
                {summary.named(extremes.case_index), name_of(fitted.kind), extremes.averaging, extremes.segment,
-                extremes.maxima, within(fitted.fit.location, fitted.location), within(fitted.fit.scale, fitted.scale),
-                within(fitted.fit.shape, fitted.shape), fitted.fit.log_likelihood,
+                extremes.maxima, fitted.fit.location, fitted.fit.scale, fitted.fit.shape, fitted.fit.log_likelihood,
                 fitted.goodness.found.anderson_darling, fitted.goodness.anderson_darling_p,
                 fitted.goodness.found.kolmogorov_smirnov, fitted.goodness.kolmogorov_smirnov_p});
-    add_levels([](const ReturnLevel& level) { return Datum(within(level.level, level.interval)); });
+    for (const double period : return_periods) row.emplace_back(return_level(fitted.fit, period));
     const bool valid = extremes.gumbel.fit.valid();
     results.add(std::move(row), valid ? Results::For::everybody : Results::For::programs);
 }
@@ -104,24 +92,23 @@ std::vector<CaseExtremes> find_extremes(const CampaignTable& table) {
     const double averaging = headline_maximum(of_members).averaging;
     std::vector<CaseExtremes> all;
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
-        std::vector<std::vector<double>> maxima;
-        std::vector<double> pooled;
+        std::vector<double> maxima;
         for (const MemberRow& row : table.members) {
             const AveragedLoad* averaged = row.averaged_over(averaging);
             if (row.case_index != static_cast<int>(index) || !row.done() || (averaging > 0 && averaged == nullptr))
                 continue;
-            maxima.push_back(averaging > 0 ? averaged->segment_maximum : row.load.segment_maximum);
-            pooled.insert(pooled.end(), maxima.back().begin(), maxima.back().end());
+            const std::vector<double>& own = averaging > 0 ? averaged->segment_maximum : row.load.segment_maximum;
+            maxima.insert(maxima.end(), own.begin(), own.end());
         }
         const Analysis& analysis = table.cases[index].analysis;
         CaseExtremes found;
         found.case_index = index;
         found.averaging = averaging;
         found.segment = analysis.window / analysis.segments;
-        found.maxima = pooled.size();
-        found.gumbel = fit_extremes(maxima, ExtremeKind::gumbel, return_periods);
-        found.gev = fit_extremes(maxima, ExtremeKind::gev, return_periods);
-        found.exceedance = exceedance_curve(std::move(pooled));
+        found.maxima = maxima.size();
+        found.gumbel = fit_extremes(maxima, ExtremeKind::gumbel);
+        found.gev = fit_extremes(maxima, ExtremeKind::gev);
+        found.exceedance = exceedance_curve(std::move(maxima));
         all.push_back(std::move(found));
     }
     return all;
@@ -144,9 +131,9 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
     }
     section.after = fmt::format(
         "\nMaxima {}. Maximum likelihood; 1 in N: the load that one segment in N exceeds (a segment: {:g} s; 1 in "
-        "1000: once in {}), interval by bootstrap over arrangements. ξ: shape, below 0 with an upper bound. p A²: "
-        "Anderson-Darling; small: poor fit of the distribution.\nFor exposures longer than the one simulated, a return "
-        "level is an extrapolation.{}\n",
+        "1000: once in {}). ξ: shape, below 0 with an upper bound. p A²: Anderson-Darling; small: poor fit of the "
+        "distribution.\nFor exposures longer than the one simulated, a return level is an extrapolation; floes design "
+        "has loads with intervals.{}\n",
         of_what(extremes), fitted->segment, hours(1000 * fitted->segment), chance_text(extremes));
     return section;
 }

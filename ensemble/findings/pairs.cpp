@@ -106,8 +106,7 @@ std::vector<ResultColumn> pair_columns(const PairOptions& options) {
                                      {.key = "variance_saved", .words = "reduction", .unit = "share", .decimals = 0},
                                      {.words = "n needed"},
                                      {.words = fmt::format("n for {:g} %", options.resolve / unit::percent)},
-                                     {.key = "t_interval", .holds = Holds::brackets},
-                                     {.key = "bca", .holds = Holds::brackets}} +
+                                     {.key = "t_interval", .holds = Holds::brackets}} +
            program_columns(
                "first_mean apart sd t t_p rank_sum wilcoxon_p wilcoxon_exact power arrangements_for_observed resolve "
                "arrangements_for_resolve");
@@ -128,9 +127,9 @@ Results pair_results(const Summary& summary, const std::vector<PairRow>& rows, c
                            "  " + pair_label(summary, row), found.arrangements, row.difference(),
                            found.difference / row.first_mean, row.t_p_holm, row.wilcoxon_p_holm, found.variance_saved,
                            shown(row.to_resolve_observed), shown(row.to_resolve_wished), Bracket{found.t_interval},
-                           Bracket{found.bca}, row.first_mean, row.apart.size(), found.sd, found.t, found.t_p,
-                           found.rank_sum, found.wilcoxon_p, found.wilcoxon_exact, options.power,
-                           needed(row.to_resolve_observed), options.resolve, needed(row.to_resolve_wished)),
+                           row.first_mean, row.apart.size(), found.sd, found.t, found.t_p, found.rank_sum,
+                           found.wilcoxon_p, found.wilcoxon_exact, options.power, needed(row.to_resolve_observed),
+                           options.resolve, needed(row.to_resolve_wished)),
                     whom);
     }
     return results;

@@ -15,38 +15,21 @@
 
 namespace floes {
 
-std::vector<JointTrend> joint_trends(const CampaignTable& table) {
-    std::vector<std::vector<MemberTrend>> cases(table.cases.size());
-    for (std::size_t index = 0; index < table.cases.size(); ++index)
-        for (const MemberRow* row : done_members(table, index))
-            cases[index].push_back(member_trend(*row, table.cases[index].analysis.window));
-    return joint_trends(cases);
+JointTrend joint_trend(const CampaignTable& table, std::size_t of_case) {
+    std::vector<MemberTrend> members;
+    for (const MemberRow* row : done_members(table, of_case))
+        members.push_back(member_trend(*row, table.cases[of_case].analysis.window));
+    return joint_trend(members);
 }
 
-std::string stationary_text(const std::string& name, const JointTrend& trend, const CaseRow& about) {
-    if (trend.significant || !std::isfinite(trend.load.p)) return "";
-    const Interval& change = trend.load.over_window;
-    const double open = std::max(std::abs(change.low), std::abs(change.high)) / std::abs(trend.mean);
-    const bool known = open <= much_left_open;
-    const bool endless = about.far_end == FarEnd::never;
-    const std::string verdict =
-        known ? endless ? "stationary, and ice comes as long as the run lasts" : "no trend within this window"
-              : "not shown to be stationary: few members, or a short window";
+std::string steady_text(const std::string& name, const JointTrend& trend, const CaseRow& about) {
+    if (trend.steadiness != Steadiness::steady) return "";
     const std::string beyond =
-        endless ? ""
+        about.far_end == FarEnd::never ? "Ice comes as long as the run lasts."
         : about.far_end == FarEnd::ice_sheet
-            ? " The field ends at an ice sheet, so a longer exposure is taken as one such passage after another."
-            : " The field ends in open water, so a longer exposure is taken as one such passage after another.";
-    return fmt::format(
-        "{}: {}. Slopes of {} members, Student's t: the load changes by {:+.2g} % [{:+.2g}, {:+.2g}] of its mean over "
-        "the measured window of {:g} s (p = {:.2g}){}.{}",
-        name, verdict, trend.members, change.estimate / trend.mean / unit::percent,
-        change.low / trend.mean / unit::percent, change.high / trend.mean / unit::percent, about.analysis.window,
-        trend.load.p,
-        std::isfinite(trend.maxima.p)
-            ? fmt::format("; its segment maxima, the last less the first: p = {:.2g}", trend.maxima.p)
-            : "",
-        beyond);
+            ? "The field ends at an ice sheet, so a longer exposure is taken as one such passage after another."
+            : "The field ends in open water, so a longer exposure is taken as one such passage after another.";
+    return fmt::format("{}: {}. {}", name, trend_text(trend), beyond);
 }
 
 std::string end_text(const CaseRow& about) {
@@ -70,8 +53,6 @@ std::size_t batch_of(const Analysis& analysis) {
     return (correlation_batch + stride - 1) / stride;
 }
 
-constexpr double trend_level = 0.01;  // p of a trend over members below which the load is not steady
-
 /// The histories of a case, of each member in equal parts, and their sum.
 struct Histories {
     std::vector<double> sum;
@@ -85,7 +66,7 @@ struct Histories {
         if (history.values.size() >= steady_batches) parts.push_back(part_means(history.values, steady_batches));
     }
 
-    /// Whether the members' loads have a trend together from that part on.
+    /// Whether the members' loads are seen to rise or fall together from that part on.
     bool trend_from(std::size_t first) const {
         std::vector<double> changes;
         double mean = 0;
@@ -94,8 +75,7 @@ struct Histories {
             changes.push_back(change_over(rest));
             mean += mean_of(rest) / static_cast<double>(parts.size());
         }
-        const Change change = change_of(changes);
-        return change.p < trend_level && matters(change, mean);
+        return steadiness_of(mean_change(changes), mean) >= Steadiness::falls;
     }
 
     /// MSER's start, or the first part after it from which there is no trend.

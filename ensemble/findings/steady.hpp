@@ -1,6 +1,5 @@
 #pragma once
-// Whether loads rise or fall through the measured window: the test of inference/paired.hpp on a campaign's
-// members.
+// Whether loads rise or fall through the measured window (inference/paired.hpp), of a campaign's members.
 
 #include <optional>
 #include <string>
@@ -12,17 +11,11 @@
 
 namespace floes {
 
-/// For each case, in their order.
-std::vector<JointTrend> joint_trends(const CampaignTable& table);
+JointTrend joint_trend(const CampaignTable& table, std::size_t of_case);
 
-// Whether the load of a case is stationary, in words: what an extrapolation beyond the run rests on.
-
-/// Changes over the window that the test cannot rule out, relative to the mean load, above which it says little.
-inline constexpr double much_left_open = 0.25;
-
-/// For a load without a significant trend: by which test, what change the members leave open, and what the ice ahead
-/// lets one conclude. Empty where nobody can tell, and where a trend is significant.
-std::string stationary_text(const std::string& name, const JointTrend& trend, const CaseRow& about);
+/// Of a load that is known to be steady: what the ice ahead lets one conclude. Empty of others, of which warnings_of()
+/// tells.
+std::string steady_text(const std::string& name, const JointTrend& trend, const CaseRow& about);
 
 /// For a load that rises in a field with an end: what would end it. Empty in a field without end.
 std::string end_text(const CaseRow& about);

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "findings/steady.hpp"
 #include "inference/interval.hpp"
 #include "statistics/distributions.hpp"
 
@@ -123,17 +124,14 @@ CaseSummary summarise_case(const CampaignTable& table, const std::vector<Quantit
     row.about = table.cases[static_cast<std::size_t>(number)];
     for (const MemberRow& member : table.members)
         if (member.case_index == number) count(member, row);
+    row.trend = joint_trend(table, static_cast<std::size_t>(number));
     const std::vector<const MemberRow*> done = done_members(table, static_cast<std::size_t>(number));
-    std::vector<std::vector<double>> columns;
     for (const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
-        std::vector<double>& values = columns.emplace_back();
+        std::vector<double> values;
         for (const MemberRow* member : done) values.push_back(quantity.of(*member));
-        values = measured(std::move(values));  // an older version may not have
-    }
-    const std::vector<Limits> resampled = bca_mean_intervals(columns);
-    for (std::size_t k = 0; const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
-        const auto [mean, standing_out] = mean_of_kind(columns[k], kind_of(quantity));
-        row.estimates[std::string{quantity.key.view()}] = {mean, resampled[k++], standing_out};
+        // An older version may not have measured it.
+        const auto [mean, standing_out] = mean_of_kind(measured(std::move(values)), kind_of(quantity));
+        row.estimates[std::string{quantity.key.view()}] = {mean, standing_out};
     }
     return row;
 }

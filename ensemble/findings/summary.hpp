@@ -11,6 +11,7 @@
 
 #include "campaign_file/campaign_table.hpp"
 #include "inference/interval.hpp"
+#include "inference/paired.hpp"
 #include "member/quantity.hpp"
 #include "tables/section.hpp"
 
@@ -62,10 +63,8 @@ ResultColumn estimates(std::string key, std::string words, std::string unit = "1
 // A member that failed or has not run yet is a missing value, never zero. One arrangement is one value: the floes of an
 // arrangement are not independent of each other, so the failure ratio's interval is over arrangements too.
 
-/// A mean over arrangements with its intervals: Student's, or those of a mixture where members stand out; and the BCa
-/// bootstrap interval of the mean.
+/// A mean over arrangements with its intervals: Student's, or those of a mixture where members stand out.
 struct CaseEstimate : Interval {
-    Limits bca{};
     std::size_t standing_out = 0;  ///< members that the intervals count as a kind of their own
 };
 
@@ -75,12 +74,13 @@ struct MemberCounts {
     int done = 0;             ///< with a result; the intervals use these
     int failed_members = 0;   ///< set aside
     int missing_members = 0;  ///< without a result yet
-    int not_steady = 0;       ///< done, with a load that still had a trend in the window
+    int not_steady = 0;       ///< done, with a load that by itself has a trend in the window (load_statistics.hpp)
 };
 
 /// One case over its arrangements.
 struct CaseSummary : MemberCounts {
     CaseRow about;
+    JointTrend trend;  ///< of the load through the measured window
 
     /// The estimate of a quantity that is shown in summaries, in its unit.
     const CaseEstimate& of(const Quantity& quantity) const { return estimates.at(std::string{quantity.key.view()}); }

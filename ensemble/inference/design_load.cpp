@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
+#include <utility>
 
 #include "core/units.hpp"
 #include "inference/posterior_load.hpp"
@@ -13,9 +13,8 @@
 namespace floes {
 namespace {
 
-constexpr double peak_budget = 5e5;         // peaks fitted in all resamples; at least 199 resamples, at most 999
-constexpr double no_expected_from = 0.9;    // the shape from which the mean of the largest is near infinite or is
-constexpr std::size_t most_left_out = 100;  // rows, or groups of rows, that the jackknife leaves out in turn
+constexpr double peak_budget = 5e5;       // peaks fitted in all resamples; at least 199 resamples, at most 999
+constexpr double no_expected_from = 0.9;  // the shape from which the mean of the largest is near infinite or is
 
 using Rows = std::span<const std::uint32_t>;
 
@@ -101,30 +100,11 @@ class TailFitter {
     double threshold_;
 };
 
-/// A draw a row, a figure a column.
-using Resamples = std::vector<Figures>;
-
-std::vector<double> column(const Resamples& draws, std::size_t figure) {
-    std::vector<double> values;
-    for (const Figures& row : draws) values.push_back(row[figure]);
-    return values;
-}
-
-/// The figures of each tail from all rows, resampled, and with rows left out in turn.
-struct TailDraws {
-    Figures all;
-    Resamples resampled;
-    Resamples without;
-
-    /// Sorted draws whose percentiles are the BCa limits.
-    std::vector<double> corrected(std::size_t figure) const {
-        return bca_draws(column(resampled, figure), all[figure], column(without, figure));
-    }
-};
-
-DesignLoadEstimate estimate(LargestBy method, const Figures& values, const std::function<Limits(std::size_t)>& limits) {
-    DesignLoadEstimate made{.method = method, .expected = {values[0], limits(0)}, .quantiles = {}};
-    for (std::size_t k = 1; k < values.size(); ++k) made.quantiles.push_back({values[k], limits(k)});
+/// Without limits.
+DesignLoadEstimate estimate(LargestBy method, const Figures& values) {
+    constexpr Limits none{undefined, undefined};
+    DesignLoadEstimate made{.method = method, .expected = {values[0], none}, .quantiles = {}};
+    for (std::size_t k = 1; k < values.size(); ++k) made.quantiles.push_back({values[k], none});
     return made;
 }
 
@@ -148,64 +128,29 @@ void add_posterior(MemberPeakSpans peaks, const Measured& measured, const Exposu
     load.estimates.push_back(std::move(made));
 }
 
-/// Each tail alone, of members taken as alike; `tails`: of all rows.
-void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const BothTails& tails,
-               const Exposure& exposure, DesignLoad& load) {
-    TailDraws pareto{.all = figures_of(tails.pareto, exposure), .resampled = {}, .without = {}};
-    TailDraws weibull{.all = figures_of(tails.weibull, exposure), .resampled = {}, .without = {}};
-    const auto take = [&](const BothTails& found, Resamples TailDraws::*into) {
-        (pareto.*into).push_back(figures_of(found.pareto, exposure));
-        (weibull.*into).push_back(figures_of(found.weibull, exposure));
-    };
+/// Each tail alone, of members taken as alike, and draws of both for differences between cases.
+void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const Exposure& exposure, DesignLoad& load) {
+    load.estimates.push_back(estimate(LargestBy::pareto, figures_of(load.pareto, exposure)));
+    load.estimates.push_back(estimate(LargestBy::weibull, figures_of(load.weibull, exposure)));
     // A draw that cannot be fitted stays as NaN, so that the same draws of two cases keep the same place.
     bootstrap(rows.size(),
               [&](Rows drawn) {
-                  take(fitter.fit(drawn), &TailDraws::resampled);
+                  const BothTails found = fitter.fit(drawn);
+                  const Figures both = weighted(figures_of(found.pareto, exposure), figures_of(found.weibull, exposure),
+                                                load.weibull_weight);
+                  load.draws.emplace_back(both.begin() + 1, both.end());
+                  load.dropped += std::isfinite(both.back()) ? 0 : 1;
                   return 0.0;
               },
               {.resamples = resamples_for(load.peaks)});
-    leave_out(rows.size(), most_left_out, [&](Rows others) {
-        if (const BothTails found = fitter.fit(others); found.valid()) take(found, &TailDraws::without);
-    });
-    std::vector<std::vector<double>> of_pareto, of_weibull;
-    for (std::size_t k = 0; k <= exposure.probabilities.size(); ++k) {
-        of_pareto.push_back(pareto.corrected(k));
-        of_weibull.push_back(weibull.corrected(k));
-    }
-    const auto limits_of = [](const std::vector<std::vector<double>>& draws) {
-        return [&](std::size_t k) { return percentile_interval(draws[k]); };
-    };
-    load.estimates.push_back(estimate(LargestBy::pareto, pareto.all, limits_of(of_pareto)));
-    load.estimates.push_back(estimate(LargestBy::weibull, weibull.all, limits_of(of_weibull)));
-    for (std::size_t draw = 0; draw < pareto.resampled.size(); ++draw) {
-        const Figures both = weighted(pareto.resampled[draw], weibull.resampled[draw], load.weibull_weight);
-        load.draws.emplace_back(both.begin() + 1, both.end());
-        load.dropped += std::isfinite(both.back()) ? 0 : 1;
-    }
 }
 
-void add_maxima(const std::vector<PeakRow>& rows, double segment, const Exposure& exposure, ExtremeKind kind,
-                DesignLoad& load) {
-    const auto maxima_of = [&](Rows drawn) {
-        std::vector<double> maxima;
-        for (const std::uint32_t row : drawn)
-            maxima.insert(maxima.end(), rows[row].segment_maxima.begin(), rows[row].segment_maxima.end());
-        return maxima;
-    };
-    const std::vector<double> all = maxima_of(all_rows(rows.size()));
-    const ExtremeFit fit = fit_maxima(all, kind);
-    Resamples draws;
-    if (fit.valid())
-        bootstrap(rows.size(),
-                  [&](Rows drawn) {
-                      const ExtremeFit found = fit_maxima(maxima_of(drawn), kind, &fit);
-                      if (found.valid()) draws.push_back(figures_of(found, exposure, segment));
-                      return 0.0;
-                  },
-                  {.resamples = resamples_for(4 * all.size())});
-    load.estimates.push_back(estimate(kind == ExtremeKind::gumbel ? LargestBy::gumbel : LargestBy::gev,
-                                      figures_of(fit, exposure, segment),
-                                      [&](std::size_t k) { return percentile_interval(column(draws, k)); }));
+void add_maxima(const std::vector<PeakRow>& rows, double segment, const Exposure& exposure, DesignLoad& load) {
+    std::vector<double> maxima;
+    for (const PeakRow& row : rows) maxima.insert(maxima.end(), row.segment_maxima.begin(), row.segment_maxima.end());
+    for (const auto& [method, kind] :
+         {std::pair{LargestBy::gumbel, ExtremeKind::gumbel}, std::pair{LargestBy::gev, ExtremeKind::gev}})
+        load.estimates.push_back(estimate(method, figures_of(fit_maxima(maxima, kind), exposure, segment)));
 }
 
 }  // namespace
@@ -238,10 +183,8 @@ DesignLoad load_by_both_tails(const std::vector<PeakRow>& rows, const Measured& 
 DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure) {
     DesignLoad load = load_by_both_tails(rows, measured, exposure);
     if (!load.valid()) return load;
-    const TailFitter fitter(rows, measured, load.threshold);
-    add_tails(rows, fitter, {load.pareto, load.weibull}, exposure, load);
-    add_maxima(rows, measured.segment, exposure, ExtremeKind::gumbel, load);
-    add_maxima(rows, measured.segment, exposure, ExtremeKind::gev, load);
+    add_tails(rows, TailFitter(rows, measured, load.threshold), exposure, load);
+    add_maxima(rows, measured.segment, exposure, load);
     return load;
 }
 

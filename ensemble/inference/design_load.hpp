@@ -49,7 +49,8 @@ enum class LargestBy {
 };
 std::string_view name_of(LargestBy method);
 
-/// Limits of both tails are from their posterior, of others by bootstrap over arrangements.
+/// Limits of both tails are from their posterior. The others have none: their estimate can be far off where a tail is
+/// not of that form, and resampled members do not tell.
 struct DesignLoadEstimate {
     LargestBy method = LargestBy::both_tails;
     LoadFigure expected;                ///< mean of the largest load in the exposure; NaN where it does not exist

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -331,28 +330,24 @@ namespace {
 constexpr Limits no_limits{undefined, undefined};
 constexpr std::size_t most_draws = 20'000'000;
 
-/// Σ U³ / (6 (Σ U²)^(3/2)), where `influence` gives the U of each value.
-template <class Influence>
-double acceleration_of(std::span<const double> values, Influence influence) {
+/// Acceleration from the jackknife, U the mean of the statistic without each row in turn less its value without one:
+/// Σ U³ / (6 (Σ U²)^(3/2)).
+double acceleration(std::size_t rows, const RowStatistic& statistic) {
+    std::vector<double> without;
+    for (std::uint32_t out = 0; out < rows; ++out) {
+        std::vector<std::uint32_t> others = all_rows(rows);
+        others.erase(others.begin() + out);
+        without.push_back(statistic(others));
+    }
+    const double mean = mean_of(without);
     double squares = 0;
     double cubes = 0;
-    for (const double value : values) {
-        const double u = influence(value);
+    for (const double value : without) {
+        const double u = mean - value;
         squares += u * u;
         cubes += u * u * u;
     }
     return squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
-}
-
-double acceleration_of_jackknife(std::span<const double> without) {
-    return acceleration_of(without, [mean = mean_of(without)](double value) { return mean - value; });
-}
-
-/// Acceleration from the jackknife: the statistic without each row in turn.
-double acceleration(std::size_t rows, const RowStatistic& statistic) {
-    std::vector<double> without;
-    leave_out(rows, rows, [&](std::span<const std::uint32_t> others) { without.push_back(statistic(others)); });
-    return acceleration_of_jackknife(without);
 }
 
 /// Which quantile of the sorted resampled values is that of the estimate, Efron's Eq. (6.8).
@@ -405,17 +400,6 @@ std::vector<std::uint32_t> all_rows(std::size_t rows) {
     return all;
 }
 
-void leave_out(std::size_t rows, std::size_t most, const std::function<void(std::span<const std::uint32_t>)>& use) {
-    const std::size_t groups = std::min(rows, most);
-    std::vector<std::uint32_t> others;
-    for (std::size_t group = 0; group < groups; ++group) {
-        others.clear();
-        for (std::uint32_t row = 0; row < rows; ++row)
-            if (row % groups != group) others.push_back(row);
-        use(others);
-    }
-}
-
 int default_resamples(std::size_t rows) {
     return static_cast<int>(std::clamp<std::size_t>(most_draws / std::max<std::size_t>(rows, 1), 999, 9999));
 }
@@ -438,56 +422,6 @@ Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const Boots
     if (rows < 3) return no_limits;
     return corrected_limits(bootstrap(rows, statistic, options), statistic(all_rows(rows)),
                             acceleration(rows, statistic), options.confidence);
-}
-
-std::vector<double> bca_draws(std::vector<double> resampled, double estimate, std::span<const double> without) {
-    std::erase_if(resampled, [](double value) { return !std::isfinite(value); });
-    std::ranges::sort(resampled);
-    const auto correction = Correction::of(resampled, estimate, acceleration_of_jackknife(without));
-    if (!correction) return resampled;
-    std::vector<double> moved(resampled.size());
-    for (std::size_t k = 0; k < moved.size(); ++k)
-        moved[k] = quantile_of_sorted(
-            resampled, correction->level((static_cast<double>(k) + 0.5) / static_cast<double>(moved.size())));
-    return moved;
-}
-
-std::vector<Limits> bca_mean_intervals(std::span<const std::vector<double>> columns, const BootstrapOptions& options) {
-    check_confidence(options.confidence);
-    const auto mean = [](std::span<const double> values, std::span<const std::uint32_t> rows) {
-        double sum = 0;
-        for (const std::uint32_t row : rows) sum += values[row];
-        return sum / static_cast<double>(rows.size());
-    };
-    std::map<std::size_t, std::vector<std::size_t>> alike;  // columns by their number of values
-    for (std::size_t k = 0; k < columns.size(); ++k)
-        if (columns[k].size() >= 3) alike[columns[k].size()].push_back(k);
-    std::vector<Limits> limits(columns.size(), no_limits);
-    for (const auto& [rows, members] : alike) {
-        std::vector<std::vector<double>> resampled(members.size());
-        bootstrap(
-            rows,
-            [&](std::span<const std::uint32_t> drawn) {
-                for (std::size_t k = 0; k < members.size(); ++k)
-                    resampled[k].push_back(mean(columns[members[k]], drawn));
-                return 0.0;
-            },
-            options);
-        for (std::size_t k = 0; k < members.size(); ++k) {
-            const std::vector<double>& values = columns[members[k]];
-            // Leaving out row i moves the mean by (x_i - mean) / (n - 1), so the influence needs no n sums.
-            const double accelerated =
-                acceleration_of(values, [middle = mean_of(values)](double value) { return value - middle; });
-            limits[members[k]] = corrected_limits(std::move(resampled[k]), mean(values, all_rows(rows)), accelerated,
-                                                  options.confidence);
-        }
-    }
-    return limits;
-}
-
-Limits bca_mean_interval(std::span<const double> values, const BootstrapOptions& options) {
-    const std::vector<std::vector<double>> only{{values.begin(), values.end()}};
-    return bca_mean_intervals(only, options).front();
 }
 
 Limits percentile_interval(std::vector<double> values, double confidence) {

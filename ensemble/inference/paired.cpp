@@ -1,6 +1,7 @@
 #include "inference/paired.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -10,6 +11,7 @@
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "inference/interval.hpp"
 #include "statistics/distributions.hpp"
@@ -46,7 +48,6 @@ PairedComparison compare_paired(std::span<const double> first, std::span<const d
     found.apart = apart(differences, Sides::both);
     const Interval interval = mixed_interval(differences, plain, found.apart, Sides::both, confidence);
     found.interval = {interval.low, interval.high};
-    found.bca = bca_mean_interval(differences, {.confidence = confidence});
     const double variance = sample_variance(differences);
     found.sd = std::sqrt(variance);
     found.t = found.difference / (found.sd / std::sqrt(static_cast<double>(differences.size())));
@@ -186,79 +187,72 @@ SignedRank wilcoxon_signed_rank(std::span<const double> differences) {
     return {rank_sum, 2 * normal_below(-std::abs(z)), false};
 }
 
-namespace {
+std::string_view name_of(Steadiness steadiness) {
+    constexpr std::array<std::string_view, 4> names{"not known", "steady", "falls", "rises"};
+    return names.at(static_cast<std::size_t>(steadiness));
+}
 
-constexpr double trend_level = 0.01;
-constexpr std::size_t fewest_for_trend = 3;
+Steadiness steadiness_of(const Interval& change, double load) {
+    const double small = steady_change * std::abs(load);
+    if (change.low > small) return Steadiness::rises;
+    if (change.high < -small) return Steadiness::falls;
+    // NaN is neither.
+    return change.low >= -small && change.high <= small ? Steadiness::steady : Steadiness::not_known;
+}
 
-}  // namespace
+Interval mean_change(std::span<const double> changes) {
+    constexpr std::size_t fewest = 3;
+    Interval change = mean_interval(changes);
+    if (changes.size() < fewest) change.low = change.high = undefined;
+    return change;
+}
 
 MemberTrend member_trend(const MemberOutputs& outputs, double window) {
     const std::vector<double>& maxima =
         outputs.averaged.empty() ? outputs.load.segment_maximum : outputs.averaged.front().segment_maximum;
     return {.mean = outputs.load.mean,
             .rise = outputs.load.trend * window,
-            .growth = maxima.size() < 2 ? std::nan("") : maxima.back() - maxima.front(),
+            .growth = maxima.size() < 2 ? undefined : maxima.back() - maxima.front(),
             .largest = maxima.empty() ? 0 : mean_of(maxima)};
 }
 
-Change change_of(const std::vector<double>& values) {
-    if (values.size() < fewest_for_trend || std::ranges::min(values) == std::ranges::max(values))
-        return {mean_interval(values), std::nan("")};
-    const std::vector<double> none(values.size());
-    return {mean_interval(values), compare_paired(none, values).t_p};
+JointTrend joint_trend(std::span<const MemberTrend> members) {
+    JointTrend one{.members = static_cast<int>(members.size())};
+    std::vector<double> rises, growths;
+    for (const MemberTrend& member : members) {
+        one.mean += member.mean / static_cast<double>(members.size());
+        one.largest += member.largest / static_cast<double>(members.size());
+        if (std::isfinite(member.rise)) rises.push_back(member.rise);
+        if (std::isfinite(member.growth)) growths.push_back(member.growth);
+    }
+    one.load = mean_change(rises);
+    one.maxima = mean_change(growths);
+    const Steadiness of_load = steadiness_of(one.load, one.mean);
+    const Steadiness of_maxima = steadiness_of(one.maxima, one.largest);
+    one.by_load = of_maxima < Steadiness::falls || of_load >= of_maxima;
+    one.steadiness = one.by_load ? of_load : of_maxima;
+    return one;
 }
 
-bool matters(const Change& change, double figure) {
-    return std::max(std::abs(change.over_window.low), std::abs(change.over_window.high)) >=
-           negligible_change * std::abs(figure);
-}
-
-std::vector<JointTrend> joint_trends(const std::vector<std::vector<MemberTrend>>& cases) {
-    std::vector<JointTrend> trends;
-    std::vector<double> p;
-    for (const std::vector<MemberTrend>& members : cases) {
-        JointTrend& one = trends.emplace_back();
-        one.case_index = trends.size() - 1;
-        one.members = static_cast<int>(members.size());
-        std::vector<double> rises, growths;
-        for (const MemberTrend& member : members) {
-            one.mean += member.mean;
-            one.largest += member.largest;
-            rises.push_back(member.rise);
-            growths.push_back(member.growth);
-        }
-        one.mean /= std::max(1, one.members);
-        one.largest /= std::max(1, one.members);
-        for (std::vector<double>* values : {&rises, &growths})
-            std::erase_if(*values, [](double value) { return !std::isfinite(value); });
-        one.load = change_of(rises);
-        one.maxima = change_of(growths);
-        p.insert(p.end(), {one.load.p, one.maxima.p});
-    }
-    const std::vector<double> adjusted = holm(p);
-    for (std::size_t k = 0; k < trends.size(); ++k) {
-        JointTrend& one = trends[k];
-        const bool load = adjusted[2 * k] < trend_level;
-        const bool maxima = adjusted[2 * k + 1] < trend_level;
-        const bool load_matters = load && matters(one.load, one.mean);
-        const bool maxima_matter = maxima && matters(one.maxima, one.largest);
-        one.significant = load || maxima;
-        one.seen = load_matters || maxima_matter;
-        one.by_load =
-            load_matters != maxima_matter ? load_matters : !std::isfinite(one.maxima.p) || one.load.p <= one.maxima.p;
-    }
-    return trends;
+std::string change_words(const JointTrend& trend) {
+    const Interval& change = trend.by_load ? trend.load : trend.maxima;
+    const double whole = trend.by_load ? trend.mean : trend.largest;
+    const auto percent = [&](double part) {
+        const double value = part / whole / unit::percent;
+        return std::abs(value) < 10 ? fmt::format("{:+.2g}", value) : fmt::format("{:+.0f}", value);
+    };
+    return fmt::format(
+        "{} %{}", percent(change.estimate),
+        std::isfinite(change.low) ? fmt::format(" [{}, {}]", percent(change.low), percent(change.high)) : "");
 }
 
 std::string trend_text(const JointTrend& trend) {
-    const bool of_load = trend.by_load;
-    const double change = (of_load ? trend.load : trend.maxima).over_window.estimate;
-    const std::string by = of_load ? fmt::format("{:.3g} N of {:.3g} N", std::abs(change), trend.mean)
-                                   : fmt::format("{:.3g} N", std::abs(change));
-    return fmt::format("{} {} by {} over the measured window ({} members, p = {:.1g})",
-                       of_load ? "the load" : "the largest load of a segment", change > 0 ? "rises" : "falls", by,
-                       trend.members, of_load ? trend.load.p : trend.maxima.p);
+    const std::string what = trend.by_load ? "the load" : "the largest load of a segment";
+    return fmt::format("{}, {} of its mean over the measured window ({})",
+                       trend.seen()                             ? fmt::format("{} {}", what, name_of(trend.steadiness))
+                       : trend.steadiness == Steadiness::steady ? fmt::format("{} is steady", what)
+                                                                : fmt::format("not known whether {} is steady", what),
+                       change_words(trend), counted(trend.members, "member"));
 }
 
 }  // namespace floes

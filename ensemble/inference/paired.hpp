@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "inference/interval.hpp"
@@ -19,7 +20,6 @@ struct PairedComparison {
     Limits t_interval{};    ///< of the mean difference, Student's t
     Apart apart{};          ///< pairs whose difference is far from the others' (interval.hpp)
     Limits interval{};      ///< of the mean difference: Student's t, or of the mixture where some are apart
-    Limits bca{};           ///< of the mean difference, BCa bootstrap over arrangements
     double t = 0;           ///< difference / (sd / √n)
     double t_p = 1;         ///< two-sided
     double rank_sum = 0;    ///< Wilcoxon's W: the smaller of the rank sums of positive and negative differences
@@ -69,7 +69,27 @@ int arrangements_to_resolve(double difference, double sd, double confidence = 0.
 double power_of_paired_test(int pairs, double difference, double sd, double confidence = 0.95);
 
 // Whether the load of a case rises or falls through the measured window, over all its members: a single member's load
-// wanders too slowly to tell. Each member gives one slope, and one difference of segment maxima, and these are tested.
+// wanders too slowly to tell. Each member gives one slope, and one difference of segment maxima. Their mean is judged
+// by its size, and every case by itself, so that a campaign of many cases sees in each what it would see in that one
+// alone.
+
+/// A smaller change through the window, relative to the load, counts as steady. A load that goes from its mean less
+/// half a change to its mean and half of it ends that half above its mean: by 5 % at most, which is what a mean is
+/// usually wanted to (stop.half_width_percent) and less than intervals of design loads say. A long exposure passes
+/// through one arrangement after another (docs/design_load.md), so a rise does not go on for longer than a passage.
+inline constexpr double steady_change = 0.1;
+
+/// By the 95 % interval of the change: seen to rise or fall where it has no smaller one than steady_change, steady
+/// where it has no larger one, else not known.
+enum class Steadiness { not_known, steady, falls, rises };
+/// "not known", "steady", "falls", "rises".
+std::string_view name_of(Steadiness steadiness);
+
+/// Of a mean change with its interval, of a load of that size; both in one unit.
+Steadiness steadiness_of(const Interval& change, double load);
+
+/// The mean of these changes, one of each member, by Student's t. Fewer than three say nothing: limits NaN.
+Interval mean_change(std::span<const double> changes);
 
 /// What a member says of it.
 struct MemberTrend {
@@ -82,45 +102,27 @@ struct MemberTrend {
 /// Maxima of the load averaged over the shortest time where members have them, else of single steps. `window`: s.
 MemberTrend member_trend(const MemberOutputs& outputs, double window);
 
-/// The change over the measured window, N, mean over members with Student's interval, and its two-sided p; NaN for
-/// fewer than 3 members or if all are equal.
-struct Change {
-    Interval over_window{};
-    double p = 1;
-};
-
 struct JointTrend {
-    std::size_t case_index = 0;
     int members = 0;
-    double mean = 0;     ///< load, N
-    double largest = 0;  ///< mean of the segment maxima that are tested, N
-    Change load;         ///< slope of the load times the window
-    Change maxima;       ///< largest load of the last segment less that of the first, averaged over the shortest time
-    bool significant = false;  ///< of either, by Holm's adjustment over all cases at 1 %
-    bool seen = false;         ///< significant, and not sure to be negligible
+    double mean = 0;          ///< load, N
+    double largest = 0;       ///< mean of the segment maxima, N
+    Interval load{};          ///< slope of the load times the window, N
+    Interval maxima{};        ///< largest load of the last segment less that of the first, N
+    Steadiness steadiness{};  ///< of the load; of the maxima where these alone are seen to rise or fall
+    bool by_load = true;      ///< whether it is that of the load
 
-    bool by_load = true;  ///< whether the load tells more of it than the maxima
-
-    bool rises() const { return seen && (by_load ? load : maxima).over_window.estimate > 0; }
-    bool negligible() const { return significant && !seen; }
+    bool rises() const { return steadiness == Steadiness::rises; }
+    bool seen() const { return rises() || steadiness == Steadiness::falls; }
 };
 
-/// A change that is surely smaller, relative to the mean load or to the mean of the maxima, is negligible. A long
-/// exposure passes through one arrangement after another (docs/design_load.md), so a rise does not go on for longer
-/// than a passage: it lifts the load of the window's end above that of its middle by half of this, which is less than
-/// intervals of design loads say.
-inline constexpr double negligible_change = 0.02;
+/// Of a case, from its members.
+JointTrend joint_trend(std::span<const MemberTrend> members);
 
-/// The mean of these changes, one of each member, with its interval and p.
-Change change_of(const std::vector<double>& values);
+/// "+51 % [+33, +70]": what is judged, relative to the mean.
+std::string change_words(const JointTrend& trend);
 
-/// Whether the interval has a change that matters to a figure of that size.
-bool matters(const Change& change, double figure);
-
-/// For each case, in their order, from its members.
-std::vector<JointTrend> joint_trends(const std::vector<std::vector<MemberTrend>>& cases);
-
-/// "the load rises by 14 N of 24 N over the measured window (24 members, p = 2e-07)", without a full stop.
+/// "the load rises, +51 % [+33, +70] of its mean over the measured window (4 members)", "not known whether the load is
+/// steady, …", without a full stop.
 std::string trend_text(const JointTrend& trend);
 
 }  // namespace floes

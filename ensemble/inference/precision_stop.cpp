@@ -54,16 +54,16 @@ void LoadPrecision::add(std::size_t case_index, MemberLoad member) {
 }
 
 void LoadPrecision::judge() {
-    std::vector<std::vector<MemberTrend>> members;
-    for (const OneCase& one : cases_) members.push_back(one.trends);
-    const std::vector<JointTrend> trends = joint_trends(members);
     half_width_ = 0;
     obstacle_.clear();
-    for (std::size_t k = 0; k < cases_.size() && std::isfinite(half_width_); ++k)
-        if (cases_[k].watched) half_width_ = std::max(half_width_of(cases_[k], trends[k]), half_width_);
+    for (const OneCase& one : cases_) {
+        if (!std::isfinite(half_width_)) break;
+        if (one.watched) half_width_ = std::max(half_width_of(one), half_width_);
+    }
 }
 
-double LoadPrecision::half_width_of(const OneCase& one, const JointTrend& trend) {
+double LoadPrecision::half_width_of(const OneCase& one) {
+    const JointTrend trend = joint_trend(one.trends);
     if (trend.rises()) {
         obstacle_ = fmt::format("case {}: {}, so it has no design load", one.name, trend_text(trend));
         return undefined;

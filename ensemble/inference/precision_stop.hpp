@@ -22,8 +22,7 @@ struct MemberLoad {
 
 class LoadPrecision {
   public:
-    /// For the design load of the campaign's stop rule, in the cases with `watched`; all cases are needed, because
-    /// whether one rises is tested over all.
+    /// For the design load of the campaign's stop rule, in the cases with `watched`.
     LoadPrecision(const Campaign& campaign, std::vector<bool> watched);
 
     /// What the member of a case says; none if it did not average its load over the rule's time.
@@ -38,7 +37,7 @@ class LoadPrecision {
     /// From the last judge(): the largest over the watched cases, a fraction; NaN if one has no design load, and
     /// before.
     double half_width() const { return half_width_; }
-    /// Why it is NaN, "case E60: the load rises by …", without a full stop; empty if it is known or was not judged.
+    /// Why it is NaN, "case E60: the load rises, …", without a full stop; empty if it is known or was not judged.
     const std::string& obstacle() const { return obstacle_; }
 
   private:
@@ -50,7 +49,7 @@ class LoadPrecision {
         std::vector<MemberTrend> trends = {};
     };
 
-    double half_width_of(const OneCase& one, const JointTrend& trend);
+    double half_width_of(const OneCase& one);
 
     Exposure exposure_;
     double averaging_;

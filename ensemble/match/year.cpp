@@ -167,10 +167,7 @@ struct YearTails {
 class TailFinder {
   public:
     TailFinder(const MatchWave& campaign, const YearRequest& request)
-        : campaign_(campaign),
-          request_(request),
-          time_(averaging_time(campaign.table, request.load)),
-          trends_(joint_trends(campaign.table)) {}
+        : campaign_(campaign), request_(request), time_(averaging_time(campaign.table, request.load)) {}
 
     YearRegimeRow row(const Regime& regime) {
         YearRegimeRow row{regime, {}};
@@ -195,7 +192,8 @@ class TailFinder {
         const auto of_case = static_cast<std::size_t>(found - names.begin());
         const auto known = std::ranges::find(made.sources, std::optional(of_case), &TailSource::of_case);
         if (known != made.sources.end()) return static_cast<std::size_t>(known - made.sources.begin());
-        refuse_rising(trends_[of_case], fmt::format("{}: case {}", regime.where, regime.case_name), request_);
+        refuse_rising(joint_trend(campaign_.table, of_case), fmt::format("{}: case {}", regime.where, regime.case_name),
+                      request_);
         const CasePeaks peaks = case_peaks(campaign_.table, of_case, time_);
         add({regime.case_name, of_case, peaks.members, peaks.rows.size(), 0, {}}, peaks.rows, peaks.measured, regime);
         return made.sources.size() - 1;
@@ -207,10 +205,10 @@ class TailFinder {
         auto known =
             std::ranges::find_if(made.sources, [&](const TailSource& one) { return !one.of_case && one.name == base; });
         if (known == made.sources.end()) {
-            for (std::size_t k = 0; k < trends_.size(); ++k)
+            for (std::size_t k = 0; k < campaign_.table.cases.size(); ++k)
                 if (campaign_.campaign.cases[k].base == base)
-                    refuse_rising(trends_[k], fmt::format("{}: point {}", regime.where, campaign_.table.cases[k].name),
-                                  request_);
+                    refuse_rising(joint_trend(campaign_.table, k),
+                                  fmt::format("{}: point {}", regime.where, campaign_.table.cases[k].name), request_);
             const InterpolatedDesign& design =
                 designs_.try_emplace(made.sources.size(), campaign_, base, request_.load).first->second;
             add({base,
@@ -256,7 +254,6 @@ class TailFinder {
     const MatchWave& campaign_;
     const YearRequest& request_;
     double time_;
-    std::vector<JointTrend> trends_;
     std::map<std::size_t, InterpolatedDesign> designs_;  ///< by source
 };
 

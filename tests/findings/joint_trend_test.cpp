@@ -2,11 +2,13 @@
 
 #include "findings/steady.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "findings/answer.hpp"
 #include "findings/example.hpp"
+#include "findings/summary.hpp"
 
 namespace floes {
 namespace joint_trend_test {
@@ -29,69 +31,91 @@ CampaignTable campaign(int members, const std::vector<double>& slopes) {
 
 TEST(JointTrend, IsSeenOverMembersOfWhichNoneIsUnsteady) {
     const CampaignTable table = campaign(24, {0.02, 0.05, 0.01, 0.08});
-    const std::vector<JointTrend> trends = joint_trends(table);
-    EXPECT_TRUE(trends[0].rises());
-    EXPECT_NEAR(trends[0].load.over_window.estimate, 0.04 * 150, 1e-9);
-    EXPECT_LT(trends[0].load.p, 1e-6);
-    EXPECT_FALSE(trends[1].seen);  // slopes of 0
-    EXPECT_THAT(trend_text(trends[0]), testing::StartsWith("the load rises by 6 N of 25 N over the measured window (24 "
-                                                           "members, p = "));
+    const JointTrend trend = joint_trend(table, 0);
+    EXPECT_TRUE(trend.rises());
+    EXPECT_NEAR(trend.load.estimate, 0.04 * 150, 1e-9);
+    EXPECT_EQ(joint_trend(table, 1).steadiness, Steadiness::steady);  // slopes of 0
+    EXPECT_EQ(trend_text(trend), "the load rises, +24 % [+17, +31] of its mean over the measured window (24 members)");
     const std::vector<std::string> warnings = warnings_of(table, summarise(table));
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_THAT(warnings[0], testing::StartsWith("Not steady: E30: the load rises by 6 N"));
+    EXPECT_THAT(warnings[0], testing::StartsWith("Not steady: E30: the load rises, +24 % [+17, +31] of its mean"));
+    EXPECT_THAT(warnings[0], testing::Not(testing::HasSubstr("E60")));
+}
+
+// Four members that rise by half of their load, in a campaign of one case and in one of fifty.
+TEST(JointTrend, OfACaseIsTheSameInACampaignOfMany) {
+    CampaignTable table = campaign(4, {0.07, 0.08, 0.085, 0.09});
+    const JointTrend alone = joint_trend(table, 0);
+    EXPECT_TRUE(alone.rises());
+    const std::vector<MemberRow> members = table.members;
+    for (int copy = 1; copy < 17; ++copy)
+        for (std::size_t k = 0; k < 3; ++k) {
+            table.cases.push_back(table.cases[k]);
+            for (MemberRow row : members)
+                if (row.case_index == static_cast<int>(k)) {
+                    row.case_index = static_cast<int>(table.cases.size() - 1);
+                    table.members.push_back(row);
+                }
+        }
+    EXPECT_EQ(joint_trend(table, 0).load, alone.load);
+    int rising = 0;
+    for (const CaseSummary& row : summarise(table).cases) rising += row.trend.rises() ? 1 : 0;
+    EXPECT_EQ(rising, 17);
+    const std::vector<std::string> warnings = warnings_of(table, summarise(table));
+    EXPECT_THAT(warnings.at(0), testing::HasSubstr("; and 14 cases more."));
 }
 
 TEST(JointTrend, OfMaximaIsSeenToo) {
     CampaignTable table = campaign(24, {0.05, -0.05});
     for (MemberRow& row : table.members) row.load.segment_maximum.back() -= row.case_index == 1 ? 20 : 0;
-    const std::vector<JointTrend> trends = joint_trends(table);
-    EXPECT_FALSE(trends[0].seen);
-    EXPECT_TRUE(trends[1].seen);
-    EXPECT_FALSE(trends[1].rises());  // falls
-    EXPECT_THAT(trend_text(trends[1]), testing::StartsWith("the largest load of a segment falls by 20 N over"));
+    EXPECT_EQ(joint_trend(table, 0).steadiness, Steadiness::not_known);
+    const JointTrend falls = joint_trend(table, 1);
+    EXPECT_EQ(falls.steadiness, Steadiness::falls);
+    EXPECT_FALSE(falls.by_load);
+    EXPECT_FALSE(falls.rises());
+    EXPECT_THAT(trend_text(falls), testing::StartsWith("the largest load of a segment falls, -27 % ["));
 }
 
-// A hundredth of a percent is there and does not matter; two percent do.
-TEST(JointTrend, ThatIsSureAndNegligibleIsNoNews) {
-    const double tiny = 0.0025 / 150;  // N/s: 0.01 % of 25 N over the window
-    const CampaignTable table = campaign(24, {0.9 * tiny, tiny, 1.1 * tiny});
-    const JointTrend small = joint_trends(table)[0];
-    EXPECT_LT(small.load.p, 1e-12);
-    EXPECT_TRUE(small.negligible());
-    EXPECT_FALSE(small.seen);
-    EXPECT_TRUE(warnings_of(table, summarise(table)).empty());
-    const double two = 0.5 / 150;
-    EXPECT_TRUE(joint_trends(campaign(24, {0.9 * two, two, 1.1 * two}))[0].rises());
+TEST(JointTrend, IsNotKnownOfFewMembersOrWideIntervalsAndSaysSo) {
+    for (const int members : {1, 2}) {
+        const CampaignTable few = campaign(members, {0.05, 0.051});
+        EXPECT_EQ(joint_trend(few, 0).steadiness, Steadiness::not_known);
+        EXPECT_EQ(trend_text(joint_trend(few, 0)),
+                  fmt::format("not known whether the load is steady, +{} % of its mean over the measured window ({})",
+                              members == 1 ? 31 : 31, members == 1 ? "1 member" : "2 members"));
+    }
+    const CampaignTable wide = campaign(4, {0.05, -0.05, 0.06, -0.02});
+    EXPECT_EQ(joint_trend(wide, 0).steadiness, Steadiness::not_known);
+    EXPECT_THAT(warnings_of(wide, summarise(wide)).at(0),
+                testing::StartsWith("Not known whether the load changes by less than 10 % of its mean over the "
+                                    "measured window: E30: +6.1 % [-46, +58]. More"));
 }
 
-TEST(JointTrend, OfSlopesOfBothSignsOrOfFewMembersIsNone) {
-    EXPECT_FALSE(joint_trends(campaign(24, {0.05, -0.05}))[0].seen);
-    EXPECT_FALSE(joint_trends(campaign(2, {0.05, 0.051}))[0].seen);
+// One member of twenty whose ice jams, however much its load rises, is no rise of the case.
+TEST(JointTrend, OfOneMemberAloneIsNotSeen) {
+    std::vector<double> slopes(20, 0.001);
+    slopes[7] = 5;
+    EXPECT_EQ(joint_trend(campaign(20, slopes), 0).steadiness, Steadiness::not_known);
 }
 
-TEST(Stationary, IsSaidWithItsTestAndWhatItLeavesOpen) {
-    CampaignTable table = campaign(24, {0.02, -0.02, 0.01, -0.01});
-    const JointTrend none = joint_trends(table)[0];
+TEST(Steadiness, IsSaidWithWhatTheIceAheadLetsOneConclude) {
+    CampaignTable table = campaign(24, {0.002, -0.002, 0.001, -0.001});
     CaseRow about = table.cases[0];
-    EXPECT_THAT(
-        stationary_text("E30", none, about),
-        testing::AllOf(testing::StartsWith("E30: no trend within this window. Slopes of 24 members, Student's t: "
-                                           "the load changes by +0 % ["),
-                       testing::HasSubstr("ends at an ice sheet")));
+    EXPECT_THAT(steady_text("E30", joint_trend(table, 0), about),
+                testing::AllOf(testing::StartsWith("E30: the load is steady, +0 % ["),
+                               testing::HasSubstr("ends at an ice sheet")));
     about.far_end = FarEnd::never;
-    EXPECT_THAT(stationary_text("E30", none, about),
-                testing::AllOf(testing::StartsWith("E30: stationary, and ice comes as long as the run lasts."),
+    EXPECT_THAT(steady_text("E30", joint_trend(table, 0), about),
+                testing::AllOf(testing::HasSubstr("Ice comes as long as the run lasts."),
                                testing::Not(testing::HasSubstr("passage"))));
-    const JointTrend few = joint_trends(campaign(3, {0.08, -0.08, 0.07}))[0];
-    EXPECT_THAT(stationary_text("E30", few, about), testing::StartsWith("E30: not shown to be stationary"));
-    const JointTrend rising = joint_trends(campaign(24, {0.02, 0.05, 0.01, 0.08}))[0];
-    EXPECT_EQ(stationary_text("E30", rising, about), "");
+    EXPECT_EQ(steady_text("E30", joint_trend(campaign(3, {0.08, -0.08, 0.07}), 0), about), "");
+    EXPECT_EQ(steady_text("E30", joint_trend(campaign(24, {0.02, 0.05, 0.01, 0.08}), 0), about), "");
     EXPECT_EQ(end_text(about), "");
     EXPECT_THAT(end_text(table.cases[0]), testing::HasSubstr("field.far_end = \"never\""));
 }
 
 TEST(JointTrend, WarnsOfMembersFarAboveTheOthers) {
-    CampaignTable table = campaign(12, {0.05, -0.05});
+    CampaignTable table = campaign(12, {0});
     table.members[5].load.mean *= 8;
     const std::vector<std::string> warnings = warnings_of(table, summarise(table));
     ASSERT_EQ(warnings.size(), 1u);

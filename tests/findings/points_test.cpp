@@ -172,10 +172,10 @@ TEST(Answer, SaysDoubtsBesideTheFigure) {
     CaseDesignLoad& of_case = designs.of_cases.emplace_back();
     of_case.load = load;
     evidence.designs = designs;
-    evidence.table.members[0].load.steady = false;
+    for (MemberRow& row : evidence.table.members) row.load.trend = 10;
     evidence.summary = summarise(evidence.table);
     const std::string told = find_answer(evidence).loads.at(0);
-    EXPECT_THAT(told, HasSubstr("[1 of 3 not steady]"));
+    EXPECT_THAT(told, HasSubstr("[not steady: it rises]"));
     EXPECT_THAT(told, HasSubstr("exceeded with 10 %: 50 N (45 to 55); doubtful: methods differ by 70 %, "
                                 "extrapolated to 1.1e+02 times the time run."));
     evidence.designs->of_cases[0].load.arrangements = 2;

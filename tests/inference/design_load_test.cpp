@@ -1,5 +1,5 @@
 // Design loads: of peaks that are known, and what the parts have to do with each other. How often the intervals hold:
-// design_coverage_test.cpp.
+// interval_coverage_test.cpp.
 
 #include "inference/design_load.hpp"
 
@@ -50,8 +50,12 @@ TEST(DesignLoad, OfExponentialPeaksIsWhatTheirTailSays) {
     for (const DesignLoadEstimate& made : load.estimates) {
         for (std::size_t k = 0; k < 2; ++k) {
             const LoadFigure& figure = made.quantiles[k];
-            EXPECT_LT(figure.interval.low, figure.value) << name_of(made.method);
-            EXPECT_GT(figure.interval.high, figure.value) << name_of(made.method);
+            if (made.method == LargestBy::both_tails) {
+                EXPECT_LT(figure.interval.low, figure.value);
+                EXPECT_GT(figure.interval.high, figure.value);
+            } else {
+                EXPECT_TRUE(std::isnan(figure.interval.low)) << name_of(made.method);
+            }
             EXPECT_NEAR(figure.value / truth(three_times.probabilities[k]), 1, 0.25) << name_of(made.method);
         }
         EXPECT_LT(made.quantiles[0].value, made.quantiles[1].value);
@@ -100,8 +104,8 @@ TEST(DesignLoad, OfLoadsTwiceAsHighIsTwiceAsHigh) {
         const LoadFigure& low = one.estimates[method].quantiles[1];
         const LoadFigure& high = other.estimates[method].quantiles[1];
         EXPECT_NEAR(high.value / low.value, 2, 1e-3) << name_of(one.estimates[method].method);
-        EXPECT_NEAR(high.interval.high / low.interval.high, 2, 2e-2) << name_of(one.estimates[method].method);
     }
+    EXPECT_NEAR(other.estimates[0].quantiles[1].interval.high / one.estimates[0].quantiles[1].interval.high, 2, 2e-2);
 }
 
 TEST(DesignLoad, IsTheSameAgain) {

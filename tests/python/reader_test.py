@@ -68,7 +68,7 @@ class Statistics(unittest.TestCase):
             with self.subTest(path=path.name):
                 cases = json.loads(summarize(path, "cases", "json"))["cases"]
                 shown = self.compare(path, cases, lambda record, name: numpy.nan if record[name] is None else record[name])
-                estimated = [name.removesuffix("_bca_low") for name in cases[0] if name.endswith("_bca_low")]
+                estimated = [name.removesuffix("_prediction_low") for name in cases[0] if name.endswith("_prediction_low")]
                 self.assertEqual([one.key for one in shown], estimated)
                 rows = list(csv.DictReader(io.StringIO(summarize(path, "cases", "csv"))))
                 self.compare(path, rows, lambda record, name: float(record[name] or numpy.nan))
