@@ -23,11 +23,8 @@ from validation_tables import table
 DATA = pathlib.Path(__file__).resolve().parent.parent / "design"
 PAGE = DATA.parent / "design_load.md"
 STATISTICS = DATA.parent / "statistics.md"
-COLUMNS = ["process", "exposure", "method", "quantile", "error_percent", "within_percent", "below_percent"]
-UNLIKE_COLUMNS = ["load", "members", "exposure", "within_percent", "below_percent", "centre_percent", "high_over_low",
-                  "not_as_drawn_percent"]
-MEAN_COLUMNS = ["members", "n", "none_met_percent", "within_of_the_others_percent", "within_percent", "below_percent",
-                "student_within_percent", "width", "student_width"]
+COLUMNS = ["process", "exposure", "method", "quantile", "error_percent"]
+INTERVAL_COLUMNS = ["method", "set", "n", "within_percent", "below_percent", "width"]
 PAIR_COLUMNS = ["pairs", "n", "none_met_percent", "within_percent", "student_within_percent", "width", "student_width"]
 STOP_COLUMNS = ["members", "target_percent", "minimum", "median_n", "by_30_percent", "none_met_percent", "within_percent",
                 "near_percent"]
@@ -35,15 +32,13 @@ LOAD_STOP_COLUMNS = ["members", "target_percent", "campaigns", "median_n", "with
                      "error_percent"]
 SHOWN = ["both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"]
 SHOWN_EXPOSURE = 10       # times the time run; all trials are in coverage.csv
-SHOWN_MEMBERS = [8, 50, 100]
-SHOWN_EXPOSURES = [1, 100]
 
 
 def take_coverage(lines):
     """Rows as the test prints them: what is measured, then the columns."""
     rows = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in lines if line.startswith("| ")]
-    for kind, columns, name in [("design", COLUMNS, "coverage"), ("unlike", UNLIKE_COLUMNS, "coverage_unlike"),
-                                ("mean", MEAN_COLUMNS, "coverage_means"), ("pair", PAIR_COLUMNS, "coverage_pairs"),
+    for kind, columns, name in [("design", COLUMNS, "coverage"), ("interval", INTERVAL_COLUMNS, "coverage_intervals"),
+                                ("pair", PAIR_COLUMNS, "coverage_pairs"),
                                 ("stop", STOP_COLUMNS, "coverage_stops"),
                                 ("loadstop", LOAD_STOP_COLUMNS, "coverage_load_stops")]:
         own = [row[1:2] + [cell.removesuffix(" %") for cell in row[2:]] for row in rows if row[0] == kind]
@@ -56,7 +51,7 @@ def put_rows(path, rows):
     keys = list(rows.columns[:2])
     if path.exists():
         old = pd.read_csv(path, dtype=str, keep_default_na=False)
-        rows = pd.concat([old, rows]).drop_duplicates(keys + [name for name in ("method", "quantile", "exposure", "minimum")
+        rows = pd.concat([old, rows]).drop_duplicates(keys + [name for name in ("method", "quantile", "exposure", "minimum", "n")
                                                               if name in rows.columns], keep="last")
         order = {key: place for place, key in enumerate(dict.fromkeys(map(tuple, old[keys].values)))}
         rows = rows.sort_values(keys[0], kind="stable",
@@ -68,13 +63,15 @@ def whole(value):
     return "–" if pd.isna(value) else f"{value:.0f} %"
 
 
-def mean_coverage():
-    return table(["members", "n", "samples without the other kind", "of these, hold for the kind met",
-                  "of the others, hold", "too low", "Student's t holds", "width / mean", "Student's"],
-                 [[one.members, str(one.n), whole(one.none_met_percent), whole(one.within_of_the_others_percent),
-                   whole(one.within_percent), whole(one.below_percent), whole(one.student_within_percent),
-                   f"{one.width:.2f}", f"{one.student_width:.2f}"]
-                  for one in pd.read_csv(DATA / "coverage_means.csv").itertuples()])
+def interval_coverage():
+    data = pd.read_csv(DATA / "coverage_intervals.csv")
+    members = sorted(data.n.unique())
+    rows = []
+    for (method, name), own in data.groupby(["method", "set"], sort=False):
+        own = own.set_index("n")
+        rows.append([method, name] + [f"{own.loc[n, 'within_percent']:.0f} % ({own.loc[n, 'below_percent']:.0f}, "
+                                      f"{own.loc[n, 'width']:.2f})" for n in members])
+    return table(["interval", "set", *[f"{n} members" for n in members]], rows)
 
 
 def pair_coverage():
@@ -101,17 +98,6 @@ def load_stop_coverage():
                   for one in pd.read_csv(DATA / "coverage_load_stops.csv").itertuples()])
 
 
-def unlike_coverage():
-    data = pd.read_csv(DATA / "coverage_unlike.csv")
-    rows = []
-    for (load, members), own in data[data.members.isin(SHOWN_MEMBERS)].groupby(["load", "members"], sort=False):
-        own = own.set_index("exposure")
-        rows.append([load, str(members)]
-                    + [f"{own.loc[x, 'within_percent']:.0f} % ({own.loc[x, 'centre_percent']:+.0f} %, "
-                       f"{own.loc[x, 'high_over_low']:.1f})" for x in SHOWN_EXPOSURES])
-    return table(["members", "n", *[f"exposure {x} x" for x in SHOWN_EXPOSURES]], rows)
-
-
 def take_tails(campaign, program):
     """Of the first case of the campaign."""
     command = [program, "design", campaign, "--format", "json"]
@@ -134,7 +120,7 @@ def example():
         own = loads[(loads.method == method) & (loads.figure == figure)].iloc[0]
         if pd.isna(own.load):
             return "–"
-        return f"{own.load:.0f} [{own.load_low:.0f}, {own.load_high:.0f}]"
+        return f"{own.load:.0f}" + ("" if pd.isna(own.load_low) else f" [{own.load_low:.0f}, {own.load_high:.0f}]")
 
     return table(["method", "expected largest load in 3 h, N", "3 h load with 10 % exceedance probability, N"],
                  [[method, cell(method, "expected"), cell(method, "quantile")] for method in SHOWN])
@@ -146,7 +132,7 @@ def coverage():
     rows = []
     for process, own in data.groupby("process", sort=False):
         own = own.set_index("method")
-        rows.append([process] + [f"{own.loc[m, 'within_percent']:.0f} % ({own.loc[m, 'error_percent']:+.0f} %)" for m in SHOWN])
+        rows.append([process] + [f"{own.loc[m, 'error_percent']:+.0f} %" for m in SHOWN])
     return table(["load", *SHOWN], rows)
 
 
@@ -202,8 +188,8 @@ def main(arguments):
     if arguments[:1] == ["--collect"]:
         take_tails(arguments[1], arguments[2] if len(arguments) > 2 else "./floes")
     check = arguments == ["--check"]
-    fill_or_check({PAGE: {"example": example, "coverage": coverage, "unlike": unlike_coverage},
-                   STATISTICS: {"means": mean_coverage, "pairs": pair_coverage, "stops": stop_coverage,
+    fill_or_check({PAGE: {"example": example, "coverage": coverage},
+                   STATISTICS: {"intervals": interval_coverage, "pairs": pair_coverage, "stops": stop_coverage,
                                 "loadstops": load_stop_coverage}},
                   check, "design_load.py")
     if not check:

@@ -1,7 +1,8 @@
 #pragma once
 // The largest load in an exposure by both tails of members that differ: draws of Pareto and Weibull tails
 // (tails.hpp) above several thresholds, put together. Pareto's tail is the limit of all, so it has two thirds
-// of the weight before any peak is seen, and never less than a third of that after.
+// of the weight before any peak is seen, and never less than a third of that after. Limits are 95 % by trials: so often
+// they hold the truth of known sets (docs/design_load.md).
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
-// How often the intervals of means, of paired differences and of campaigns that stop by themselves hold, where some
-// members are of another kind. docs/statistics.md has the tables. Label slow: FLOES_TRIALS gives the trials of a row.
+// How often the intervals of paired differences and of campaigns that stop by themselves hold, where some members are
+// of another kind. docs/statistics.md has the tables. Label slow: FLOES_TRIALS gives the trials of a row.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@
 #include "inference/precision_stop.hpp"
 
 namespace floes {
-namespace mean_coverage_test {
+namespace pair_coverage_test {
 
 struct Kind {
     const char* name;
@@ -35,24 +35,8 @@ const std::array kinds{Kind{"5 % of members at 5 times the load", 0.2, 0.05, 5},
                        Kind{"members alike, log-normal, SD 20 %", 0.2, 0, 1},
                        Kind{"members alike, log-normal, SD 50 %", 0.472, 0, 1}};
 
-struct Members {
-    std::vector<double> loads;
-    std::vector<bool> other;
-    bool any() const { return std::ranges::find(other, true) != other.end(); }
-};
-
 double load_of(const Kind& kind, RandomStream& random) {
     return std::exp(kind.scatter * known::normal(random) - kind.scatter * kind.scatter / 2);
-}
-
-Members drawn(const Kind& kind, std::size_t count, RandomStream& random) {
-    Members made;
-    for (std::size_t row = 0; row < count; ++row) {
-        const double load = load_of(kind, random);
-        made.other.push_back(random.uniform() < kind.share);
-        made.loads.push_back(made.other.back() ? kind.times * load : load);
-    }
-    return made;
 }
 
 int trials_or(int usual) {
@@ -77,54 +61,6 @@ double bound(double least, int trials) {
 bool holds(const Limits& limits, double truth) {
     return limits.low <= truth && truth <= limits.high;
 }
-
-struct Row {
-    std::size_t kind;
-    std::size_t members;
-    double least;  ///< share of the intervals that hold, above which the row passes
-};
-
-class MeanCoverage : public testing::TestWithParam<Row> {};
-
-TEST_P(MeanCoverage, IsAsTheIntervalsSay) {
-    const auto [number, members, least] = GetParam();
-    const Kind& kind = kinds[number];
-    const int trials = trials_or(300);
-    int met = 0, within = 0, below = 0, student = 0, without = 0, within_without = 0;
-    std::vector<double> widths, student_widths;
-    for (std::uint32_t trial = 0; met < trials; ++trial) {
-        RandomStream random{61, trial, StreamId::bootstrap, 1000 * number + members};
-        const Members made = drawn(kind, members, random);
-        const Interval plain = mean_interval(made.loads);
-        const Interval mixed = mixed_interval(made.loads, plain, apart(made.loads, Sides::above), Sides::above);
-        const Limits limits{mixed.low, mixed.high};
-        if (kind.share > 0 && !made.any()) {  // no sample says what is not in it
-            ++without;
-            within_without += holds(limits, 1);
-            continue;
-        }
-        ++met;
-        within += holds(limits, kind.truth());
-        below += mixed.high < kind.truth();
-        student += holds({plain.low, plain.high}, kind.truth());
-        widths.push_back((mixed.high - mixed.low) / kind.truth());
-        student_widths.push_back((plain.high - plain.low) / kind.truth());
-    }
-    fmt::print("| mean | {} | {} | {:.0f} | {:.0f} | {:.0f} | {:.0f} | {:.0f} | {:.2f} | {:.2f} |\n", kind.name,
-               members, percent(without, without + met), percent(within_without, without), percent(within, met),
-               percent(below, met), percent(student, met), median(widths), median(student_widths));
-    std::fflush(stdout);
-    EXPECT_GE(within, bound(least, met) * met);
-}
-
-// Student's interval of a skewed distribution holds in some 90 % from 8 to 20 on.
-INSTANTIATE_TEST_SUITE_P(Rows, MeanCoverage,
-                         testing::Values(Row{0, 4, 0.92}, Row{0, 8, 0.92}, Row{0, 12, 0.92}, Row{0, 20, 0.92},
-                                         Row{0, 50, 0.92}, Row{0, 100, 0.92}, Row{1, 12, 0.85}, Row{1, 20, 0.92},
-                                         Row{1, 50, 0.92}, Row{2, 8, 0.92}, Row{2, 20, 0.92}, Row{2, 50, 0.92},
-                                         Row{3, 12, 0.92}, Row{3, 50, 0.92}, Row{4, 12, 0.92}, Row{4, 50, 0.92},
-                                         Row{5, 4, 0.92}, Row{5, 12, 0.92}, Row{5, 50, 0.92}, Row{6, 8, 0.88},
-                                         Row{6, 20, 0.88}, Row{6, 50, 0.9}));
 
 /// Which of two cases over the same arrangements jams.
 enum class Jams { second, either, both };
@@ -242,5 +178,5 @@ INSTANTIATE_TEST_SUITE_P(Rows, StopCoverage,
                                          StopRow{2, 0.1, 0, 0.9}, StopRow{4, 0.05, 0, 0.9}, StopRow{5, 0.05, 0, 0.92},
                                          StopRow{6, 0.05, 0, 0.92}, StopRow{6, 0.1, 0, 0.92}));
 
-}  // namespace mean_coverage_test
+}  // namespace pair_coverage_test
 }  // namespace floes
