@@ -113,6 +113,7 @@ Scenario paper_scenario() {
     scenario.contact = with_preset(scenario.contact, ContactPreset::paper);
     scenario.water.heave_damping_from = WaterFrom::share;
     scenario.water.added_mass_from = WaterFrom::share;
+    scenario.water.shelter_draughts = 0;
     return scenario;
 }
 

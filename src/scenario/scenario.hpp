@@ -325,8 +325,9 @@ struct Water {
     WaterFlow flow = WaterFlow::potential;
     double form_drag = 1.0;  ///< C_d on the wetted edge faces that meet the flow
     FormDragOn form_drag_on = FormDragOn::outline;
-    double skin_drag = 0.009;  ///< C_s on the bottom face
-    double heave_drag = 1.0;   ///< C_h, quadratic, on vertical motion
+    double shelter_draughts = 5.56;  ///< over which ice ahead shelters an edge, in its draughts; 0: no ice does
+    double skin_drag = 0.009;        ///< C_s on the bottom face
+    double heave_drag = 1.0;         ///< C_h, quadratic, on vertical motion
     WaterFrom heave_damping_from = WaterFrom::outline;
     double heave_damping = 0.15;  ///< linear, as a fraction of critical damping of an element's heave
     WaterFrom added_mass_from = WaterFrom::outline;

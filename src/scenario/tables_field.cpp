@@ -337,6 +337,11 @@ void add_water(Keys& keys, Water& water) {
     keys.push_back(number_key(
         "water.form_drag", water.form_drag, unit::one, coefficient, "Su, Aarsæther and Kristiansen 2019; others 0.5",
         "Form drag coefficient on the wetted edge faces of a floe. It carries floes round the structure."));
+    keys.push_back(late_key(number_key(
+        "water.shelter_draughts", water.shelter_draughts, unit::one, coefficient,
+        "1/0.18, Hanssen-Bauer and Gjessing 1988; Tsamados et al. 2014; others 2",
+        "Form drag on an edge with ice ahead, D away, is the share 1 - exp(-D/(n H)) of that in the open, with H the "
+        "draught and n this; seen from the ice ahead. 0: no ice shelters another.")));
     keys.push_back(number_key("water.skin_drag", water.skin_drag, unit::one, coefficient,
                               "laminar plate, 1.328 / sqrt(Re) at Re 2.3e4; others 0.002 to 0.01",
                               "Skin drag coefficient on the bottom face."));

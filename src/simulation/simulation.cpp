@@ -117,6 +117,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
       sheets_(world_, scenario, channel_),
       water_(make_water(scenario, floes, ice_)),
       piece_water_(scenario, floes),
+      lee_(scenario, channel_, floes, ice_),
       work_(scenario, floes, ice_, structure_),
       sleeping_(scenario.field.wake_radius, ice_.elements()),
       contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
@@ -249,17 +250,20 @@ void Simulation::move_structure() {
 }
 
 void Simulation::wake_floes() {
+    const std::size_t before = sleeping_.awake_elements().size();
     sleeping_.wake(world_, motion_.before());
+    if (sleeping_.awake_elements().size() != before) lee_.distrust();
 }
 
 void Simulation::apply_water() {
     const std::vector<IceElement>& elements = ice_.elements();
     const std::vector<std::size_t>& awake = sleeping_.awake_elements();
+    lee_.follow(steps_, ice_, states_, sheets_.motions(), sleeping_);
     water_.clear();
     for (const std::size_t i : awake) {
         const BodyState& state = states_[i];
-        water_.set(i,
-                   {state.position, state.rotation, state.velocity, state.angular_velocity, elements[i].exposed_edges});
+        water_.set(i, {state.position, state.rotation, state.velocity, state.angular_velocity,
+                       elements[i].exposed_edges, lee_.of(i, ice_, states_)});
     }
     const Vec3& structure = motion_.before().position;
     if (motion_.is_free())
@@ -294,8 +298,10 @@ void Simulation::break_joints() {
 void Simulation::share_out_water(std::size_t first_break) {
     const std::vector<BreakEvent>& breaks = ice_.breaks();
     for (std::size_t i = first_break; i < breaks.size(); ++i) {
-        if (i == first_break || breaks[i].floe != breaks[i - 1].floe)
-            piece_water_.share_out(ice_.place_of(breaks[i].floe), ice_, world_, water_);
+        if (i != first_break && breaks[i].floe == breaks[i - 1].floe) continue;
+        const int place = ice_.place_of(breaks[i].floe);
+        piece_water_.share_out(place, ice_, world_, water_);
+        lee_.look_from(place, ice_, states_);
     }
 }
 
@@ -375,6 +381,7 @@ void Simulation::move_window() {
     bool came = false;
     while (enter_ahead()) came = true;
     if (came) measure_anew();
+    lee_.distrust();
     for (int place = 0; place < ice_.places(); ++place) {
         if (!ice_.is_there(place) || !sleeping_.rests(place) || sleeping_.middle_x(place) > window_->last()) continue;
         sleeping_.rouse(world_, place);
@@ -444,6 +451,7 @@ void Simulation::measure_anew() {
     states_before_.resize(states_.size());
     water_ = make_water(scenario_, floes, ice_);
     piece_water_ = PieceWater(scenario_, floes);
+    lee_.measure(floes, ice_);
     for (int place = 0; place < ice_.places(); ++place)
         if (ice_.is_there(place)) piece_water_.share_out(place, ice_, world_, water_);
     work_.measure(floes, ice_);

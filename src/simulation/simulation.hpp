@@ -15,6 +15,7 @@
 #include "scenario/scenario.hpp"
 #include "simulation/field_water.hpp"
 #include "simulation/hull_loads.hpp"
+#include "simulation/lee.hpp"
 #include "simulation/moving_window.hpp"
 #include "simulation/record.hpp"
 #include "simulation/sheets.hpp"
@@ -188,6 +189,7 @@ class Simulation {
     Sheets sheets_;
     WaterLanes water_;
     PieceWater piece_water_;
+    Lee lee_;
     TowWork work_;
     std::vector<BodyState> states_, states_before_;
     SleepingFloes sleeping_;

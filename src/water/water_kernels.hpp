@@ -71,8 +71,9 @@ struct WaterArrays {
     const double* linear;               ///< c/4 of each element
     double* wrench;
     std::size_t stride;
-    const double* plan;  ///< fields as above, where elements are no squares
-    std::size_t edges;   ///< most of any element
+    const double* shelter;  ///< of edge k the two values of EdgeShelter, fields 2 k and 2 k + 1; where it is exposed
+    const double* plan;     ///< fields as above, where elements are no squares
+    std::size_t edges;      ///< most of any element
 };
 
 /// Force and moment on elements [0, count) and on those that fill the last group of lanes; the same bits at every

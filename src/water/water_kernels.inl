@@ -146,12 +146,23 @@ inline V3 relative_velocity(const Element& e, const V3& arm, const WaterFactors&
     return water - (e.velocity + cross(e.angular_velocity, arm));
 }
 
+/// How edges are sheltered (EdgeShelter).
+struct Shelter {
+    Pack open, speed;
+
+    Shelter(const double* fields, std::size_t stride, std::size_t edge)
+        : open(*reinterpret_cast<const Pack*>(fields + 2 * edge * stride)),
+          speed(*reinterpret_cast<const Pack*>(fields + (2 * edge + 1) * stride)) {}
+};
+
 /// On the edge at (x, z) in the axes of the element.
 template <bool drifts, class At>
-inline void add_form_drag(LaneWrench& total, const Element& e, Mask exposed, const V3& outward, At side, At x, At z,
-                          const WaterFactors& factors, double structure_x) {
+inline void add_form_drag(LaneWrench& total, const Element& e, Mask exposed, const Shelter& shelter, const V3& outward,
+                          At side, At x, At z, const WaterFactors& factors, double structure_x) {
     const Column column = submerged_column(e, x, z, factors.thickness);
-    const Pack approach = dot(relative_velocity<drifts>(e, column.arm, factors, structure_x), outward);
+    const Pack flow = dot(relative_velocity<drifts>(e, column.arm, factors, structure_x), outward);
+    const Pack ice = dot(e.velocity + cross(e.angular_velocity, column.arm), outward);
+    const Pack approach = shelter.open * flow + (shelter.speed - (1.0 - shelter.open) * ice);
     const Pack area = side * column.length;
     total.add(exposed & (column.length != 0.0) & (approach < 0.0),
               outward * (factors.form * area * approach * approach), column.arm);
@@ -159,9 +170,12 @@ inline void add_form_drag(LaneWrench& total, const Element& e, Mask exposed, con
 
 /// Elements side by side that are squares of one size.
 struct Squares {
+    const double* shelter;
+    std::size_t stride;
     const WaterFactors& factors;
 
-    Squares(const WaterArrays&, std::size_t, const WaterFactors& of) : factors(of) {}
+    Squares(const WaterArrays& arrays, std::size_t i, const WaterFactors& of)
+        : shelter(arrays.shelter + i), stride(arrays.stride), factors(of) {}
     double column_x() const { return factors.side / 3.4641016151377544; }  // √12
     double column_z() const { return column_x(); }
     double quarter() const { return 1; }  // of what the factors hold
@@ -173,28 +187,30 @@ struct Squares {
         for (int lane = 0; lane < lanes; ++lane) any |= exposed_edges[lane];
         const double half = 0.5 * factors.side;
         LaneWrench total{};
-        const auto add = [&](std::int64_t bit, const V3& axis, double sign, double x, double z) {
+        const auto add = [&](int edge, const V3& axis, double sign, double x, double z) {
+            const std::int64_t bit = std::int64_t{1} << edge;
             if (any & bit)
-                add_form_drag<drifts>(total, e, (exposed & bit) != 0, axis * (Pack{} + sign), factors.side, x, z,
-                                      factors, structure_x);
+                add_form_drag<drifts>(total, e, (exposed & bit) != 0, {shelter, stride, static_cast<std::size_t>(edge)},
+                                      axis * (Pack{} + sign), factors.side, x, z, factors, structure_x);
         };
-        add(1, e.x, 1.0, half, 0.0);
-        add(4, e.x, -1.0, -half, 0.0);
-        add(2, e.z, 1.0, 0.0, half);
-        add(8, e.z, -1.0, 0.0, -half);
+        add(0, e.x, 1.0, half, 0.0);
+        add(2, e.x, -1.0, -half, 0.0);
+        add(1, e.z, 1.0, 0.0, half);
+        add(3, e.z, -1.0, 0.0, -half);
         return total;
     }
 };
 
 /// Elements side by side of any plan.
 struct AnyPlans {
+    const double* shelter;
     const double* plan;
     std::size_t stride;
     std::size_t edges;
     const WaterFactors& factors;
 
     AnyPlans(const WaterArrays& arrays, std::size_t i, const WaterFactors& of)
-        : plan(arrays.plan + i), stride(arrays.stride), edges(arrays.edges), factors(of) {}
+        : shelter(arrays.shelter + i), plan(arrays.plan + i), stride(arrays.stride), edges(arrays.edges), factors(of) {}
     Pack field(std::size_t f) const { return *reinterpret_cast<const Pack*>(plan + f * stride); }
     Pack column_x() const { return field(plan_field::column_x); }
     Pack column_z() const { return field(plan_field::column_z); }
@@ -210,8 +226,9 @@ struct AnyPlans {
             const std::int64_t bit = std::int64_t{1} << k;
             if ((any & bit) == 0) continue;
             const std::size_t f = plan_field::first_edge + plan_field::of_edge * k;
-            add_form_drag<drifts>(total, e, (exposed & bit) != 0, e.x * field(f + 2) + e.z * field(f + 3), field(f + 4),
-                                  field(f), field(f + 1), factors, structure_x);
+            add_form_drag<drifts>(total, e, (exposed & bit) != 0, {shelter, stride, k},
+                                  e.x * field(f + 2) + e.z * field(f + 3), field(f + 4), field(f), field(f + 1),
+                                  factors, structure_x);
         }
         return total;
     }

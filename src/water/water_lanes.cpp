@@ -12,6 +12,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t widest = 8;
+constexpr std::size_t edges_of_square = 4;
 
 WaterKernel water_kernel(int width) {
     static_cast<void>(lane_kernels(width));  // throws for a width that this processor does not have
@@ -36,7 +37,7 @@ WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::
       plan_of_(model_of.begin(), model_of.end()),
       is_set_(model_of.size()) {
     std::vector<std::size_t> group_of_model;
-    std::size_t edges = 0;
+    std::size_t edges = 0;  // most of any plan
     for (const WaterModel& model : models) {
         auto group = std::ranges::find(groups_, model.factors(), &Group::factors);
         if (group == groups_.end()) group = groups_.insert(group, Group{model.factors(), model.flows()});
@@ -59,6 +60,7 @@ WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::
     exposed_edges_ = AlignedArray<std::int64_t>(stride_);
     linear_ = AlignedArray<double>(stride_);
     wrench_ = AlignedArray<double>(wrench_fields * stride_);
+    shelter_ = AlignedArray<double>(2 * std::max(edges, edges_of_square) * stride_);
     if (edges > 0) plan_ = AlignedArray<double>((plan_field::first_edge + plan_field::of_edge * edges) * stride_);
 }
 
@@ -76,6 +78,7 @@ void WaterLanes::set(std::size_t element, const ElementState& state) {
     Group& group = groups_[group_of_[element]];
     const std::size_t place = place_of_[element] = group.first + group.count++;
     put_fields(state, state_.data() + place, stride_);
+    put_shelter(state, shelter_.data() + place, stride_);
     exposed_edges_[place] = state.exposed_edges;
     linear_[place] = linear_of_[element];
     const std::vector<double>& plan = plans_[plan_of_[element]];
@@ -86,7 +89,8 @@ void WaterLanes::compute(double structure_x, std::size_t terms) {
     for (const Group& group : groups_) {
         const WaterFactors factors = with_first(terms, group.factors);
         kernel_({state_.data() + group.first, exposed_edges_.data() + group.first, linear_.data() + group.first,
-                 wrench_.data() + group.first, stride_, plan_.data() + group.first, group.edges},
+                 wrench_.data() + group.first, stride_, shelter_.data() + group.first, plan_.data() + group.first,
+                 group.edges},
                 factors, group.count, structure_x);
     }
 }

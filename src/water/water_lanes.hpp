@@ -91,6 +91,7 @@ class WaterLanes {
     AlignedArray<std::int64_t> exposed_edges_;
     AlignedArray<double> linear_;
     AlignedArray<double> wrench_;
+    AlignedArray<double> shelter_;
     AlignedArray<double> plan_;  // of the last element at each place
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -20,6 +21,15 @@ void put_fields(const ElementState& state, double* fields, std::size_t stride) {
     put(state.rotation.data(), water_field::rotation, 9);  // by column, as in Eigen
     put(state.velocity.data(), water_field::velocity, 3);
     put(state.angular_velocity.data(), water_field::angular_velocity, 3);
+}
+
+void put_shelter(const ElementState& state, double* fields, std::size_t stride) {
+    for (std::uint32_t left = state.exposed_edges; left != 0; left &= left - 1) {
+        const auto edge = static_cast<std::size_t>(std::countr_zero(left));
+        const EdgeShelter shelter = state.shelter.empty() ? EdgeShelter{} : state.shelter[edge];
+        fields[2 * edge * stride] = shelter.open;
+        fields[(2 * edge + 1) * stride] = shelter.speed;
+    }
 }
 
 Wrench wrench_at(const double* fields, std::size_t stride) {
@@ -112,13 +122,15 @@ void WaterModel::flow_round(std::span<const FlowEllipse> ellipses) {
 
 Wrench WaterModel::wrench(const ElementState& state, double structure_x, double damping) const {
     std::array<double, water_field::count> fields;
+    std::array<double, 2 * most_corners> shelter{};
     std::array<double, wrench_fields> result;
     const std::int64_t exposed_edges = state.exposed_edges;
     const double linear = damping / 4;
     put_fields(state, fields.data(), 1);
+    put_shelter(state, shelter.data(), 1);
     const std::size_t edges = plan_.empty() ? 0 : (plan_.size() - plan_field::first_edge) / plan_field::of_edge;
-    water_scalar({fields.data(), &exposed_edges, &linear, result.data(), 1, plan_.data(), edges}, factors_, 1,
-                 structure_x);
+    water_scalar({fields.data(), &exposed_edges, &linear, result.data(), 1, shelter.data(), plan_.data(), edges},
+                 factors_, 1, structure_x);
     return wrench_at(result.data(), 1);
 }
 

@@ -15,6 +15,12 @@ namespace floes {
 
 // One element as the water sees it, and its numbers in the arrays of the kernels.
 
+/// How far other ice shelters an edge from the flow.
+struct EdgeShelter {
+    double open = 1;   ///< S_c; 1: no ice ahead
+    double speed = 0;  ///< (1 - S_c) v_b · n of the ice ahead, m/s
+};
+
 /// Where an element is and how it moves. World axes, SI.
 struct ElementState {
     Vec3 position = Vec3::Zero();          ///< of the centre of mass
@@ -22,6 +28,7 @@ struct ElementState {
     Vec3 velocity = Vec3::Zero();          ///< of the centre of mass
     Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
     std::uint32_t exposed_edges = 0;       ///< edge faces with form drag: bit k for edge k, of a square +x, +z, -x, -z
+    std::span<const EdgeShelter> shelter{};  ///< of edge k, where that is exposed; empty: of none
 };
 
 /// Size of an element: a square box of `side` x `thickness` x `side`, m.
@@ -35,6 +42,9 @@ std::vector<double> plan_of(const CutElement& element);
 
 /// Writes the fields of water_field, the first to `fields`, the next `stride` further on.
 void put_fields(const ElementState& state, double* fields, std::size_t stride);
+
+/// Likewise the shelter of its exposed edges, as WaterArrays has it.
+void put_shelter(const ElementState& state, double* fields, std::size_t stride);
 
 /// The wrench whose first field is at `fields`, the next `stride` further on.
 Wrench wrench_at(const double* fields, std::size_t stride);
@@ -50,7 +60,8 @@ Wrench wrench_at(const double* fields, std::size_t stride);
 //
 // Drag, relative to the velocity u of the water at the point concerned:
 //   form  an edge face without a live joint whose outward normal n meets the flow (u_rel · n < 0):
-//         F = -½ ρ_w C_d (L x wetted depth) (u_rel · n)² n, pushing inward, at the middle of the wetted depth
+//         F = -½ ρ_w C_d (L x wetted depth) (u_rel · n)² n, pushing inward, at the middle of the wetted depth.
+//         Ice ahead of the edge shelters it (below); C_d is of front and lee together, so the lee has no force
 //   skin  on the lower face at the wet Gauss points:  F = ½ ρ_w C_s (L²/4) |u_t| u_t,  u_t = tangential part of u_rel
 //   heave along the normal at the wet Gauss points, with w = u_rel · normal:
 //         F = [½ ρ_w C_h (L²/4) |w| w + (c/4) w] normal. The second term stands for waves. Of water.heave_damping_from
@@ -59,6 +70,14 @@ Wrench wrench_at(const double* fields, std::size_t stride);
 //         "outline":   c is the element's share of what its piece radiates (floating_plate.hpp), at points whose column
 //                      cuts the surface: ice that is covered by water makes no waves
 //         Spread over the Gauss points it damps roll and pitch too.
+//
+// Shelter. In the lee of ice the flow is the share S_c of what it is elsewhere (Hanssen-Bauer and Gjessing, Tellus 40A,
+// 1988; Steele, Morison and Untersteiner, J. Geophys. Res. 94, 1989; here as Tsamados et al., J. Phys. Oceanogr. 44,
+// 2014, have it: form drag goes with S_c², S_c = (1 - exp(-s D/H))^½, s = 0.18). D is the gap between the edge and the
+// ice ahead of it, H the draught of the edge, 1/s = water.shelter_draughts. They have ice that moves as one. Here the
+// water in the lee moves with the ice that shelters it, of velocity v_b, so that ice which comes near other ice at rest
+// in still water meets that water still: u_rel · n is that of S_c u + (1 - S_c) v_b, u the water's velocity.
+// Which ice is ahead: simulation/lee.hpp.
 //
 // Flow. Horizontal potential flow round the structure's waterline circle of radius R, which moves at the speed V along
 // +x through water at rest: from the potential -V R² cosθ / r follow  u_r = V R² cosθ / r²,  u_θ = V R² sinθ / r²  for

@@ -45,7 +45,10 @@ Mat3 turned(double angle, const Vec3& axis) {
     return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
-/// Floating, sunk, dry, tilted, upright, upside down, at rest and fast, within the structure's circle and far off.
+constexpr std::array<EdgeShelter, 6> sheltered{{{}, {0, 0.05}, {0.5, -0.01}, {0.9, 0.02}, {0.3, 0}, {}}};
+
+/// In the lee and in the open, floating, sunk, dry, tilted, upright, upside down, at rest and fast, within the
+/// structure's circle and far off.
 std::vector<ElementState> every_kind_of_element() {
     std::mt19937 random(7);
     const auto between = [&](double low, double high) {
@@ -64,6 +67,7 @@ std::vector<ElementState> every_kind_of_element() {
         state.velocity = vector(i % 4 == 0 ? 1 : 0.05);
         state.angular_velocity = vector(i % 4 == 1 ? 2 : 0.05);
         state.exposed_edges = static_cast<std::uint8_t>(random() % 16);
+        if (i % 2 == 0) state.shelter = sheltered;
         elements.push_back(state);
     }
     ElementState resting;  // flat, zeros everywhere

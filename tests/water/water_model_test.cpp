@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -162,6 +163,24 @@ TEST(Drag, FormDragActsOnExposedFacesThatMeetTheFlow) {
     state.velocity = {0, 0, -0.3};
     state.exposed_edges = 0b1000;
     EXPECT_NEAR(drag(water, state).force.z(), full, 1e-9);
+}
+
+// In the lee an edge meets S_c u + (1 - S_c) v_b, here of water at rest behind ice that moves at 0.1 m/s.
+TEST(Drag, FormDragInTheLeeIsThatOfWhatComesThrough) {
+    const Water water{.flow = WaterFlow::still, .form_drag = 1, .skin_drag = 0, .heave_drag = 0};
+    ElementState state;
+    state.velocity = {0.3, 0, 0};
+    state.exposed_edges = 0b0101;
+    state.position.y() = -1;
+    const double full = 0.5 * 1000 * shape.side * shape.thickness * 0.09;
+    EXPECT_NEAR(drag(water, state).force.x(), -full, 1e-12);
+    std::array<EdgeShelter, 4> edges{};
+    state.shelter = edges;
+    EXPECT_NEAR(drag(water, state).force.x(), -full, 1e-12);
+    edges[2] = {0, 0};  // of an edge that does not meet the flow
+    edges[0] = {0.4, 0.6 * 0.1};
+    const double meets = (0.3 - 0.06) / 0.3;
+    EXPECT_NEAR(drag(water, state).force.x(), -meets * meets * full, 1e-12);
 }
 
 // The middle of its leading face lies on the structure's axis, where the water moves with the structure.
