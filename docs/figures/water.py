@@ -4,8 +4,8 @@
 Usage:
     water.py                    writes the tables
     water.py --check            writes nothing; fails if a table differs from the data
-    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5 and boundaries.h5 in FOLDER, as
-                                far as they are there
+    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5, boundaries.h5 and shelter.h5 in
+                                FOLDER, as far as they are there
 """
 import pathlib
 import sys
@@ -20,8 +20,9 @@ from validation_tables import difference, table, with_interval
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "water"
 CASES = {"outline": "**waves and added mass of the outline (the default)**", "waves": "waves of the outline, no added mass",
-         "neither": "neither", "paper": "the paper's preset: 15 % of critical damping, under water too, no added mass"}
-CAMPAIGNS = ["water_channel", "boundaries"]
+         "neither": "neither",
+         "paper": "the paper's preset: 15 % of critical damping, under water too, no added mass, no shelter"}
+CAMPAIGNS = ["water_channel", "boundaries", "shelter"]
 QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
 WORK = {"ice_friction": "friction, ice on ice", "ice_crushing": "crushing and stopping, ice on ice",
         "hull_friction": "friction on the structure", "hull_crushing": "crushing and stopping on the structure",
@@ -73,6 +74,26 @@ def boundaries():
     return table(["channel", "arrangements"] + [cell for one in QUANTITIES.values() for cell in (one, "beside fixed")], lines)
 
 
+SHELTERED = {"channel": "the channel of smoke.toml", "current": "a current of 0.1 m/s presses ice on the structure",
+             "wind": "a wind of 5 m/s does"}
+
+
+def shelter():
+    """Each condition beside the same one without shelter, in pairs over arrangements."""
+    rows = members("shelter")
+    lines = []
+    for case, words in SHELTERED.items():
+        own, without = (rows[rows.case == one].set_index("arrangement") for one in (case, f"{case}_open"))
+        common = sorted(set(own.index) & set(without.index))
+        cells = [words, f"{len(common)}"]
+        for quantity in QUANTITIES:
+            values = own.loc[common, quantity].to_numpy()
+            apart = values - without.loc[common, quantity].to_numpy()
+            cells += [with_interval(values), difference(apart.mean(), half_width(apart))]
+        lines.append(cells)
+    return table(["ice", "arrangements"] + [cell for one in QUANTITIES.values() for cell in (one, "by shelter")], lines)
+
+
 def work(name):
     rows = members(name)
     cases = ["outline"]
@@ -101,7 +122,7 @@ def main():
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
     fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"), "work": lambda: work("water_channel"),
-                                       "boundaries": boundaries}},
+                                       "boundaries": boundaries, "shelter": shelter}},
                   arguments == ["--check"], "water.py")
 
 

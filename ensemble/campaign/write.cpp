@@ -305,7 +305,7 @@ std::vector<Variation> variations_of(const Scenario& scenario) {
     open.vary("flow_still", "the flow past the structure is that of a cylinder",
               [](Scenario& other) { other.water.flow = WaterFlow::still; });
     open.at("water.form_drag", {0.5, 1.5}, "0.5 to 1.5 in the sources of docs/configuration.md");
-    open.at("water.shelter_draughts", {0.0, 2.0}, "not at all, or as Lüpkes et al. 2012 have it");
+    open.at("water.shelter_draughts", {2.0}, "as Lüpkes et al. 2012 have it");
     open.at("water.heave_drag", {1.2}, "1.0 to 1.2 of plates and discs");
     open.at("water.added_mass_in_plane", {0.0, 0.2}, "0.04 of fast and 0.18 of slow motion");
     const ArrangementRule& rule = scenario.arrangement;

@@ -10,8 +10,8 @@ namespace floes {
 
 namespace {
 
-/// Steps from one look to the next; ice of the tank moves by less than half its draught in them.
-constexpr int steps_apart = 5;
+/// Steps from one look to the next; ice of the tank moves by less than its draught in them.
+constexpr int steps_apart = 10;
 
 /// What lets through more than this of form drag is no shelter.
 constexpr double open_water = 0.99;
@@ -54,7 +54,10 @@ void Lee::measure(const FloeSet& floes, const IceField& ice) {
     for (const IceSheet& sheet : sheets_)
         add_body(corners_of(sheet.half_extents.x(), sheet.half_extents.z()), 2 * sheet.half_extents.y(), 0);
     ahead_.assign(edges_.size(), {});
+    seen_.resize(bodies_.size());
     const auto places = static_cast<std::size_t>(ice.places());
+    bays_.clear();
+    for (std::size_t i = 0; i < places; ++i) bays_.push_back(is_convex(floes.shape(i).corners()) ? 0 : 1);
     circles_.resize(places);
     order_.reserve(places);
     near_.reserve(places);
@@ -83,36 +86,50 @@ void Lee::follow(int step, const IceField& ice, std::span<const BodyState> state
     due_ = false;
     order_.clear();
     largest_ = 0;
+    for (std::size_t sheet = states.size(); sheet < bodies_.size(); ++sheet)
+        seen_[sheet] = seen(sheet, sheet_states_[sheet - states.size()]);
     for (int place = 0; place < ice.places(); ++place) {
         if (!ice.is_there(place)) continue;
-        const Circle& circle = circles_[static_cast<std::size_t>(place)] = circle_of(place, ice, states);
+        see(place, ice, states);
         order_.push_back(place);
-        largest_ = std::max(largest_, circle.radius);
+        largest_ = std::max(largest_, circles_[static_cast<std::size_t>(place)].radius);
     }
     std::ranges::sort(order_, {},
                       [&](int place) { return std::pair(circles_[static_cast<std::size_t>(place)].x, place); });
     for (const int place : order_)
-        if (!sleeping.rests(place)) look_from(place, ice, states);
+        if (!sleeping.rests(place)) look(place, ice, states);
 }
 
-Lee::Circle Lee::circle_of(int place, const IceField& ice, std::span<const BodyState> states) const {
+Lee::Seen Lee::seen(std::size_t body, const BodyState& state) const {
+    const Mat3& r = state.rotation;
+    const double level = r(0, 0) * r(2, 2) - r(0, 2) * r(2, 0);
+    return {.x = state.position.x(),
+            .z = state.position.z(),
+            .into = {r(2, 2) / level, -r(0, 2) / level, -r(2, 0) / level, r(0, 0) / level},
+            .radius = std::abs(level) > steepest ? bodies_[body].radius : -1,
+            .low = state.position.y() - bodies_[body].half_thickness,
+            .high = std::min(state.position.y() + bodies_[body].half_thickness, 0.0)};
+}
+
+/// Where the elements of a floe are, and the circle round them.
+void Lee::see(int place, const IceField& ice, std::span<const BodyState> states) {
     const auto first = static_cast<std::size_t>(ice.first_element(place));
     const auto count = static_cast<std::size_t>(ice.elements(place));
-    Circle circle;
+    Circle& circle = circles_[static_cast<std::size_t>(place)] = {};
     for (std::size_t i = first; i < first + count; ++i) {
-        circle.x += states[i].position.x() / static_cast<double>(count);
-        circle.z += states[i].position.z() / static_cast<double>(count);
+        seen_[i] = seen(i, states[i]);
+        circle.x += seen_[i].x / static_cast<double>(count);
+        circle.z += seen_[i].z / static_cast<double>(count);
     }
     for (std::size_t i = first; i < first + count; ++i) {
-        const double x = states[i].position.x() - circle.x;
-        const double z = states[i].position.z() - circle.z;
+        const double x = seen_[i].x - circle.x;
+        const double z = seen_[i].z - circle.z;
         circle.radius = std::max(circle.radius, std::sqrt(x * x + z * z) + bodies_[i].radius);
     }
-    return circle;
 }
 
-/// Places of the floes that may be ahead of some edge of this one's, itself among them.
-void Lee::find_near(int place, double reach) {
+/// Places of the floes that may be ahead of some edge of this one's: itself among them if it is broken or has bays.
+void Lee::find_near(int place, bool itself, double reach) {
     const auto circle = [&](int one) -> const Circle& { return circles_[static_cast<std::size_t>(one)]; };
     const Circle& own = circle(place);
     const double farthest = own.radius + reach + largest_;
@@ -122,28 +139,34 @@ void Lee::find_near(int place, double reach) {
         const double x = circle(*other).x - own.x;
         const double z = circle(*other).z - own.z;
         const double near = own.radius + reach + circle(*other).radius;
-        if (x * x + z * z <= near * near) near_.push_back(*other);
+        if (x * x + z * z <= near * near && (itself || *other != place)) near_.push_back(*other);
     }
 }
 
 void Lee::look_from(int place, const IceField& ice, std::span<const BodyState> states) {
     if (!shelters() || due_) return;
     const auto first = static_cast<std::size_t>(ice.first_element(place));
-    find_near(place, reach(bodies_[first]));
+    for (std::size_t i = first; i < first + static_cast<std::size_t>(ice.elements(place)); ++i)
+        seen_[i] = seen(i, states[i]);
+    look(place, ice, states);
+}
+
+void Lee::look(int place, const IceField& ice, std::span<const BodyState> states) {
+    const auto first = static_cast<std::size_t>(ice.first_element(place));
+    find_near(place, ice.is_broken(place) || bays_[static_cast<std::size_t>(place)] != 0, reach(bodies_[first]));
     for (std::size_t i = first; i < first + static_cast<std::size_t>(ice.elements(place)); ++i) {
         for (std::uint32_t left = ice.elements()[i].exposed_edges; left != 0; left &= left - 1) {
             const auto edge = static_cast<std::size_t>(std::countr_zero(left));
-            ahead_[bodies_[i].first_edge + edge] = ahead_of(i, edge, ice, states);
+            ahead_[bodies_[i].first_edge + edge] = ahead_of(i, edge, ice, states[i]);
         }
     }
 }
 
-Lee::Ahead Lee::ahead_of(std::size_t element, std::size_t edge, const IceField& ice,
-                         std::span<const BodyState> states) const {
+Lee::Ahead Lee::ahead_of(std::size_t element, std::size_t edge, const IceField& ice, const BodyState& state) const {
     const Body& own = bodies_[element];
     const auto& [middle, normal] = edges_[own.first_edge + edge];
-    const Mat3& r = states[element].rotation;
-    const Vec3 begin = states[element].position + r * Vec3(middle.x, 0, middle.z);
+    const Mat3& r = state.rotation;
+    const Vec3 begin = state.position + r * Vec3(middle.x, 0, middle.z);
     const Vec3 out = r * Vec3(normal.x, 0, normal.z);
     const double level = std::sqrt(out.x() * out.x() + out.z() * out.z());
     Ray ray{.x = begin.x(),
@@ -156,9 +179,10 @@ Lee::Ahead Lee::ahead_of(std::size_t element, std::size_t edge, const IceField& 
             .distance = reach(own)};
     if (!(level > steepest) || ray.low >= ray.high) return {};
     // First whatever was ahead last, which leaves most of the others out of the question.
+    const auto elements = ice.elements().size();
     const auto last = static_cast<std::size_t>(ahead_[own.first_edge + edge].body);
-    if (last < states.size() && ice.is_there(ice.elements()[last].floe)) meet(ray, last, states);
-    for (std::size_t sheet = states.size(); sheet < bodies_.size(); ++sheet) meet(ray, sheet, states);
+    if (last < elements && ice.is_there(ice.elements()[last].floe)) meet(ray, last);
+    for (std::size_t sheet = elements; sheet < bodies_.size(); ++sheet) meet(ray, sheet);
     for (const int place : near_) {
         const Circle& circle = circles_[static_cast<std::size_t>(place)];
         const double x = circle.x - ray.x;
@@ -169,35 +193,31 @@ Lee::Ahead Lee::ahead_of(std::size_t element, std::size_t edge, const IceField& 
             continue;
         const auto first = static_cast<std::size_t>(ice.first_element(place));
         for (std::size_t i = first; i < first + static_cast<std::size_t>(ice.elements(place)); ++i)
-            if (i != element) meet(ray, i, states);
+            if (i != element) meet(ray, i);
     }
     if (ray.body < 0) return {};
     return {ray.body, std::sqrt(-std::expm1(-ray.distance / ray.fading))};
 }
 
 /// The ray ends at a body that shelters it better than what it has met before.
-void Lee::meet(Ray& ray, std::size_t body, std::span<const BodyState> states) const {
-    const Body& other = bodies_[body];
-    const BodyState& state = state_of(body, states);
-    const double x = state.position.x() - ray.x;
-    const double z = state.position.z() - ray.z;
+void Lee::meet(Ray& ray, std::size_t body) const {
+    const Seen& other = seen_[body];
+    const double x = other.x - ray.x;
+    const double z = other.z - ray.z;
     const double ahead = x * ray.along_x + z * ray.along_z;
     const double aside = x * ray.along_z - z * ray.along_x;
     if (std::abs(aside) > other.radius || ahead - other.radius > ray.distance || ahead + other.radius < 0) return;
-    // In the plane of the body, where its own axes have the components (a, b) of a level vector.
-    const Mat3& r = state.rotation;
-    const double level = r(0, 0) * r(2, 2) - r(0, 2) * r(2, 0);
-    if (!(std::abs(level) > steepest)) return;
     const auto in_plane = [&](double of_x, double of_z) {
-        return Corner{(r(2, 2) * of_x - r(0, 2) * of_z) / level, (r(0, 0) * of_z - r(2, 0) * of_x) / level};
+        return Corner{other.into[0] * of_x + other.into[1] * of_z, other.into[2] * of_x + other.into[3] * of_z};
     };
     const Corner middle = in_plane(x, z);
     const Corner along = in_plane(ray.along_x, ray.along_z);
     double enters = -std::numeric_limits<double>::infinity();
     double leaves = std::numeric_limits<double>::infinity();
-    for (std::size_t k = other.first_edge; k < other.first_edge + other.edges; ++k) {
-        const double within = dot(edges_[k].middle + middle, edges_[k].normal);
-        const double outwards = dot(along, edges_[k].normal);
+    const auto first = edges_.begin() + static_cast<std::ptrdiff_t>(bodies_[body].first_edge);
+    for (const PlanEdge& edge : std::span(first, bodies_[body].edges)) {
+        const double within = dot(edge.middle + middle, edge.normal);
+        const double outwards = dot(along, edge.normal);
         if (outwards < 0)
             enters = std::max(enters, within / outwards);
         else if (outwards > 0)
@@ -206,8 +226,7 @@ void Lee::meet(Ray& ray, std::size_t body, std::span<const BodyState> states) co
             return;
     }
     if (!(enters < leaves) || leaves <= 0) return;
-    const double common = std::min({ray.high, state.position.y() + other.half_thickness, 0.0}) -
-                          std::max(ray.low, state.position.y() - other.half_thickness);
+    const double common = std::min(ray.high, other.high) - std::max(ray.low, other.low);
     if (!(common > 0)) return;
     const double distance = std::max(enters, 0.0) - ray.fading * std::log(common / (ray.high - ray.low));
     if (!(distance < ray.distance)) return;
@@ -223,10 +242,11 @@ std::span<const EdgeShelter> Lee::of(std::size_t element, const IceField& ice, s
         const Ahead& ahead = ahead_[first + edge];
         found_[edge] = {};
         if (ahead.body < 0) continue;
+        const auto body = static_cast<std::size_t>(ahead.body);
+        const BodyState& other = body < states.size() ? states[body] : sheet_states_[body - states.size()];
         const Corner& normal = edges_[first + edge].normal;
         const Vec3 out = states[element].rotation * Vec3(normal.x, 0, normal.z);
-        const Vec3& velocity = state_of(static_cast<std::size_t>(ahead.body), states).velocity;
-        found_[edge] = {ahead.open, (1 - ahead.open) * velocity.dot(out)};
+        found_[edge] = {ahead.open, (1 - ahead.open) * other.velocity.dot(out)};
     }
     return found_;
 }

@@ -12,10 +12,11 @@
 // of the ice for which it is least; h = 1 for floes of one thickness side by side, 0 for floes that lie on each other.
 // Beyond the distance where this is 0.99 no ice shelters.
 //
-// Who is ahead of whom is looked up in every fifth step of the run, when floes wake or a field without end moves on,
+// Who is ahead of whom is looked up in every tenth step of the run, when floes wake or a field without end moves on,
 // and of a floe that breaks at once. How that ice moves is that of each step. So it follows from the states of the run
 // alone.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -66,33 +67,40 @@ class Lee {
         std::int32_t body = -1;  ///< -1: none
         double open = 1;         ///< S_c
     };
-    struct Circle {
+    /// Where a body was at the last look.
+    struct Seen {
         double x = 0, z = 0;
-        double radius = 0;  ///< m; negative: no floe is there
+        std::array<double, 4> into{};  ///< a level vector (x, z) in its own axes, row by row
+        double radius = -1;            ///< m; negative: it stands too steep to have a lee
+        double low = 0, high = 0;      ///< heights between which it is in the water, m
+    };
+    struct Circle {
+        double x = 0, z = 0, radius = 0;  // m
     };
     struct Ray;
 
     bool shelters() const { return draughts_ > 0; }
     double reach(const Body& body) const;
-    const BodyState& state_of(std::size_t body, std::span<const BodyState> states) const {
-        return body < states.size() ? states[body] : sheet_states_[body - states.size()];
-    }
     void add_body(const Outline& corners, double thickness, double draught);
-    Circle circle_of(int place, const IceField& ice, std::span<const BodyState> states) const;
-    void find_near(int place, double reach);
-    Ahead ahead_of(std::size_t element, std::size_t edge, const IceField& ice, std::span<const BodyState> states) const;
-    void meet(Ray& ray, std::size_t body, std::span<const BodyState> states) const;
+    Seen seen(std::size_t body, const BodyState& state) const;
+    void see(int place, const IceField& ice, std::span<const BodyState> states);
+    void look(int place, const IceField& ice, std::span<const BodyState> states);
+    void find_near(int place, bool itself, double reach);
+    Ahead ahead_of(std::size_t element, std::size_t edge, const IceField& ice, const BodyState& state) const;
+    void meet(Ray& ray, std::size_t body) const;
 
     double draughts_;
     double water_density_;  ///< kg/m³
     std::vector<IceSheet> sheets_;
     std::vector<BodyState> sheet_states_;
-    std::vector<Body> bodies_;       ///< by element; then the ice sheets
-    std::vector<PlanEdge> edges_;    ///< of all bodies
-    std::vector<Ahead> ahead_;       ///< likewise
-    std::vector<Circle> circles_;    ///< round each place's floe, when it was looked up last
-    std::vector<int> order_, near_;  ///< places: those with floes, rising by x; those near the one that is looked from
-    double largest_ = 0;             ///< radius of a circle, m
+    std::vector<Body> bodies_;        ///< by element; then the ice sheets
+    std::vector<PlanEdge> edges_;     ///< of all bodies
+    std::vector<Ahead> ahead_;        ///< likewise
+    std::vector<Seen> seen_;          ///< by body
+    std::vector<Circle> circles_;     ///< round each place's floe, at the last look
+    std::vector<std::uint8_t> bays_;  ///< by place: whether the floe's outline bends inwards
+    std::vector<int> order_, near_;   ///< places: those with floes, rising by x; those near the one that is looked from
+    double largest_ = 0;              ///< radius of a circle, m
     std::vector<EdgeShelter> found_;
     bool due_ = true;
 };

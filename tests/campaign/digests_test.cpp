@@ -139,6 +139,7 @@ TEST(Digests, OfATextThatHasAnotherValueOfEveryKey) {
                                                 "floe.elements",
                                                 "floe.elements_draw",
                                                 "ice.fracture_energy_J_m2",
+                                                "water.shelter_draughts",
                                                 "water.heave_damping_from",
                                                 "water.added_mass_from",
                                                 "water.added_mass_in_plane",

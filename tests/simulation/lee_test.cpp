@@ -260,7 +260,7 @@ TEST(Lee, IsThatOfAnIceSheetToo) {
 }
 
 // ρ_a C_a U² N l b = ½ ρ_w (C_s N l b + C_d b d) u²: a pack drifts nearly at U √(ρ_a C_a / (½ ρ_w C_s)), 2.0 % of the
-// wind; a floe of the tank by itself at 1.2 %.
+// wind; a floe of the tank by itself at 0.8 %.
 TEST(Lee, LetsAPackDriftInTheWind) {
     constexpr double wind = 5;
     for (const auto& [floes, share] : {std::pair{1, 0.8}, std::pair{12, 1.7}, std::pair{40, 1.9}}) {
