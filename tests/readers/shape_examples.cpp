@@ -60,7 +60,7 @@ Example obj() {
             .first = first,
             .rows = triangles.size(),
             .read = [](const std::string& text) { return hull_numbers(text, "barge.obj"); },
-            .outcomes = "=======xxx-xx"};
+            .outcomes = "=======-xx-xx"};
 }
 
 Numbers outline_numbers(const std::string& text, const std::string& file) {
