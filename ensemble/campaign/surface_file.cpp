@@ -22,6 +22,7 @@
 #include "campaign/lost_digits.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "keys/csv.hpp"
 
 namespace floes {
 
@@ -75,21 +76,17 @@ class SurfaceMaker {
 
     /// A coordinate as a text has it. `where`: its line.
     double number(std::string_view word, int axis, const std::string& where) {
-        const std::string_view digits = word.substr(word.starts_with('+') ? 1 : 0);
-        double value = 0;
-        const char* const end = digits.data() + digits.size();
-        const auto [stop, fault] = std::from_chars(digits.data(), end, value);
-        if (fault != std::errc{} || stop != end || digits.empty() || !std::isfinite(value) ||
-            (word.starts_with('+') && digits.starts_with('-')))
+        const std::optional<double> value = number_in(word);
+        if (!value)
             throw InputError(
                 fmt::format("{}: {:?} is not a finite number; export the file anew", where, beginning(word, 40)));
-        if (const std::size_t exponent = digits.find_first_of("eE"); exponent != std::string_view::npos) {
-            const std::string_view mantissa = digits.substr(0, exponent);
+        if (const std::size_t exponent = word.find_first_of("eE"); exponent != std::string_view::npos) {
+            const std::string_view mantissa = word.substr(0, exponent);
             digits_ = std::max<std::ptrdiff_t>(
                 digits_, std::ranges::count_if(mantissa, [](unsigned char c) { return std::isdigit(c) != 0; }));
-            largest_[axis] = std::max(largest_[axis], std::abs(value));
+            largest_[axis] = std::max(largest_[axis], std::abs(*value));
         }
-        return value + 0.0;
+        return *value + 0.0;
     }
 
     Surface made() && {
