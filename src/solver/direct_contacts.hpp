@@ -74,8 +74,7 @@ class DirectContacts {
     AlignedArray<double> points_, friction_start_, row_;
     std::array<AlignedArray<double>, 3> target_, impulse_;
     std::array<AlignedArray<double>, 2> scale_;
-    bool limited_ = false;
-    AlignedArray<double> yield_, give_;  ///< where limited, of the normal rows
+    ContactLimits limits_;
 };
 
 }  // namespace floes
