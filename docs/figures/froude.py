@@ -30,8 +30,7 @@ ARRANGEMENTS = 20
 POWERS = {"m": 1, "s": 0.5, "m_s": 0.5, "m_s2": 0, "kPa": 1, "MPa": 1, "N": 3}  # of the scale, by the unit in a key
 OF_THE_RUN = ["run", "stop"]  # tables that are not of the scene
 BY_ITSELF = ["tolerance_mm_s"]  # goes with the ice's thickness without being told
-QUANTITIES = {"mean_N": "mean load, N", "maximum_N": "maxima, every step, N", "maximum_1s_N": "maxima, 1 s, N",
-              "broken_percent": "broken floes, %"}
+QUANTITIES = {"mean_N": "mean load, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
 
 
 def scaled(key, value, scale):

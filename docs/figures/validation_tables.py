@@ -213,7 +213,6 @@ TANK = {"mean_load": ("mean load, N", EXPERIMENT["mean_load"]),
         "split_ratio": ("floes cracked through, %", 100 * EXPERIMENT["failure_ratio"]),
         "maximum_load_2s": ("largest load over 2 s, N", EXPERIMENT["maximum_load"]),
         "maximum_load_0.1s": ("largest load over 0.1 s, N", EXPERIMENT["maximum_load"]),
-        "maximum_load_0.02s": ("largest load of a step, 0.02 s, N", EXPERIMENT["maximum_load"]),
         "failure_ratio": ("floes with any crack, %", 100 * EXPERIMENT["failure_ratio"])}
 TEST = list(TANK)[:3]
 TIMES = ["1 s", "2 s", "0.1 s"]  # over which the load cell may have averaged; the first is the test

@@ -138,8 +138,13 @@ const PaperRow* paper_row(const Case& one) {
 }
 
 Results table3(const Campaign& campaign, const Summary& summary) {
-    const std::array<Quantity, 5> shown{quantity("mean_load"), quantity("sd_load"), quantity("mean_maximum"),
-                                        quantity("sd_maximum"), quantity("failure_ratio")};
+    // The paper's maxima are of single steps, and so are those beside them.
+    const bool papers = std::ranges::any_of(campaign.cases, [](const Case& one) { return paper_row(one) != nullptr; });
+    const Quantity& largest = papers ? quantity("mean_maximum") : headline_maximum(summary.quantities);
+    const Quantity scatter =
+        largest.averaging > 0 ? averaged_over(quantity("sd_maximum"), largest.averaging) : quantity("sd_maximum");
+    const std::array<Quantity, 5> shown{quantity("mean_load"), quantity("sd_load"), largest, scatter,
+                                        quantity("failure_ratio")};
     Results table{.columns = {{.words = "case"}, {.words = "n"}}};
     for (const Quantity& quantity : shown) {
         table.columns.push_back(column_of(quantity));
@@ -189,12 +194,11 @@ std::string notes(const Summary& summary, const MemberCounts& totals) {
         "or is steady where the 95 % interval of its change says so; steady: below {:g} % of the mean. Failure ratio: "
         "broken floes / floes. Joints failed: mean per run.\n",
         fewest_for_interval, steady_change / unit::percent);
-    text +=
-        has_rigid_contacts(summary)
-            ? "Maxima without an averaging time are maxima of single steps: a rigid contact gives its impulse within "
-              "one step, so they depend on the time step. Quote averaged maxima, with their averaging time.\n"
-            : "Maxima without an averaging time are maxima of single steps. Quote averaged maxima, with their "
-              "averaging time.\n";
+    if (headline_maximum(summary.quantities).averaging == 0)
+        text +=
+            "Maxima are of single steps, since the members have none of averaged loads: a blow gives its impulse "
+            "within a step or two, so they depend on the time step. Quote averaged maxima, with their averaging "
+            "time.\n";
     text += unseen_text(summary);
     if (totals.missing_members > 0 && totals.done > 0) {
         text += "Short runs finish first: until the campaign is complete, the figures are biased towards them.\n";
@@ -221,7 +225,8 @@ using CaseTable = ByColumn<CaseSummary>;
 /// For people only where the interval says something of some case.
 void add_further_run(const Summary& summary, const Quantity& quantity, CaseTable& table) {
     const auto further = [&](const CaseSummary& row) { return one_further_run(row, quantity); };
-    const bool said = quantity.shown >= Shown::in_table3 && std::ranges::any_of(summary.cases, &Bracket::said, further);
+    const bool said = quantity.shown >= Shown::in_table3 && !quantity.for_programs &&
+                      std::ranges::any_of(summary.cases, &Bracket::said, further);
     table.add({.key = std::string{quantity.key.view()} + "_prediction",
                .words = said ? "  one further run" : "",
                .unit = unit_of(quantity),
@@ -263,12 +268,13 @@ void add_quantity(const Summary& summary, const Quantity& quantity, Reference re
         table.add({key + "_standing_out"}, [&](Row row) { return row.of(quantity).standing_out; });
     if (!reference) return;
     const std::string words = fmt::format("  against {}, %", summary.name_of(*reference));
-    table.add(
-        {.key = key + "_difference_percent", .words = quantity.shown >= Shown::in_pairs ? words : "", .decimals = 1},
-        [&](Row row) {
-            const auto index = static_cast<std::size_t>(&row - summary.cases.data());
-            return difference_percent(summary, index, *reference, quantity);
-        });
+    table.add({.key = key + "_difference_percent",
+               .words = quantity.shown >= Shown::in_pairs && !quantity.for_programs ? words : "",
+               .decimals = 1},
+              [&](Row row) {
+                  const auto index = static_cast<std::size_t>(&row - summary.cases.data());
+                  return difference_percent(summary, index, *reference, quantity);
+              });
 }
 
 Results case_table(const Summary& summary, Reference reference) {
@@ -384,12 +390,9 @@ Results averaged_loads(const Summary& summary) {
 Section averaged_section(Evidence& evidence) {
     Section section{.results = {averaged_loads(evidence.summary)}};
     if (section.results.front().empty()) return {};
-    section.after = fmt::format(
+    section.after =
         "Surge load averaged over the time given: mean over arrangements of the segment maxima, with its 95 % "
-        "confidence and prediction intervals. The maxima below, without an averaging time, are of single steps{}.",
-        has_rigid_contacts(evidence.summary)
-            ? ": a rigid contact gives its impulse within one step, so they depend on the time step"
-            : "");
+        "confidence and prediction intervals.";
     return section;
 }
 
@@ -402,7 +405,9 @@ Section table3_section(Evidence& evidence) {
         .after = fmt::format(
             "Mean over arrangements with its 95 % confidence interval; below it the 95 % prediction interval of one "
             "further arrangement; –: one that would say nothing.{}",
-            papers ? " The paper's figures are one run each, and the experiment's maximum is one value." : ""),
+            papers ? " The paper's figures are one run each, and the experiment's maximum is one value. Maxima are of "
+                     "single steps here, as the paper's: they depend on the time step."
+                   : ""),
         .figures = !each ? std::vector<Figure>{}
                          : std::vector<Figure>{
                                strips(evidence, quantity("mean_load"),

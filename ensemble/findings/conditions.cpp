@@ -169,11 +169,6 @@ Words contact_words(const ContactLaw& law) {
     return words;
 }
 
-bool has_rigid_contacts(const Summary& summary) {
-    return std::ranges::any_of(summary.cases,
-                               [](const CaseSummary& row) { return row.about.contact.normal == NormalLaw::rigid; });
-}
-
 std::vector<std::string> condition_lines(const Summary& summary) {
     using Row = const CaseRow&;
     std::vector<std::string> lines;

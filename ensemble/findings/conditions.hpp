@@ -42,9 +42,6 @@ struct Condition {
     Datum (*value)(const CaseRow& row);
 };
 
-/// Whether maxima of single steps depend on the time step in some case, because its contacts are rigid.
-bool has_rigid_contacts(const Summary& summary);
-
 /// All of them.
 std::vector<Condition> conditions();
 

@@ -467,9 +467,10 @@ Results find_parts(const Evidence& evidence) {
     std::set<double> times;
     for (const Case& one : evidence.campaign.cases)
         for (const double time : one.scenario.averaging_times()) times.insert(time);
-    std::vector<Statistic> statistics{{estimates("mean_load", "mean", "N"), "parts/mean_load"},
-                                      {estimates("sd_load", "SD", "N"), "parts/sd_load"},
-                                      {estimates("maximum_load", "largest of a step", "N"), "parts/maximum_load"}};
+    std::vector<Statistic> statistics{
+        {estimates("mean_load", "mean", "N"), "parts/mean_load"},
+        {estimates("sd_load", "SD", "N"), "parts/sd_load"},
+        {estimates("maximum_load", times.empty() ? "largest of a step" : "", "N"), "parts/maximum_load"}};
     for (const double time : times)
         statistics.push_back(
             {estimates(fmt::format("mean_maximum_{}s", time), fmt::format("largest over {} s", time), "N"),

@@ -119,7 +119,9 @@ Results pair_results(const Summary& summary, const std::vector<PairRow>& rows, c
     ShortText last;
     for (const PairRow& row : rows) {
         const PairedComparison& found = row.found;
-        const auto whom = row.quantity.shown >= Shown::in_headlines ? Results::For::everybody : Results::For::on_page;
+        const auto whom = row.quantity.for_programs                   ? Results::For::programs
+                          : row.quantity.shown >= Shown::in_headlines ? Results::For::everybody
+                                                                      : Results::For::on_page;
         if (!(row.quantity.key == last))
             results.add_heading(std::string{row.quantity.label.view()}, whom, unit_of(row.quantity));
         last = row.quantity.key;
@@ -197,7 +199,7 @@ std::string apart_text(const Summary& summary, const std::vector<PairRow>& rows)
     std::vector<std::string> lines;
     std::size_t all = 0;
     for (const PairRow& row : rows)
-        if (!row.apart.empty() && ++all <= most)
+        if (!row.apart.empty() && !row.quantity.for_programs && ++all <= most)
             lines.push_back(fmt::format("{}, {}: {} of {} (arrangement {})", row.quantity.label,
                                         pair_label(summary, row), row.apart.size(), row.found.arrangements,
                                         fmt::join(row.apart, ", ")));

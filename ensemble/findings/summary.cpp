@@ -68,7 +68,7 @@ std::string unit_of(const Quantity& quantity) {
 
 ResultColumn column_of(const Quantity& quantity, ResultColumn::Holds holds) {
     return {.key = std::string{quantity.key.view()},
-            .words = std::string{quantity.label.view()},
+            .words = quantity.for_programs ? std::string{} : std::string{quantity.label.view()},
             .unit = unit_of(quantity),
             .holds = holds,
             .decimals = quantity.percent || quantity.count ? 1 : -1};

@@ -33,9 +33,9 @@ std::string worst_moments(const ReportData& data) {
     std::string body;
     for (const Moment& moment : data.moments) {
         const MemberRow& row = data.evidence.table.members[static_cast<std::size_t>(moment.member)];
-        body += fmt::format("<h3>{}: {} in a single step of member {}</h3>\n",
+        body += fmt::format("<h3>{}: member {}</h3>\n",
                             html_escaped(data.evidence.summary.name_of(static_cast<std::size_t>(row.case_index))),
-                            data.evidence.units.text(row.load.maximum, "N", 4), moment.member);
+                            moment.member);
         for (const MomentPicture& picture : moment.pictures) body += embedded(picture);
         if (!moment.differences.empty())
             body += note("The member computed for these pictures is not to the bit the one in the file: " +

@@ -37,11 +37,14 @@ std::vector<Quantity> quantities_with(std::span<const double> averaging_times) {
     std::vector<Quantity> all;
     for (const Quantity& one : quantities) {
         Quantity& of_steps = all.emplace_back(one);
-        if (one.averaged == nullptr || averaging_times.empty()) continue;
+        if (averaging_times.empty()) continue;
+        if (one.key.view() == "maximum_load" || one.key.view().ends_with("_maximum")) {
+            of_steps.label = ShortText{std::string_view{fmt::format("{} of single steps", one.label)}};
+            of_steps.for_programs = true;
+        }
+        if (one.averaged == nullptr) continue;
         const bool takes_over = one.shown == Shown::in_headlines;
         if (takes_over) of_steps.shown = Shown::in_table3;
-        if (one.key.view().ends_with("_maximum"))
-            of_steps.label = ShortText{std::string_view{fmt::format("{} of single steps", one.label)}};
         const double headline =
             std::ranges::find(averaging_times, usual) != averaging_times.end() ? usual : averaging_times.back();
         for (const double time : averaging_times) {

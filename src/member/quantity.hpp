@@ -95,6 +95,7 @@ struct Quantity {
     int since = 0;            ///< minor version of the file's layout 1 that introduced it
     double AveragedLoad::*averaged = nullptr;  ///< the same for the averaged load; none: not taken
     double averaging = 0;                      ///< s, that the load is averaged over; 0: every step
+    bool for_programs = false;                 ///< in CSV and JSON, but in no table for people
 
     /// NaN where the outputs do not have that averaging time.
     double of(const MemberOutputs& outputs) const;
@@ -544,8 +545,8 @@ constexpr const Quantity* find_quantity(std::string_view key) {
 Quantity averaged_over(const Quantity& one, double time);
 
 /// The list with, after each quantity that is taken of the averaged load too, the same for each of `averaging_times`.
-/// The maximum of the headlines is then that over 1 s or, without it, over the longest time; that of single steps,
-/// which depends on the time step, is named so.
+/// The maximum of the headlines is then that over 1 s or, without it, over the longest time; those of single steps,
+/// which depend on the time step, are named so and for programs.
 std::vector<Quantity> quantities_with(std::span<const double> averaging_times);
 
 /// The maximum of the headlines in a list of quantities_with().

@@ -17,11 +17,12 @@ struct CrushedEdge {
     double stiffness = 0;  ///< N/m, what that gains per depth
 
     /// Before a solve. overlap: now, m; speed: of approach, m/s; impulse: along the normal, of the last step, N s.
+    /// least: the speed below which bodies count as standing, what sweeps leave; their jitter crushes nothing.
     ///
     /// The last step took the edge on by x, with F x + K x²/2 = impulse * (mean of the speeds of approach before and
     /// after it), and the bodies by speed * time_step. Where nothing acted they only came to where they overlap.
-    void begin_step(double overlap, double speed, double impulse, double time_step) {
-        const double now = std::max(speed, 0.0);
+    void begin_step(double overlap, double speed, double impulse, double time_step, double least) {
+        const double now = speed > least ? speed : 0;
         const double work = 0.5 * impulse * (approach + now);
         const double crushed = work > 0 ? 2 * work / (force + std::sqrt(force * force + 2 * stiffness * work)) : 0;
         depth = std::max(0.0, overlap + ahead + crushed - now * time_step);

@@ -89,8 +89,8 @@ struct FrictionArrays {
 struct LimitArrays {
     double* yield;
     double* give;
-    double* force;  ///< N, at which the ice crushes; not for sweeps, as
-    double* stiffness;
+    double* force;      ///< N, at which ice crushes: what a bound is made of
+    double* stiffness;  ///< N/m, what that gains per depth
 };
 
 struct ContactStep {

@@ -462,7 +462,8 @@ double LaneEngine::approach(const SolverContact& contact) const {
 /// boxes have their own in the kernels.
 void LaneEngine::set_section(SolverContact& contact, TouchingPoint& point) const {
     if (definition_.contact.normal == NormalLaw::rigid) return;
-    point.edge.begin_step(-contact.distance, approach(contact), point.impulse, definition_.time_step);
+    point.edge.begin_step(-contact.distance, approach(contact), point.impulse, definition_.time_step,
+                          definition_.tolerance);
     contact.crushed = point.edge.mean_depth(definition_.time_step);
     if (!bodies_[contact.a].parts.is_prism && !bodies_[contact.b].parts.is_prism) return;
     for (const auto& [number, sign] : {std::pair(contact.a, 1.0), std::pair(contact.b, -1.0)}) {

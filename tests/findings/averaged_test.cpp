@@ -54,6 +54,24 @@ TEST(Averaged, IsSummarisedAsEveryStepIs) {
     EXPECT_THAT(csv(std::vector{summary_section(summary, 1)}), HasSubstr(",mean_maximum_0.5s,mean_maximum_0.5s_low,"));
 }
 
+// Those of single steps depend on the time step: where there are others, they are for programs.
+TEST(Averaged, TakesThePlaceOfMaximaOfSingleSteps) {
+    Evidence evidence = evidence_of({}, averaged());
+    const Section tables[] = {summary_section(evidence.summary, 1),
+                              pairs_section(evidence.summary, compare_pairs(evidence), {})};
+    for (const Section& table : tables) {
+        const std::string shown = text_of(table);
+        EXPECT_THAT(shown, HasSubstr("over 0.5 s"));
+        EXPECT_THAT(shown, Not(HasSubstr("single steps")));
+        EXPECT_THAT(shown, Not(HasSubstr("mean maximum, N")));
+    }
+    EXPECT_THAT(csv(std::vector{tables[0]}), HasSubstr(",maximum_load,"));
+    EXPECT_THAT(csv(std::vector{tables[0]}), HasSubstr(",mean_maximum,mean_maximum_low,"));
+    EXPECT_THAT(csv(std::vector{tables[1]}), HasSubstr("mean_maximum,"));
+    const Summary without = summarise(example::campaign());
+    EXPECT_THAT(text_of(summary_section(without, {})), HasSubstr("Maxima are of single steps"));
+}
+
 TEST(Averaged, IsNotShownWhereNothingWasAveraged) {
     const Summary summary = summarise(example::campaign());
     EXPECT_THAT(text_of(summary_section(summary, {})), Not(HasSubstr("over 0.5 s")));
