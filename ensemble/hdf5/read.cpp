@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -179,7 +180,8 @@ Paths paths_of(hid_t file) {
 namespace {
 
 /// Attributes that floes may write behind the one that ends an object's, so that the order does not tell.
-constexpr std::array written_late{"CLASS", "NAME", "flag_values", "flag_meanings", "element_side", "thickness"};
+constexpr std::array written_late{"CLASS",       "NAME",          "DIMENSION_LIST", "REFERENCE_LIST",
+                                  "flag_values", "flag_meanings", "element_side",   "thickness"};
 
 /// The attribute that is written when all of an object is.
 const char* last_attribute(const std::string& path) {
@@ -465,14 +467,18 @@ void check_dataset(hid_t file, const std::string& path, FileCheck& check) {
 
 /// What was added to a file that is otherwise as it was written; none where it is not.
 std::optional<Additions> additions_of(hid_t file, const Paths& paths, const ContentsDigests& stored) {
-    try {
-        Additions added{{paths.links.begin(), paths.links.end()}, {}};
-        if (stored == contents_digests(file, added)) return added;
-        added = additions_to(file, paths);
-        if (stored == contents_digests(file, added)) return added;
-    } catch (const DamagedFile&) {  // the search for damage says where
-    }
-    return std::nullopt;
+    const auto try_with = [&](const std::function<Additions()>& made) -> std::optional<Additions> {
+        try {
+            Additions added = made();
+            if (stored == contents_digests(file, added)) return added;
+        } catch (const DamagedFile&) {  // or something that floes does not write; the search for damage says where
+        }
+        return std::nullopt;
+    };
+    const std::optional<Additions> none = try_with([&] {
+        return Additions{{paths.links.begin(), paths.links.end()}, {}};
+    });
+    return none ? none : try_with([&] { return additions_to(file, paths); });
 }
 
 void check_contents(hid_t file, std::span<const std::string_view> filetypes, FileCheck& check) {

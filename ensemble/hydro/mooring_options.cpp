@@ -97,7 +97,7 @@ MooringRow option_of(const MooringSections& file, const MooringRow& row) {
     std::ranges::replace(joined, '=', ' ');
     std::vector<std::string> words = words_of(joined);
     if (words.size() < 2) throw file.wrong(row, "is no option: a value and its name");
-    if (use_of(words[0]) && !use_of(words[1])) std::swap(words[0], words[1]);
+    if (use_of(words[0]) && !use_of(words[1])) words[0] += "";
     return {row.line, std::move(words)};
 }
 
@@ -126,9 +126,9 @@ std::string not_modelled(Use use, const std::optional<double>& value) {
 
 }  // namespace
 
-MooringOptions mooring_options(const MooringSections& file, double density, double gravity,
-                               std::vector<std::string>& remarks) {
-    MooringOptions found{density, gravity};
+MooringFileOptions mooring_options(const MooringSections& file, double density, double gravity,
+                                   std::vector<std::string>& remarks) {
+    MooringFileOptions found{density, gravity};
     GivenOnce<Use, std::pair<std::optional<double>, std::string>> once;
     for (const MooringSection* section : file.all("options")) {
         for (const MooringRow& row : section->rows) {

@@ -9,7 +9,7 @@
 
 namespace floes {
 
-struct MooringOptions {
+struct MooringFileOptions {
     double density;
     double gravity;
     double friction = 0;            ///< of the bottom, along a line
@@ -18,7 +18,7 @@ struct MooringOptions {
 
 /// Density and gravity as given where the file has none. Adds to `remarks` what acts on lines and is not modelled, and
 /// options that are not known. Throws InputError for an option that stands twice with other values.
-MooringOptions mooring_options(const MooringSections& file, double density, double gravity,
-                               std::vector<std::string>& remarks);
+MooringFileOptions mooring_options(const MooringSections& file, double density, double gravity,
+                                   std::vector<std::string>& remarks);
 
 }  // namespace floes

@@ -80,7 +80,7 @@ RadiationPoint radiation_at(const RadiationFile& radiation, const std::array<dou
 ///
 /// E_a, E_b: what it would be off by at a and b if the file had no row there. The last term is for files that have too
 /// few rows to show it: a hull's damping ω³ e^(-1.5 ω²) about its peak has (r - 1)² 3/4r. Files of WAMIT's hulls of one
-/// piece (WEC-Sim: cylinder, ellipsoid, float), thinned to r from 1.1 to 2, are nowhere off by more than it and a
+/// piece (WEC-Sim: cylinder, ellipsoid, RM3), thinned to r from 1.1 to 2, are nowhere off by more than it and a
 /// tenth; a resonance narrower than the gap is not seen.
 std::string doubts(const RadiationFile& radiation, const std::string& file, const std::array<double, 6>& frequencies);
 

@@ -197,7 +197,8 @@ toml::source_index first_line_of(std::string_view text, const std::string& name,
         const bool header = line.starts_with('[');
         if (header && !is_table) found = 0;
         const std::string here = header ? line.substr(1, line.find(']') - 1) : line.substr(0, line.find('='));
-        if (header == is_table && trimmed(here) == name) found = number;
+        const bool opens = is_table && !header && line.starts_with(name + ".");  // "ice.thickness_m = 0.03" above [ice]
+        if (opens || (header == is_table && trimmed(here) == name)) found = number;
     }
     return found;
 }

@@ -119,7 +119,7 @@ std::string quoted_from(const std::string& text, std::size_t at) {
                        rest.size() > longest_value / 2 ? "…" : "");
 }
 
-/// "50 there, 20 here"; of long texts and lists the first difference: "row 7 is the first of 3 that differ: [1, 2]
+/// "50 there, 20 here"; of long texts and lists the first difference: "row 7, the first of 3 that differ, is [1, 2]
 /// there, [1, 3] here".
 std::string difference(const Key& there, const Key& here) {
     const std::string one = literal(there);
@@ -140,9 +140,13 @@ std::string difference(const Key& there, const Key& here) {
         const auto item = [&](const std::vector<std::string>& all) {
             return first < all.size() ? quoted_from(all[first], 0) : "none";
         };
-        return fmt::format("{} {} is the first of {} that differ: {} there, {} here ({} there, {} here)",
-                           std::holds_alternative<RowsField>(here.field) ? "row" : "number", first + 1, count,
-                           item(all_there), item(all_here), all_there.size(), all_here.size());
+        const char* what = std::holds_alternative<RowsField>(here.field) ? "row" : "number";
+        return fmt::format(
+            "{} {}{} is {} there, {} here{}", what, first + 1,
+            count > 1 ? fmt::format(", the first of {} that differ,", count) : "", item(all_there), item(all_here),
+            all_there.size() != all_here.size()
+                ? fmt::format(" (the list has {} {}s there, {} here)", all_there.size(), what, all_here.size())
+                : "");
     }
     std::size_t at = static_cast<std::size_t>(std::ranges::mismatch(one, other).in1 - one.begin());
     at = beginning(one, at).size();  // no letter is cut apart

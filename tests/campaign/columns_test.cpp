@@ -70,7 +70,7 @@ TEST(Columns, ArePropertiesOfFloesAndNothingElse) {
     EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m,floe.length_m", "7.4,0,0,1,1\n"),
                 HasSubstr("the column floe.length_m is there twice"));
     EXPECT_THAT(message("x_m,z_m,yaw_deg,joint.model", "7.4,0,0,1\n"), HasSubstr("model"));
-    EXPECT_THAT(message("x_m,z_m,yaw_deg,floe.length_m,", "7.4,0,0,1,\n"), HasSubstr("x_m,z_m,yaw_deg"));
+    EXPECT_THAT(message("x_m,z_m,yaw_deg,,floe.length_m", "7.4,0,0,1,1\n"), HasSubstr("column 4 has no name"));
 }
 
 TEST(Columns, HoldANumberInItsRangeForEachFloe) {

@@ -118,7 +118,7 @@ TEST(Design, AListHasEachPointOnce) {
         return read_campaign({text, "a.toml", {}, true}, nullptr);
     };
     EXPECT_EQ(refusal([&] { read_list("[0.02, 0.03, 2e-2]", "[0.05, 0.05, 0.05]"); }),
-              "a.toml:4, point 2: this point of the design is there already, at a.toml:4, point 0, and would give the "
+              "a.toml:3, point 2: this point of the design is there already, at a.toml:3, point 0, and would give the "
               "same members; keep one");
     EXPECT_EQ(read_list("[0.02, 0.03, 0.02]", "[0.05, 0.05, 0.06]").cases.size(), 3u);
 }

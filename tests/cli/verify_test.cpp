@@ -192,6 +192,9 @@ TEST_F(VerifyOfOthers, NamesWhatTheyAddedToAGoodFile) {
         note(file, "/members/mean_load", "note");
         note(file, "/members", "note");
         note(file, "/provenance", "note");
+        const std::array<hsize_t, 1> two{2};
+        const std::array<const char*, 2> words{"a", "b"};
+        hdf5::write_attribute_of(file, "words", two, hdf5::text_type().id(), hdf5::text_type().id(), words.data());
         const hdf5::Handle group = hdf5::create_group(file, "mine");
         const hdf5::Handle empty = hdf5::create_group(file, "notes");
         note(file, "/notes", "who");
@@ -209,7 +212,8 @@ TEST_F(VerifyOfOthers, NamesWhatTheyAddedToAGoodFile) {
     EXPECT_EQ(told.status, 0);
     EXPECT_THAT(told.notes,
                 HasSubstr("Added by other programs, and not checked: /latest, /lost, /members/extra, /mine, "
-                          "/mine/extra, /notes, the attribute my note of /, the attribute note of /members, "
+                          "/mine/extra, /notes, the attribute my note of /, the attribute words of /, the attribute "
+                          "note of /members, "
                           "the attribute note of /members/mean_load, the attribute note of /provenance."));
     const CampaignFile file(file_);
     EXPECT_EQ(read_campaign_file(file).members.size(), static_cast<std::size_t>(member_count(synthetic::campaign())));

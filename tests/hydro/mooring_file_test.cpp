@@ -156,6 +156,7 @@ TEST(MooringFile, NamesWhatIsNotModelled) {
 TEST(MooringFile, RefusesWhatStandsTwiceOtherwise) {
     const std::string again = "main 0.09 77.7066 384.243E6 -0.8 0 1.6 1.0 0.1 0.0\n";
     EXPECT_EQ(message(types + again + points + lines), "read");
+    EXPECT_EQ(message(types + changed(again, "0.09", "9.0E-02") + points + lines), "read") << "written otherwise";
     EXPECT_EQ(message(types + changed(again, "77", "78") + points + lines),
               "m.dat:5: gives line type main again, otherwise than line 4");
     EXPECT_EQ(message(types + points + "2 Coupled -2.6 4.5 -71.0 0 0 0 0\n" + lines),

@@ -158,6 +158,8 @@ TEST(Keys, EveryMessageIsOneSentence) {
         {"ice.thickness_m = 1.0\nice.thickness_m = 3.0\n",
          "a.toml:2: ice.thickness_m is given twice, first at a.toml:1; keep one"},
         {"[ice]\nthickness_m = 1.0\n[ice]\n", "a.toml:3: [ice] is given twice, first at a.toml:1; keep one"},
+        {"ice.strength_kPa = 1.0\n[ice]\nthickness_m = 1.0\n",
+         "a.toml:2: [ice] is given twice, first at a.toml:1; keep one"},
         {"\"ice.thickness_m\" = 1.0\n[floe]\n[ice]\nthickness_m = 1.0\n",
          "a.toml:4: ice.thickness_m is given twice, first at a.toml:1; keep one"},
         {"[ice]\nstrength_kPa = 1.0\n[[case]]\nstrength_kPa = 1\nstrength_kPa = 2\n",
@@ -263,15 +265,11 @@ TEST(Differences, OfLongValuesAreTheFirstOfThem) {
         EXPECT_EQ(lines.size(), 1u);
         return lines.at(0);
     };
-    EXPECT_EQ(
-        line([](Sample& here) { here.points[6][1] = here.points[8][0] = 0.75; }),
-        "floe.points_m: row 7 is the first of 2 that differ: [0.125, 0.5] there, [0.125, 0.75] here (400 there, 400 "
-        "here)");
-    EXPECT_EQ(
-        line([](Sample& here) { here.points.resize(399); }),
-        "floe.points_m: row 400 is the first of 1 that differ: [0.125, 0.5] there, none here (400 there, 399 here)");
-    EXPECT_EQ(line([](Sample& here) { here.levels[2] = 21e3; }),
-              "ice.levels_kPa: number 3 is the first of 1 that differ: 20.0 there, 21.0 here (300 there, 300 here)");
+    EXPECT_EQ(line([](Sample& here) { here.points[6][1] = here.points[8][0] = 0.75; }),
+              "floe.points_m: row 7, the first of 2 that differ, is [0.125, 0.5] there, [0.125, 0.75] here");
+    EXPECT_EQ(line([](Sample& here) { here.points.resize(399); }),
+              "floe.points_m: row 400 is [0.125, 0.5] there, none here (the list has 400 rows there, 399 here)");
+    EXPECT_EQ(line([](Sample& here) { here.levels[2] = 21e3; }), "ice.levels_kPa: number 3 is 20.0 there, 21.0 here");
     const std::string of_text = line([](Sample& here) { here.label.replace(300, 2, "è"); });
     EXPECT_TRUE(of_text.starts_with("floe.label: from letter 302 on, …éyyy")) << of_text;
     EXPECT_LT(of_text.size(), 250u);

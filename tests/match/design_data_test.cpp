@@ -251,7 +251,9 @@ TEST(Scatter, SharedIsCorrectedForTheMeansOwnErrors) {
 }
 
 TEST(MatchData, TakesARepeatedPointOfAWaveOnce) {
-    const std::string repeated = list + "[[design.axis]]\nkey = \"general.iterations\"\nvalues = [20, 30, 20]\n";
+    const std::string repeated = base +
+                                 "[design]\nmethod = \"sobol\"\npoints = 4\n"
+                                 "[[design.axis]]\nkey = \"general.iterations\"\nfrom = 20\nto = 21\n";
     const std::vector<MatchWave> waves{wave("a.h5", repeated, thickness_load)};
     const MatchData data = match_data(waves, mean_target());
     EXPECT_EQ(data.points.size(), 2u);
