@@ -207,7 +207,6 @@ void take_failures(const MooringSections& file, std::vector<Line>& lines) {
             if (const auto other = once.other_line(row.words[2], tension, row.line))
                 throw file.wrong(row, fmt::format("has line {} fail at another tension than line {} of the file",
                                                   row.words[2], *other));
-            
         }
     }
 }
@@ -216,7 +215,6 @@ void take_failures(const MooringSections& file, std::vector<Line>& lines) {
 void refuse_as_configuration(const MooringSections& file, const Line& line) {
     Contradictions found;
     check_hanging(line.hanging, fmt::format("{}:{}: line {}", file.file(), line.row.line, line.row.words[0]), found);
-    
 }
 
 /// Sections that say something and are not read.

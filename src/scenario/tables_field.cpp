@@ -327,6 +327,26 @@ void add_shapes(Keys& keys, Shapes& shapes) {
 
 // Keys of the tables [water] and [wind].
 
+namespace {
+
+void add_current(Keys& keys, Water& water) {
+    const Range angle = at_least(-360).at_most(360);
+    keys.push_back(late_key(number_key("water.current_m_s", water.current, unit::one, at_least(0).at_most(100), "none",
+                                       "Speed of the current. Floes drift with it from the start; the flow past the "
+                                       "structure is that of the tow relative to it.")));
+    keys.push_back(late_key(only_with(
+        "water.current_m_s > 0", [&water] { return water.current > 0; },
+        number_key("water.current_direction_deg", water.current_direction, unit::degree, angle, "along the tow",
+                   "Direction towards which the current flows: 0 along the tow, 90 towards +z."))));
+    keys.push_back(late_key(
+        number_key("water.turning_deg", water.turning, unit::degree, at_least(-90).at_most(90),
+                   "none in a tank; at sea 20 to 25 (Leppäranta, The Drift of Sea Ice, 2011, chapter 5)",
+                   "Turning angle of the boundary layer below the ice: the water's skin drag is turned by it "
+                   "from the water's motion relative to the ice, anticlockwise from above (northern hemisphere).")));
+}
+
+}  // namespace
+
 void add_water(Keys& keys, Water& water) {
     const Range coefficient = at_least(0).at_most(100);
     keys.push_back(number_key("water.density_kg_m3", water.density, unit::one, above(0).at_most(5000), "Table 1",
@@ -375,19 +395,7 @@ void add_water(Keys& keys, Water& water) {
         number_key("water.added_mass_in_plane", water.added_mass_in_plane, unit::one, coefficient,
                    "between 0.04 for fast and 0.18 for slow motion of the tank's floes, docs/water.md",
                    "Added mass along the surface and in yaw, as a share of the ice's mass."))));
-    const Range angle = at_least(-360).at_most(360);
-    keys.push_back(late_key(number_key("water.current_m_s", water.current, unit::one, at_least(0).at_most(100), "none",
-                                       "Speed of the current. Floes drift with it from the start; the flow past the "
-                                       "structure is that of the tow relative to it.")));
-    keys.push_back(late_key(only_with(
-        "water.current_m_s > 0", [&water] { return water.current > 0; },
-        number_key("water.current_direction_deg", water.current_direction, unit::degree, angle, "along the tow",
-                   "Direction towards which the current flows: 0 along the tow, 90 towards +z."))));
-    keys.push_back(late_key(
-        number_key("water.turning_deg", water.turning, unit::degree, at_least(-90).at_most(90),
-                   "none in a tank; at sea 20 to 25 (Leppäranta, The Drift of Sea Ice, 2011, chapter 5)",
-                   "Turning angle of the boundary layer below the ice: the water's skin drag is turned by it "
-                   "from the water's motion relative to the ice, anticlockwise from above (northern hemisphere).")));
+    add_current(keys, water);
 }
 
 void add_wind(Keys& keys, Wind& wind) {

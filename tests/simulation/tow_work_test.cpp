@@ -51,8 +51,8 @@ TEST(TowWork, IsTheLoadToOnePercent) {
         EXPECT_GT(loss, 0);
 }
 
-// What the ice does on a structure that gives way, its moorings damp or store. Without this share, most of the load here
-// would go nowhere.
+// What the ice does on a structure that gives way, its moorings damp or store. Without this share, most of the load
+// here would go nowhere.
 TEST(TowWork, OfAMooredStructureIsTheLoadToo) {
     Scenario scenario = packed();
     scenario.moorings.mass = 300;
