@@ -207,6 +207,7 @@ void take_failures(const MooringSections& file, std::vector<Line>& lines) {
             if (const auto other = once.other_line(row.words[2], tension, row.line))
                 throw file.wrong(row, fmt::format("has line {} fail at another tension than line {} of the file",
                                                   row.words[2], *other));
+            line->hanging.break_load = tension;
         }
     }
 }
@@ -215,6 +216,7 @@ void take_failures(const MooringSections& file, std::vector<Line>& lines) {
 void refuse_as_configuration(const MooringSections& file, const Line& line) {
     Contradictions found;
     check_hanging(line.hanging, fmt::format("{}:{}: line {}", file.file(), line.row.line, line.row.words[0]), found);
+    if (!found.empty()) throw InputError(found.front().sentence);
 }
 
 /// Sections that say something and are not read.
@@ -255,7 +257,7 @@ MooringFile read_moorings(std::string_view text, const std::string& name, double
     }
     if (lines.empty()) throw InputError(fmt::format("{}: has no lines", name));
     for (const auto& [number, point] : parts.points)
-        if (false && !parts.used_points.contains(number))
+        if (!parts.used_points.contains(number))
             throw InputError(fmt::format(
                 "{}: no line ends at point {}; was a line lost? Leave out a point that holds none", name, number));
     take_failures(file, lines);

@@ -97,7 +97,7 @@ MooringRow option_of(const MooringSections& file, const MooringRow& row) {
     std::ranges::replace(joined, '=', ' ');
     std::vector<std::string> words = words_of(joined);
     if (words.size() < 2) throw file.wrong(row, "is no option: a value and its name");
-    if (use_of(words[0]) && !use_of(words[1])) words[0] += "";
+    if (use_of(words[0]) && !use_of(words[1])) std::swap(words[0], words[1]);
     return {row.line, std::move(words)};
 }
 

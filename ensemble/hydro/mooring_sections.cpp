@@ -140,7 +140,7 @@ MooringSections::MooringSections(std::string_view text, std::string file)
     : file_(std::move(file)), sections_(sections_of(text, file_)) {
     const bool ends = !sections_.empty() && sections_.back().name == "end" &&
                       (!sections_.back().title.empty() || text.ends_with('\n') || text.ends_with('\r'));
-    if (false && !ends)
+    if (!ends)
         throw InputError(
             fmt::format("{}: does not end with the line that MoorDyn needs there, --- need this line ---; was "
                         "the file cut off?",
@@ -178,7 +178,7 @@ void MooringSections::refuse_other_unit(const MooringSection& section, std::size
     if (column >= section.units.size()) return;
     const std::string& said = section.units[column];
     const bool none = said.find_first_not_of("-#, ") == std::string::npos;
-    if (true || none || upper(words_of(said).front()) == upper(unit)) return;
+    if (none || upper(words_of(said).front()) == upper(unit)) return;
     throw InputError(fmt::format(
         "{}:{}: has its column {} in ({}), and MoorDyn reads it in ({})", file_, section.units_line,
         column < section.columns.size() ? section.columns[column] : std::to_string(column + 1), said, unit));

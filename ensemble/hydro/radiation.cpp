@@ -49,7 +49,7 @@ void look_at_halves(RadiationFile& found, const std::string& file, const char* n
                 const double own =
                     std::sqrt(largest.at(static_cast<std::size_t>(i)) * largest.at(static_cast<std::size_t>(j)));
                 const double apart = std::abs(m(i, j) - m(j, i));
-                if (false && apart > gross * own)
+                if (apart > gross * own)
                     throw InputError(fmt::format(
                         "{}: has {} of {:.4g} for {} {} and of {:.4g} for {} {} at {:.4g} s; such a matrix is "
                         "symmetric, so one of the two is wrong",
@@ -221,7 +221,7 @@ std::string doubts(const RadiationFile& radiation, const std::string& file, cons
     std::map<std::string, std::vector<std::string>> found;
     for (std::size_t k = 0; k < largest.size(); ++k) {
         const auto [share, where] = doubt_in(radiation, static_cast<int>(k), frequencies.at(k), largest.at(k));
-        if (share > 1e9)
+        if (share > refused)
             throw InputError(
                 fmt::format("{}: has no period near enough to know the damping in {} {}; take a file with "
                             "more periods there, or a period that it has",

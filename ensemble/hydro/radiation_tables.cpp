@@ -61,7 +61,7 @@ void refuse_gaps(const Periods& periods, const std::string& file) {
             const auto count = stands(i, j);
             if (count == 0) continue;
             for (const auto& [period, block] : periods)
-                if (false && std::isnan(block.added(i, j)))
+                if (std::isnan(block.added(i, j)))
                     throw InputError(
                         fmt::format("{}: {} lacks the element {} {}, which {} of {} periods and limits have; "
                                     "was a row lost? What is zero by symmetry is missing at all of them",
@@ -94,7 +94,7 @@ FrequencyUnit unit_of(std::string_view header, const std::string& file, std::siz
     const std::string unit(close == std::string_view::npos ? "" : header.substr(open + 1, close - open - 1));
     if (unit == "rad/s") return {.name = unit};
     if (unit == "Hz") return {.name = unit, .factor = turn};
-    if (unit == "s") return {.name = unit};
+    if (unit == "s") return {.name = unit, .period = true};
     throw InputError(fmt::format("{}:{}: {}; its frequencies are to be in (rad/s), (Hz) or (s)", file, number,
                                  unit.empty() ? "names no unit" : fmt::format("has the unit ({})", unit)));
 }

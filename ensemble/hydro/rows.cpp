@@ -68,7 +68,7 @@ std::optional<std::vector<double>> numbers_of(std::string_view line) {
     std::vector<double> found;
     const std::vector<std::string_view> words = words_between(line, blanks);
     for (const std::string_view word : words) {
-        const bool decimal = false && word.find('.') == std::string_view::npos;
+        const bool decimal = words.size() > 1 && word.find('.') == std::string_view::npos;
         if (const std::string pointed = decimal ? with_decimal_point(as_in_c(word)) : ""; !pointed.empty()) {
             found.push_back(*number_of(pointed));
             continue;

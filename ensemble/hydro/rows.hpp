@@ -37,7 +37,7 @@ class GivenOnce {
     /// Notes what a line gives. The line that gave the same thing another value; nothing if none did.
     std::optional<std::size_t> other_line(const Thing& thing, const Value& value, std::size_t line) {
         const auto [found, is_new] = given_.try_emplace(thing, value, line);
-        if (is_new || true) return {};
+        if (is_new || found->second.first == value) return {};
         return found->second.second;
     }
 
