@@ -4,8 +4,8 @@
 Usage:
     contact.py                    writes the tables
     contact.py --check            writes nothing; fails if a table differs from the data
-    contact.py --collect FOLDER   first takes the members of the finished campaigns contact_choices.h5, resolution.h5 and
-                                  steps.h5 in FOLDER, made from configs/validation
+    contact.py --collect FOLDER   first takes the members of the finished campaigns contact_choices.h5 and resolution.h5 in
+                                  FOLDER, made from configs/validation
 """
 import pathlib
 import sys
@@ -21,7 +21,7 @@ from validation_tables import difference, number, table
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "contact"
 COLUMNS = ["split_ratio", "mean_heave", "mean_sweeps"]
-CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution", "steps": "steps"}
+CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution"}
 QUANTITIES = {"mean_N": "mean, N", "maximum_0.1s_N": "largest over 0.1 s, N", "maximum_1s_N": "over 1 s, N",
               "broken_percent": "broken floes, %"}
 NUMERIC_QUANTITIES = QUANTITIES | {"cracked_percent": "cracked through, %", "heave_N": "heave, N"}
@@ -35,7 +35,6 @@ NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s"
             "step_0.0025": "step 0.0025 s", "tolerance_10": "tolerance 10 mm/s",
             "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps", "sweeps_20": "at most 20 sweeps",
             "elements_0.3": "elements 0.3 m", "elements_0.15": "elements 0.15 m", "elements_0.1": "elements 0.1 m"}
-STEPS = {"default": "**0.02 s**", "step_0.01": "0.01 s", "step_0.005": "0.005 s"}
 RIGID = {"rigid": "**0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "step 0.005 s",
          "rigid_0.0025": "step 0.0025 s"}
 
@@ -108,9 +107,7 @@ def main(arguments):
         return beside(resolution, words, first, NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
     fill_or_check({DOCS / "contact.md": {"choices": lambda: beside(choices, CHOICES, "contacts"),
-                                         "paper": lambda: beside(choices, PAPER, "contacts"),
-                                         "steps": lambda: beside(members("steps"), STEPS, "time step",
-                                                                 NUMERIC_QUANTITIES)},
+                                         "paper": lambda: beside(choices, PAPER, "contacts")},
                    DOCS / "convergence.md": {"numerics": lambda: numerics(NUMERICS, "computed with"),
                                              "rigid": lambda: numerics(RIGID, "rigid contacts")}},
                   arguments == ["--check"], "contact.py")
