@@ -66,7 +66,7 @@ TEST(Regimes, RefuseWhatMakesNoYear) {
     EXPECT_THAT(refusal([&] { toml("[[regime]]\ncase = \"E60\"\n"); }), HasSubstr("has no hours_per_year"));
     EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 3\n"); }), HasSubstr("says nothing of its ice"));
     EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_yaer = 3\n"); }), HasSubstr("hours_per_year"));
-    EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 9000\ncase = \"E60\"\n"); }), HasSubstr("8766"));
+    EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 9000\ncase = \"E60\"\n"); }), HasSubstr("8784"));
     EXPECT_THAT(refusal([&] { toml("[[regime]]\nhours_per_year = 3\nice.thickness_m = \"thin\"\n"); }),
                 HasSubstr("ice.thickness_m = \"thin\" is no number"));
     EXPECT_THAT(refusal([&] { toml("[[regimes]]\nhours_per_year = 3\n"); }), HasSubstr("did you mean [[regime]]?"));
@@ -80,11 +80,10 @@ TEST(Regimes, MayFillAYearUpToALeapYear) {
         for (int k = 1; k <= count; ++k) text += "0." + std::to_string(k) + "," + hours + "\n";
         return text;
     };
-    EXPECT_EQ(table(classes(9, "974")).size(), 9u);
     double sum = 0;
-    for (int k = 0; k < 6; ++k) sum += 1464.0000000000001;
+    for (int k = 0; k < 15; ++k) sum += 585.6;
     EXPECT_GT(sum, 8784);  // by rounding
-    EXPECT_EQ(table(classes(6, "1464.0000000000001")).size(), 6u);
+    EXPECT_EQ(table(classes(15, "585.6")).size(), 15u);
     EXPECT_EQ(toml("[[regime]]\nhours_per_year = 8784\ncase = \"E60\"\n").front().time, 8784 * 3600.0);
     EXPECT_THAT(refusal([&] { table(classes(6, "1464.01")); }),
                 HasSubstr("the regimes have 8784.06 h together, and a year has 8766, a leap year 8784"));
