@@ -67,7 +67,7 @@ def interval_coverage():
     data = pd.read_csv(DATA / "coverage_intervals.csv")
     members = sorted(data.n.unique())
     rows = []
-    for (method, name), own in data.groupby(["method", "set"], sort=False):
+    for (method, name), own in data.sort_values("method", kind="stable").groupby(["method", "set"], sort=False):
         own = own.set_index("n")
         rows.append([method, name] + [f"{own.loc[n, 'within_percent']:.0f} % ({own.loc[n, 'below_percent']:.0f}, "
                                       f"{own.loc[n, 'width']:.2f})" for n in members])
