@@ -129,7 +129,7 @@ inline std::vector<Set> verification() {
             {"gamma, shape 2", [](double w) { return w <= 0 ? 0.0 : 2 * w - std::log1p(2 * w); }},
             {"Gumbel", gumbel},
             {"heavy: Burr, ξ 0.2", [](double w) { return w <= 0 ? 0.0 : 2.5 * std::log1p(w * w); }},
-            {.name = "Gumbel, members' scale varies by 25 %", .hazard = gumbel, .scatter = 0.25},
+            {.name = "Gumbel, SD of members' scales 0.25", .hazard = gumbel, .scatter = 0.25},
             {.name = "Gumbel, 8 % of members at 4 times the load", .hazard = gumbel, .share = 0.08, .times = 4},
             {.name = "gamma, rising by 8 % through the window",
              .hazard = [](double w) { return w <= 0 ? 0.0 : 2 * w - std::log1p(2 * w); },
