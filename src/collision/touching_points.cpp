@@ -37,7 +37,6 @@ void TouchingPoints::add(const PrismPlace& a, const PrismPlace& b, const Triple&
     point.impulse = known.impulse;
     point.slide = known.slide;
     point.friction_impulse = known.friction_impulse;
-    point.edge = known.edge;
     known = point;
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 // The points at which two bodies touch, from step to step: they last while their two halves stay near each other, and
-// keep their impulses and crushed edges. The rules of Bullet's btPersistentManifold, to the last bit.
+// keep their impulses. The rules of Bullet's btPersistentManifold, to the last bit.
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
 #include "collision/overlap.hpp"
-#include "solver/crushed_edge.hpp"
 
 namespace floes {
 
@@ -21,7 +20,6 @@ struct TouchingPoint {
     double impulse = 0;           ///< N s, of the last solve, on a along the normal
     Triple slide{};               ///< of the friction impulse, unit; zero where there is none
     double friction_impulse = 0;  ///< N s
-    CrushedEdge edge;
 };
 
 class TouchingPoints {

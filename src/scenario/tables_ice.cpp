@@ -164,9 +164,8 @@ Key contact_preset(ContactLaw& contact) {
     return preset_key(
         {"contact.preset", words, "docs/convergence.md",
          "Sets contact.friction, contact.law and paper.internal_edges together; those of them that are given "
-         "as well are applied after it. physical: cone, crushing, false, with which no dependence of loads over 0.1 s "
-         "and more on the time step shows (docs/convergence.md). paper: one_direction, rigid, true, which is what "
-         "Bullet does by "
+         "as well are applied after it. physical: cone, crushing, false, with which the largest loads do not depend "
+         "on the time step (docs/convergence.md). paper: one_direction, rigid, true, which is what Bullet does by "
          "default and so probably the paper. own: leaves them as they are."});
 }
 
@@ -190,14 +189,14 @@ void add_contact(Keys& keys, ContactLaw& contact) {
     keys.push_back(late_key(word_key(
         "contact.law", contact.normal, {normal_law_words.begin(), normal_law_words.end()}, "docs/convergence.md",
         "What bounds the force along the normal. rigid: nothing, so that a collision ends within one step and the "
-        "largest load depends on the time step. crushing: ice yields at crushing_pressure_kPa over the area that is "
-        "crushed open and does not push back, not with solver stock; contact.erp and split impulse then have no "
+        "largest load depends on the time step. crushing: ice yields at crushing_pressure_kPa over the area that the "
+        "overlap opens and does not push back, not with solver stock; contact.erp and split impulse then have no "
         "effect (docs/contact.md).")));
     keys.push_back(late_key(number_key(
         "contact.crushing_pressure_kPa", contact.crushing_pressure, unit::kilopascal, at_least(0).at_most(1e6),
         "the paper has none",
         "Pressure at which edges crush, with contact.law = \"crushing\"; 0: ice.compressive_strength_kPa. With a "
-        "higher value contacts are stiffer.")));
+        "higher value contacts are stiffer and need shorter steps.")));
 }
 
 // Keys of the table [paper]: what only a comparison with the paper needs.

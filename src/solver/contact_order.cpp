@@ -127,7 +127,6 @@ void fill_points(AlignedArray<double>& points, std::span<const SolverContact> co
         at[point_field::impulse * width] = contact.impulse;
         at[point_field::section * width] = contact.section;
         at[point_field::section_growth * width] = contact.section_growth;
-        at[point_field::crushed * width] = contact.crushed;
     }
 }
 
@@ -141,19 +140,6 @@ void fill_friction_start(AlignedArray<double>& start, std::span<const SolverCont
         double* at = start.data() + place(order.slot(i), fields, 0, lanes);
         for (std::size_t k = 0; k < 3; ++k) at[k * width] = contacts[i].slide[k] * contacts[i].friction_impulse;
     }
-}
-
-LimitArrays ContactLimits::fill(std::size_t slots) {
-    for (AlignedArray<double>& values : values_) values.reserve(slots);
-    all_ = {values_[0].data(), values_[1].data(), values_[2].data(), values_[3].data()};
-    set_ = true;
-    return all_;
-}
-
-void ContactLimits::finish(SolverContact& contact, std::uint32_t slot) const {
-    if (!set_) return;
-    contact.yields_at = all_.force[slot];
-    contact.stiffness = all_.stiffness[slot];
 }
 
 void set_friction(SolverContact& contact, const std::array<double, 3>& impulse) {

@@ -70,26 +70,6 @@ void fill_points(AlignedArray<double>& points, std::span<const SolverContact> co
 void fill_friction_start(AlignedArray<double>& start, std::span<const SolverContact> contacts,
                          const ContactOrder& order, int width);
 
-/// What bounds the normal rows of contacts, and at which force ice crushes there.
-class ContactLimits {
-  public:
-    /// Nothing bounds them.
-    void none() { set_ = false; }
-
-    /// Of this many rows, times the width; to be filled.
-    LimitArrays fill(std::size_t slots);
-
-    LimitArrays arrays() const { return set_ ? all_ : LimitArrays{}; }
-
-    /// The force at which it crushes into a contact.
-    void finish(SolverContact& contact, std::uint32_t slot) const;
-
-  private:
-    bool set_ = false;
-    LimitArrays all_{};
-    std::array<AlignedArray<double>, 4> values_;
-};
-
 /// The friction that a solve found, world axes, N s: its size, and its direction where there is any.
 void set_friction(SolverContact& contact, const std::array<double, 3>& impulse);
 

@@ -54,10 +54,12 @@ void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<con
     if (crushing) applied.erp = 0;  // crushed ice does not push back
     kernels.prepare_contacts(arrays, order_.packs(), points_.data(), normals_.arrays(), friction_arrays(),
                              split_target_.data(), {1.0 / time_step, split_depth, applied});
-    limits_.none();
-    if (crushing || !law.internal_edges) {
-        kernels.prepare_limits(arrays, order_.packs(), points_.data(), normals_.scale.data(), normals_.target.data(),
-                               limits_.fill(slots), law, time_step);
+    limited_ = crushing || !law.internal_edges;
+    if (limited_) {
+        yield_.reserve(slots);
+        give_.reserve(slots);
+        kernels.prepare_limits(arrays, order_.packs(), points_.data(), normals_.scale.data(), limit_arrays(), law,
+                               time_step);
     }
     any_split_ = std::any_of(contacts.begin(), contacts.end(),
                              [&](const SolverContact& contact) { return contact.distance <= -split_depth; });
@@ -83,10 +85,10 @@ void ContactRows::start(const LaneKernels& kernels, double* delta) {
 
 void ContactRows::sweep(const LaneKernels& kernels, double* delta) {
     if (cone_) {
-        kernels.solve_cones(delta, order_.packs(), normals_.arrays(), friction_arrays(), limits_.arrays());
+        kernels.solve_cones(delta, order_.packs(), normals_.arrays(), friction_arrays(), limit_arrays());
         return;
     }
-    kernels.solve_normals(delta, order_.packs(), normals_.arrays(), limits_.arrays());
+    kernels.solve_normals(delta, order_.packs(), normals_.arrays(), limit_arrays());
     kernels.solve_frictions(delta, order_.packs(), frictions_.arrays(), normals_.impulse.data());
 }
 
@@ -100,7 +102,6 @@ void ContactRows::finish(std::span<SolverContact> contacts) const {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const std::uint32_t at = order_.slot(i);
         contacts[i].impulse = normals_.impulse[at] * normals_.scale[at];
-        limits_.finish(contacts[i], at);
         std::array<double, 3> friction = row_axis(frictions_, at);  // times s
         if (cone_) {
             const std::array<double, 3> second = row_axis(seconds_, at);

@@ -46,6 +46,7 @@ class ContactRows {
     void order(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
                const LaneArrays& arrays, std::size_t body_slots, const LaneKernels& kernels);
     FrictionArrays friction_arrays() { return {frictions_.arrays(), seconds_.arrays(), friction_start_.data()}; }
+    LimitArrays limit_arrays() { return limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{}; }
     std::array<double, 3> row_axis(const Rows& rows, std::uint32_t slot) const;
 
     int width_ = 1;
@@ -57,7 +58,8 @@ class ContactRows {
     Rows seconds_;  ///< with the cone: the friction rows at right angles to frictions_
     AlignedArray<double> friction_start_;
     bool any_split_ = false;
-    ContactLimits limits_;
+    bool limited_ = false;
+    AlignedArray<double> yield_, give_;                  ///< where limited, of the normal rows
     AlignedArray<double> split_target_, split_impulse_;  ///< of the normal rows, for deep penetrations
     AlignedArray<double> push_;
 };

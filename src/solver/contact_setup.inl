@@ -315,20 +315,19 @@ inline auto is_internal(const V3& normal, const Box& a, const Box& b) {
     return leaves_through_covered_face(a, normal * (Pack{} - 1.0)) || leaves_through_covered_face(b, normal);
 }
 
-/// Upper bound of an impulse, scaled: yield + give * (impulse - relative velocity change). And the force p A at the
-/// depth of the section, with what it gains per depth.
+/// Upper bound of an impulse, scaled: yield + give * (impulse - relative velocity change).
 struct Limit {
-    Pack yield, give, force, stiffness;
+    Pack yield, give;
 };
 
-/// The mean over the step of F = p A, with A linear about the depth at which the section is taken. Bodies that slow
-/// down evenly from the speed of approach v to w are at the mean Δt (v / 3 + w / 6) deeper than when the step began:
-/// the section is taken at that of w = 0 (crushed_edge.hpp), and w follows from the solve. Where w would be below 0
-/// they stand before the step ends, and the row stops them. The area is the smaller of the two bodies' sections, in
-/// equal shares for the points that touch. `share` is p Δt / points; `target` that of the row, -(scaled) velocity.
+/// The force is F = p A, with A linear about the depth at the beginning of the step. The velocities that a solve
+/// changes are those half a step before and half a step after that moment, because positions move with what it ends
+/// with. So F is taken at the mean of the depths there, with the velocity change Δv depth - Δv Δt / 4: Newmark's
+/// average acceleration, second order in Δt and stable at any. The area is the smaller of the two bodies' sections, in
+/// equal shares for the points that touch. `share` is p Δt / points.
 inline Limit crushing_limit(const V3& normal, const double* point, const Box& a, const Box& b, Pack share, Pack scale,
-                            Pack target, double time_step) {
-    const Pack reached = load(point, point_field::crushed);
+                            double time_step) {
+    const Pack reached = -load(point, point_field::distance);
     // An edge that only just touches has no area yet, but a growth of area.
     const Pack depth = most(reached, most(just_touching(a), just_touching(b)));
     const Section of_a = section(a, normal, depth);
@@ -340,15 +339,14 @@ inline Limit crushing_limit(const V3& normal, const double* point, const Box& a,
     const auto is_given = given > -0.5;
     const Pack growth = is_given ? load(point, point_field::section_growth) : of_boxes;
     const Pack impulse = share * (is_given ? given : area + of_boxes * (reached - depth));
-    const Pack k = share * growth * (time_step / 6) / (scale * scale);
-    return {(impulse / scale + k * target) / (1.0 + k), k / (1.0 + k), impulse * (1 / time_step),
-            share * growth * (1 / time_step)};
+    const Pack k = share * growth * (0.25 * time_step) / (scale * scale);
+    return {impulse / scale / (1.0 + k), k / (1.0 + k)};
 }
 
 template <NormalLaw law>
 void prepare_all_limits(const LaneArrays& arrays, const ContactPacks& packs, const double* points,
-                        const double* normal_scale, const double* normal_target, const LimitArrays& to,
-                        const ContactLaw& contact, double time_step) {
+                        const double* normal_scale, const LimitArrays& to, const ContactLaw& contact,
+                        double time_step) {
     const Pack none{};
     const Pack one = none + 1.0;
     const auto point_of = [=](std::uint32_t row) {
@@ -369,24 +367,21 @@ void prepare_all_limits(const LaneArrays& arrays, const ContactPacks& packs, con
         for (std::uint32_t row = pack.first_row + turn; row < pack.end_row; row += pack.turns) {
             const int i = static_cast<int>(row);
             const double* point = point_of(row);
-            Limit limit{none + __builtin_inf(), none, none, none};
+            Limit limit{none + __builtin_inf(), none};
             if constexpr (law == NormalLaw::crushing) {
                 limit = crushing_limit(load3(point, point_field::normal), point, a, b, share, load(normal_scale, i),
-                                       load(normal_target, i), time_step);
+                                       time_step);
             }
             const auto on = load(to.give, i) > 0.0;
             store(to.yield, i, on ? limit.yield : none);
             store(to.give, i, on ? limit.give : none);
-            store(to.force, i, limit.force);
-            store(to.stiffness, i, limit.stiffness);
         }
     });
 }
 
 void prepare_limits(const LaneArrays& arrays, const ContactPacks& packs, const double* points,
-                    const double* normal_scale, const double* normal_target, const LimitArrays& to,
-                    const ContactLaw& law, double time_step) {
+                    const double* normal_scale, const LimitArrays& to, const ContactLaw& law, double time_step) {
     const auto prepare = law.normal == NormalLaw::crushing ? prepare_all_limits<NormalLaw::crushing>
                                                            : prepare_all_limits<NormalLaw::rigid>;
-    prepare(arrays, packs, points, normal_scale, normal_target, to, law, time_step);
+    prepare(arrays, packs, points, normal_scale, to, law, time_step);
 }

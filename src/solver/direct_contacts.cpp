@@ -104,17 +104,19 @@ void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<
     kernels.direct.prepare_contacts(all, floes.arrays(), floes.columns(), order_.packs(), points_.data(),
                                     friction_start_.data(), rows(),
                                     {1.0 / time_step, crushing ? 0 : law.erp});  // crushed ice does not push back
-    limits_.none();
-    if (!crushing && law.internal_edges) return;
-    kernels.prepare_limits(all, order_.packs(), points_.data(), scale_[0].data(), target_[0].data(),
-                           limits_.fill(slots), law, time_step);
+    limited_ = crushing || !law.internal_edges;
+    if (!limited_) return;
+    yield_.reserve(slots);
+    give_.reserve(slots);
+    kernels.prepare_limits(all, order_.packs(), points_.data(), scale_[0].data(), {yield_.data(), give_.data()}, law,
+                           time_step);
 }
 
 int DirectContacts::solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, const Sweeps& sweeps) {
     if (order_.rows() == 0) return 0;
     const auto* columns = floes.columns();
     kernels.direct.start_contacts(all.delta, columns, order_.packs(), rows());
-    const LimitArrays limits = limits_.arrays();
+    const LimitArrays limits = limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{};
     const Acceleration::State state{{impulse_[0].data(), impulse_[1].data(), impulse_[2].data()},
                                     order_.slots(),
                                     order_.rows() * static_cast<std::size_t>(width_),
@@ -136,7 +138,6 @@ void DirectContacts::finish(std::span<SolverContact> contacts) const {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const std::uint32_t at = order_.slot(i);
         contacts[i].impulse = impulse_[0][at] * scale_[0][at];
-        limits_.finish(contacts[i], at);
         const double* plane = row_.data() + place(at, direct_field::count, direct_field::first, width_);
         std::array<double, 3> friction{};
         for (std::size_t k = 0; k < 3; ++k) {

@@ -74,7 +74,8 @@ class DirectContacts {
     AlignedArray<double> points_, friction_start_, row_;
     std::array<AlignedArray<double>, 3> target_, impulse_;
     std::array<AlignedArray<double>, 2> scale_;
-    ContactLimits limits_;
+    bool limited_ = false;
+    AlignedArray<double> yield_, give_;  ///< where limited, of the normal rows
 };
 
 }  // namespace floes

@@ -23,8 +23,7 @@ inline constexpr int friction = 10;
 inline constexpr int impulse = 11;
 inline constexpr int section = 12;  ///< m², below 0: that of the two boxes
 inline constexpr int section_growth = 13;
-inline constexpr int crushed = 14;  ///< m, how deep the section lies
-inline constexpr int count = 15;
+inline constexpr int count = 14;
 }  // namespace point_field
 
 /// Fields of a contact's row, scaled like a joint row. Sweeps only read them: targets and accumulated impulses, over s,
@@ -89,8 +88,6 @@ struct FrictionArrays {
 struct LimitArrays {
     double* yield;
     double* give;
-    double* force;      ///< N, at which ice crushes: what a bound is made of
-    double* stiffness;  ///< N/m, what that gains per depth
 };
 
 struct ContactStep {
@@ -312,7 +309,7 @@ struct LaneKernels {
                              const ContactStep&);
     /// How much the prepared normal rows can carry at most, where ice crushes or internal edges do not act.
     void (*prepare_limits)(const LaneArrays&, const ContactPacks&, const double* points, const double* normal_scale,
-                           const double* normal_target, const LimitArrays&, const ContactLaw&, double time_step);
+                           const LimitArrays&, const ContactLaw&, double time_step);
     /// Applies the impulses that rows start from; one sweep over all normal rows; one over all friction rows in one
     /// direction; one over all rows of cones, contact by contact.
     void (*start_contacts)(double* delta, const ContactPacks&, const ContactRowArrays&);

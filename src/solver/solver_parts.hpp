@@ -94,9 +94,6 @@ struct SolverContact {
     /// m², of a crushing contact: the area that crushes, in place of that of two boxes; below 0: that of the boxes.
     double section = -1;
     double section_growth = 0;  ///< m, what it gains per depth
-    double crushed = 0;         ///< m, >= 0, of a crushing contact: the depth at which its area is taken
-    double yields_at = 0;       ///< N, out, of a crushing contact: the force at which it crushes there
-    double stiffness = 0;       ///< N/m, likewise: what that gains per depth
     int solid = -1;             ///< of a structure's solids, which one it is at; -1: at none
 };
 

@@ -137,8 +137,7 @@ class LaneEngine final : public Engine {
     bool cone() const { return definition_.contact.friction == Friction::cone; }
     bool acts(double distance) const;
     bool is_inside(const Touching& pair, const Triple& normal) const;
-    double approach(const SolverContact& contact) const;
-    void set_section(SolverContact& contact, TouchingPoint& point) const;
+    void set_section(SolverContact& contact) const;
     bool in_system(JointId joint) const;
     bool in_system(BodyId body) const { return system_ && body.index() < system_->body_count(); }
     bool moves(std::uint32_t body) const { return bodies_[body].parts.inverse_mass > 0 && !bodies_[body].asleep; }
@@ -447,30 +446,15 @@ bool LaneEngine::is_inside(const Touching& pair, const Triple& normal) const {
     return leaves(pair.a, -1) || leaves(pair.b, 1);
 }
 
-/// How fast the bodies come together where they touch, when the step begins, m/s.
-double LaneEngine::approach(const SolverContact& contact) const {
-    const auto velocity = [&](std::uint32_t number, const Triple& at) {
-        const BodyMotion& m = system_->motions()[number];
-        const Triple lever{at[0] - m.position[0], at[1] - m.position[1], at[2] - m.position[2]};
-        const Triple turning = cross({m.angular_velocity[0], m.angular_velocity[1], m.angular_velocity[2]}, lever);
-        return turning + Triple{m.velocity[0], m.velocity[1], m.velocity[2]};
-    };
-    return dot(contact.normal, velocity(contact.b, contact.on_b) - velocity(contact.a, contact.on_a));
-}
-
-/// Where the edge of a contact is crushed to; and of one of prisms the smaller of the two sections that crush. Those of
-/// boxes have their own in the kernels.
-void LaneEngine::set_section(SolverContact& contact, TouchingPoint& point) const {
+/// Of a contact of prisms: the smaller of the two sections that crush. Those of boxes have their own in the kernels.
+void LaneEngine::set_section(SolverContact& contact) const {
     if (definition_.contact.normal == NormalLaw::rigid) return;
-    point.edge.begin_step(-contact.distance, approach(contact), point.impulse, definition_.time_step,
-                          definition_.tolerance);
-    contact.crushed = point.edge.mean_depth(definition_.time_step);
     if (!bodies_[contact.a].parts.is_prism && !bodies_[contact.b].parts.is_prism) return;
     for (const auto& [number, sign] : {std::pair(contact.a, 1.0), std::pair(contact.b, -1.0)}) {
         const PrismShape& prism = ice_.shape(number);
         if (prism.empty()) continue;  // the structure: flat and unbounded
         const Triple inwards = own_axes(system_->motions()[number].rotation, contact.normal, sign);
-        const PrismSection section = crushed_section(prism, inwards, contact.crushed);
+        const PrismSection section = crushed_section(prism, inwards, -contact.distance);
         if (contact.section >= 0 && contact.section <= section.area) continue;
         contact.section = section.area;
         contact.section_growth = section.growth;
@@ -494,7 +478,6 @@ void LaneEngine::read(const Touching& pair) {
             if (solvable) point.impulse = 0;
             point.slide = {};
             point.friction_impulse = 0;
-            if (solvable) point.edge = {};
             continue;
         }
         contacts_.push_back({.a = pair.a,
@@ -506,7 +489,7 @@ void LaneEngine::read(const Touching& pair) {
                              .friction = friction,
                              .impulse = point.impulse * kept,
                              .solid = pair.solid});
-        set_section(contacts_.back(), point);
+        set_section(contacts_.back());
         sources_.push_back(&point);
         if (!cone()) continue;
         contacts_.back().slide = point.slide;
@@ -519,7 +502,6 @@ void LaneEngine::write_contacts() {
         sources_[i]->impulse = contacts_[i].impulse;
         sources_[i]->slide = contacts_[i].slide;
         sources_[i]->friction_impulse = contacts_[i].friction_impulse;
-        sources_[i]->edge.end_step(contacts_[i].yields_at, contacts_[i].stiffness, definition_.time_step);
     }
 }
 

@@ -31,13 +31,12 @@ std::vector<double> impulses(const Eigen::Matrix3d& turn, const Vector& normal, 
     LaneSystem system(std::vector<SolverBody>{box, {0, {}, extent_of_ground}}, {}, 1);
     SolverState state;
     for (int i = 0; i < 9; ++i) state.rotation[static_cast<std::size_t>(i)] = turn(i / 3, i % 3);
-    state.velocity = array_of(-1e-7 * normal);
+    state.velocity = array_of(-normal);
     system.set_state(0, state);
     system.prepare(time_step);
     std::vector<SolverContact> contacts;
     for (const double depth : depths) {
-        contacts.push_back(
-            {.a = 0, .b = 1, .normal = array_of(normal), .distance = -depth, .crushed = std::max(0.0, depth)});
+        contacts.push_back({.a = 0, .b = 1, .normal = array_of(normal), .distance = -depth});
     }
     system.solve(contacts, {.normal = NormalLaw::crushing, .crushing_pressure = pressure}, {5});
     std::vector<double> found;
