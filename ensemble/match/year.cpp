@@ -257,13 +257,16 @@ class TailFinder {
     std::map<std::size_t, InterpolatedDesign> designs_;  ///< by source
 };
 
-/// The regimes' places in an order that their text does not give, so that neither tails nor sums depend on it.
-std::vector<std::size_t> order_of(const std::vector<Regime>& regimes) {
+/// The regimes' places in the order of the campaign's cases and of the values, which their text does not give, so that
+/// neither tails nor sums depend on it.
+std::vector<std::size_t> order_of(const MatchWave& campaign, const std::vector<Regime>& regimes) {
+    const std::vector<CaseRow>& cases = campaign.table.cases;
     const auto place = [&](std::size_t k) {
+        const auto of_case = std::ranges::find(cases, regimes[k].case_name, &CaseRow::name) - cases.begin();
         std::vector<std::pair<std::string, double>> values;
         for (const Entry& value : regimes[k].values) values.emplace_back(value.path, number_of(value.value).value());
         std::ranges::sort(values);
-        return std::tuple(regimes[k].case_name, values, regimes[k].time);
+        return std::tuple(of_case, regimes[k].case_name, values, regimes[k].time);
     };
     std::vector<std::size_t> order(regimes.size());
     std::iota(order.begin(), order.end(), 0);
@@ -325,7 +328,7 @@ std::string per_year_text(double per_year) {
 }
 
 Year find_year(const MatchWave& campaign, const std::vector<Regime>& regimes, const YearRequest& request) {
-    const std::vector<std::size_t> order = order_of(regimes);
+    const std::vector<std::size_t> order = order_of(campaign, regimes);
     YearTails tails = year_tails(campaign, regimes, order, request);
     std::vector<const PosteriorLoad*> posteriors;
     for (const auto& one : tails.posteriors) posteriors.push_back(one.get());

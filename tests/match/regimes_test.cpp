@@ -77,7 +77,7 @@ TEST(Regimes, RefuseWhatMakesNoYear) {
 TEST(Regimes, MayFillAYearUpToALeapYear) {
     const auto classes = [](int count, const char* hours) {
         std::string text = "ice.thickness_m,hours_per_year\n";
-        for (int k = 1; k <= count; ++k) text += "0." + std::to_string(k) + "," + hours + "\n";
+        for (int k = 0; k < count; ++k) text += "0." + std::to_string(10 + k) + "," + hours + "\n";
         return text;
     };
     double sum = 0;
