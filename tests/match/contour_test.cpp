@@ -89,7 +89,7 @@ TEST(ContourInputs, RefuseWhatIsNoJointDistribution) {
                 HasSubstr("a.toml:3: ice.thickness_mm is not a key of a case that takes a number"));
     EXPECT_THAT(said(instead("hours_per_year = 600\n", ""), "a.toml"), HasSubstr("hours_per_year is missing"));
     EXPECT_THAT(said(instead("600", "9000"), "a.toml"),
-                HasSubstr("hours_per_year = 9000 must be above 0 and at most 8766"));
+                HasSubstr("hours_per_year = 9000 must be above 0 and at most 8784"));
     EXPECT_THAT(said(instead("\"weibull\"", "\"gamma\""), "a.toml"),
                 HasSubstr("distribution = \"gamma\" is not one of normal, lognormal, weibull, exponential"));
     EXPECT_THAT(said(instead("shape = 3", "sd = 3"), "a.toml"),
