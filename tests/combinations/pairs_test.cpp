@@ -71,7 +71,7 @@ constexpr const char* common =
 
 /// Two outlines, one of them bent inwards a little, as images have them.
 std::string traced(const std::string&) {
-    return "floe,x,y\n1,0,0\n1,0.7,0\n1,0.7,0.5\n1,0.35,0.49\n1,0,0.5\n2,0,0\n2,0.6,0.1\n2,0.3,0.6\n";
+    return "floe,x,y\n1,0,0\n1,0.7,0\n1,0.7,0.5\n1,0.35,0.49\n1,0,0.5\n2,1,0\n2,1.6,0.1\n2,1.3,0.6\n";
 }
 
 /// With other solvers than the direct one joints follow Σ and water moves by shares, unless the pair says otherwise.

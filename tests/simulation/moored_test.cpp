@@ -175,7 +175,7 @@ TEST(PathOfStructure, TurningWallIsRubbed) {
     for (const double side : {1.0, -1.0}) {
         Scenario scenario = short_channel();
         scenario.analysis = {.steady_start = 2, .window = 2, .segments = 1};
-        scenario.path.table = {{0, 0, 0, 0}, {10, 1, 0, 5 * side}};
+        scenario.path.table = {{0, 0, 0, 0}, {5, 0.5, 0, 2.5 * side}, {10, 1, 0, 5 * side}};
         const Simulation simulation = run(scenario);
         EXPECT_LT(side * mean_in_window(scenario, simulation.motions().yaw_load), -0.05);
         EXPECT_GT(simulation.work().hull_friction, 0);
