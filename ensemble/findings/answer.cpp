@@ -99,13 +99,12 @@ std::vector<std::string> trend_sentences(const Summary& summary, const Counts& f
         return judged(trend) && trend.steadiness == Steadiness::not_known;
     };
     std::vector<std::string> sentences;
-    if (const std::string lines = trend_lines(summary, &JointTrend::seen, trend_text); !lines.empty())
-        sentences.push_back(fmt::format("Not steady: {}. A later analysis.steady_start_s, or --window auto.", lines));
-    if (const std::string lines = trend_lines(summary, open, change_words); !lines.empty())
+    if (const std::string lines = trend_lines(summary, &JointTrend::seen, change_words); !lines.empty())
         sentences.push_back(
-            fmt::format("Not known whether the load changes by less than {:g} % of its mean over the measured window: "
-                        "{}. More arrangements or a longer window would tell.",
-                        steady_change / unit::percent, lines));
+            fmt::format("Not steady, change through the window: {}. Measure later, or --window auto.", lines));
+    if (const std::string lines = trend_lines(summary, open, change_words); !lines.empty())
+        sentences.push_back(fmt::format("Too few arrangements to call it steady within {:g} %: {}.",
+                                        steady_change / unit::percent, lines));
     // Of one or two members nothing else is known.
     if (std::ranges::none_of(summary.cases, judged, &CaseSummary::trend) &&
         more_than_chance(found.rising + found.falling, found.done))
