@@ -31,6 +31,6 @@ if(TARGET floes)
   foreach(script same_everywhere kill_and_resume stop_and_resume refusals calibrated parts storage_faults starter)
     add_test(NAME campaign_run.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/campaign_run/${script}.sh $<TARGET_FILE:floes> ${MPIEXEC_EXECUTABLE})
-    set_tests_properties(campaign_run.${script} PROPERTIES LABELS "default;mpi" TIMEOUT 300 PROCESSORS 2 COST 80)
+    set_tests_properties(campaign_run.${script} PROPERTIES LABELS "default;mpi" TIMEOUT 900 PROCESSORS 2 COST 80)
   endforeach()
 endif()

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <limits>
 
 #include "core/error.hpp"
@@ -67,9 +67,9 @@ TEST(Emulator, RefusesWhatIsNoData) {
 
 TEST(Emulator, OfSevenAxesAndSixtyPointsIsQuick) {
     const toy::Toy toy = toy::drawn(60, Vector::Constant(7, 2), 0.1);
-    const auto before = std::chrono::steady_clock::now();
+    const std::clock_t before = std::clock();
     const Emulator emulator(toy.data);
-    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count(), 2);
+    EXPECT_LT(std::clock() - before, 2 * CLOCKS_PER_SEC);
     EXPECT_EQ(emulator.covariances().size(), 9);
 }
 

@@ -110,12 +110,13 @@ TEST(RunCampaign, StopsWhenTheTimeIsOverOrNoMemberCouldBeDoneInIt) {
     Campaign equal_members = synthetic::campaign();
     equal_members.cases.resize(1);
     fake::Run run(folder / "a.h5", equal_members);
-    const MemberFunction a_second = [](const Campaign& campaign, int number, std::stop_token stop) {
-        std::this_thread::sleep_for(std::chrono::seconds(1));
+    // So long that a busy machine can start two of them well before the rest is too short for another.
+    const MemberFunction four_seconds = [](const Campaign& campaign, int number, std::stop_token stop) {
+        std::this_thread::sleep_for(std::chrono::seconds(4));
         return fake::compute(campaign, number, std::move(stop));
     };
-    run.walltime = Walltime(1.9);
-    EXPECT_EQ(run(a_second), 85);
+    run.walltime = Walltime(7.8);
+    EXPECT_EQ(run(four_seconds), 85);
     EXPECT_THAT(run.said, HasSubstr("before which no further member could finish, with 2 of 4"));
     run.walltime = Walltime();
     EXPECT_EQ(run(fake::compute, Existing::resume), 0);
