@@ -4,8 +4,8 @@
 Usage:
     contact.py                    writes the tables
     contact.py --check            writes nothing; fails if a table differs from the data
-    contact.py --collect FOLDER   first takes the members of the finished campaigns contact_choices.h5 and resolution.h5 in
-                                  FOLDER, made from configs/validation
+    contact.py --collect FOLDER   first takes the members of the finished campaigns contact_choices.h5, resolution.h5,
+                                  friction_cone.h5 and friction_wall.h5 in FOLDER, made from configs/validation
 """
 import pathlib
 import sys
@@ -21,7 +21,8 @@ from validation_tables import difference, number, table
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "contact"
 COLUMNS = ["split_ratio", "mean_heave", "mean_sweeps"]
-CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution"}
+CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution",
+             "friction_cone": "friction_cone", "friction_wall": "friction_wall"}
 QUANTITIES = {"mean_N": "mean, N", "maximum_0.1s_N": "largest over 0.1 s, N", "maximum_1s_N": "over 1 s, N",
               "broken_percent": "broken floes, %"}
 NUMERIC_QUANTITIES = QUANTITIES | {"cracked_percent": "cracked through, %", "heave_N": "heave, N"}
@@ -37,6 +38,8 @@ NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s"
             "elements_0.3": "elements 0.3 m", "elements_0.15": "elements 0.15 m", "elements_0.1": "elements 0.1 m"}
 RIGID = {"rigid": "**0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "step 0.005 s",
          "rigid_0.0025": "step 0.0025 s"}
+FRICTION = {"constant": "**constant**", "ice_rate_and_state": "ice on ice by rate and state",
+            "ice_power": "ice on ice by the power 0.35", "hull_power": "hull by the power 0.28"}
 
 
 def collected(path, keys, columns=()):
@@ -93,6 +96,29 @@ def beside(data, words, first, quantities=QUANTITIES, more=(), step_by_step=Fals
     return table([first, *quantities.values(), *dict(more).values()], rows)
 
 
+def friction(data):
+    """Laws of friction at each speed: of the first the means, of the others paired differences from it."""
+    cases = data.case.str.rsplit("_", n=1, expand=True)
+    speeds = sorted(cases[1].unique(), key=float)
+    rows = []
+    for law, words in FRICTION.items():
+        if law not in set(cases[0]):
+            continue
+        cells = [words]
+        for quantity in ["mean_N", "maximum_1s_N"]:
+            for speed in speeds:
+                one, constant = (data[data.case == f"{name}_{speed}"].set_index("arrangement")[quantity]
+                                 for name in [law, "constant"])
+                if law == "constant":
+                    cells.append(f"{number(one.mean())} ± {half_width(one):.1f}")
+                else:
+                    apart = (one - constant).dropna()
+                    cells.append(difference(apart.mean(), half_width(apart)))
+        rows.append(cells)
+    heads = [f"{what}, {speed} m/s" for what in ["mean, N", "over 1 s, N"] for speed in speeds]
+    return table(["friction", *heads], rows)
+
+
 def main(arguments):
     if arguments[:1] == ["--collect"]:
         for campaign, name in CAMPAIGNS.items():
@@ -107,7 +133,9 @@ def main(arguments):
         return beside(resolution, words, first, NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
     fill_or_check({DOCS / "contact.md": {"choices": lambda: beside(choices, CHOICES, "contacts"),
-                                         "paper": lambda: beside(choices, PAPER, "contacts")},
+                                         "paper": lambda: beside(choices, PAPER, "contacts"),
+                                         "friction_cone": lambda: friction(members("friction_cone")),
+                                         "friction_wall": lambda: friction(members("friction_wall"))},
                    DOCS / "convergence.md": {"numerics": lambda: numerics(NUMERICS, "computed with"),
                                              "rigid": lambda: numerics(RIGID, "rigid contacts")}},
                   arguments == ["--check"], "contact.py")

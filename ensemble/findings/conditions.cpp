@@ -157,6 +157,19 @@ Words window_words(const Analysis& analysis) {
 
 }  // namespace
 
+/// ", friction of floes by a power of the speed", or nothing where friction does not know the speed.
+std::string slip_words(const char* surfaces, SlipEffect effect) {
+    switch (effect) {
+        case SlipEffect::constant:
+            return {};
+        case SlipEffect::power:
+            return fmt::format(", friction {} by a power of the speed", surfaces);
+        case SlipEffect::rate_and_state:
+            return fmt::format(", friction {} by rate and state", surfaces);
+    }
+    return {};
+}
+
 Words contact_words(const ContactLaw& law) {
     Words words;
     const ContactPreset preset = preset_of(law);
@@ -166,6 +179,8 @@ Words contact_words(const ContactLaw& law) {
                  ? Words::of("rigid with Γ {}", law.erp)
                  : Words::of("crushing at {:.4g} kPa", law.crushing_pressure / unit::kilopascal);
     if (preset == ContactPreset::own) words += law.internal_edges ? ", internal edges act" : ", no internal edges";
+    words += slip_words("of floes", law.slip.ice_ice);
+    words += slip_words("on the structure", law.slip.ice_structure);
     return words;
 }
 

@@ -37,6 +37,7 @@ void TouchingPoints::add(const PrismPlace& a, const PrismPlace& b, const Triple&
     point.impulse = known.impulse;
     point.slide = known.slide;
     point.friction_impulse = known.friction_impulse;
+    point.remembered_slip = known.remembered_slip;
     known = point;
 }
 

@@ -20,6 +20,7 @@ struct TouchingPoint {
     double impulse = 0;           ///< N s, of the last solve, on a along the normal
     Triple slide{};               ///< of the friction impulse, unit; zero where there is none
     double friction_impulse = 0;  ///< N s
+    double remembered_slip = -1;  ///< m/s, for friction that depends on it; below 0: the point is new
 };
 
 class TouchingPoints {

@@ -34,6 +34,7 @@ enum class ContactPreset {
 /// The words of the enumerations, in order, for keys, files and reports.
 inline constexpr std::array<std::string_view, 3> preset_words{"paper", "physical", "own"};
 inline constexpr std::array<std::string_view, 2> friction_words{"one_direction", "cone"};
+inline constexpr std::array<std::string_view, 3> slip_effect_words{"constant", "power", "rate_and_state"};
 inline constexpr std::array<std::string_view, 2> normal_law_words{"rigid", "crushing"};
 
 /// The law with the choices of the preset; unchanged for `own`.

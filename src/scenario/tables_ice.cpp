@@ -171,6 +171,60 @@ Key contact_preset(ContactLaw& contact) {
 
 }  // namespace
 
+namespace {
+
+/// How the friction of one kind of surfaces depends on the speed.
+void add_slip_effect(Keys& keys, std::string_view law, std::string_view power, SlipEffect& effect,
+                     std::string_view exponent, double& of, std::string_view source) {
+    keys.push_back(late_key(word_key(
+        law, effect, {slip_effect_words.begin(), slip_effect_words.end()}, "docs/contact.md",
+        "How this coefficient of friction depends on the speed of sliding; contact.friction_speed_m_s is the speed at "
+        "which it is given (docs/contact.md). constant: not at all. power: as a power of it. rate_and_state: by the "
+        "logarithms of it and of the speed that the contact remembers. Not with solver stock.")));
+    keys.push_back(only_with(
+        power, [&effect] { return effect == SlipEffect::power; },
+        late_key(number_key(exponent, of, unit::one, at_least(0).at_most(2), source,
+                            "The coefficient falls as the speed to this power."))));
+}
+
+void add_slip_friction(Keys& keys, SlipFriction& slip) {
+    add_slip_effect(keys, "contact.ice_ice_friction_law", "contact.ice_ice_friction_law = \"power\"", slip.ice_ice,
+                    "contact.ice_ice_friction_exponent", slip.ice_ice_exponent, "polished ice: docs/contact.md");
+    add_slip_effect(keys, "contact.ice_structure_friction_law", "contact.ice_structure_friction_law = \"power\"",
+                    slip.ice_structure, "contact.ice_structure_friction_exponent", slip.ice_structure_exponent,
+                    "steel and concrete: docs/contact.md");
+    const auto add = [&](std::string_view path, double& field, Range range, std::string_view source,
+                         std::string_view doc) {
+        keys.push_back(only_with(
+            "a friction law other than \"constant\"",
+            [&slip] { return slip.ice_ice != SlipEffect::constant || slip.ice_structure != SlipEffect::constant; },
+            late_key(number_key(path, field, unit::one, range, source, doc))));
+    };
+    add("contact.friction_speed_m_s", slip.speed, above(0).at_most(100), "of the tests of hulls",
+        "Speed of sliding at which the coefficients of friction are given.");
+    add("contact.least_friction", slip.least, at_least(0).at_most(10), "docs/contact.md",
+        "No coefficient that depends on the speed falls below this.");
+    add("contact.largest_friction", slip.largest, above(0).at_most(10), "docs/contact.md",
+        "No coefficient that depends on the speed rises above this; what sticks has it, or less.");
+    const auto add_state = [&](std::string_view path, double& field, Range range, std::string_view source,
+                               std::string_view doc) {
+        keys.push_back(only_with(
+            "a friction law \"rate_and_state\"",
+            [&slip] {
+                return slip.ice_ice == SlipEffect::rate_and_state || slip.ice_structure == SlipEffect::rate_and_state;
+            },
+            late_key(number_key(path, field, unit::one, range, source, doc))));
+    };
+    add_state("contact.friction_direct", slip.direct, at_least(0).at_most(10), "Lishman et al. 2011",
+              "A: what e times the speed of sliding adds to the coefficient at once.");
+    add_state("contact.friction_evolution", slip.evolution, at_least(0).at_most(10), "Lishman et al. 2011",
+              "B: what e times the remembered speed takes from it. Above A friction falls with the speed.");
+    add_state("contact.friction_memory_s", slip.memory, above(0).at_most(1e6), "Lishman et al. 2013",
+              "Time in which a contact forgets how fast it slid.");
+}
+
+}  // namespace
+
 void add_contact(Keys& keys, ContactLaw& contact) {
     const Range friction = at_least(0).at_most(10);
     keys.push_back(contact_preset(contact));
@@ -197,6 +251,7 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "the paper has none",
         "Pressure at which edges crush, with contact.law = \"crushing\"; 0: ice.compressive_strength_kPa. With a "
         "higher value contacts are stiffer and need shorter steps.")));
+    add_slip_friction(keys, contact.slip);
 }
 
 // Keys of the table [paper]: what only a comparison with the paper needs.

@@ -16,11 +16,35 @@ enum class NormalLaw {
     crushing  ///< edges that crush at a pressure: overlap stays and does not push back; not in the stock solver
 };
 
+/// What the speed of sliding does to a coefficient of friction, docs/contact.md.
+enum class SlipEffect {
+    constant,       ///< nothing
+    power,          ///< a power of the speed
+    rate_and_state  ///< the logarithms of the speed, and of the speed that the contact remembers
+};
+
+/// Of the coefficients of a contact law, which then hold for surfaces that slide steadily at `speed`.
+struct SlipFriction {
+    SlipEffect ice_ice = SlipEffect::constant;
+    SlipEffect ice_structure = SlipEffect::constant;
+    double ice_ice_exponent = 0.35;        ///< n of the power law, 0-2
+    double ice_structure_exponent = 0.28;  ///< likewise
+    double speed = 0.1;                    ///< V, m/s, above 0
+    double direct = 0.31;                  ///< A of rate and state, 0-10: what a change of speed does at once
+    double evolution = 0.382;              ///< B, 0-10: what the remembered speed does
+    double memory = 10;                    ///< T, s, above 0: in which a contact forgets how fast it slid
+    double least = 0.05;                   ///< bounds of every coefficient that is above 0
+    double largest = 1;                    ///< up to 10, not below `least`
+
+    friend bool operator==(const SlipFriction&, const SlipFriction&) = default;
+};
+
 /// Restitution is 0 (Table 1). World refuses what is out of the ranges given here.
 struct ContactLaw {
     double erp = 0.2;               ///< Γ, share of a penetration pushed out each step, 0-1
     double ice_ice_friction = 0.3;  ///< f_ii, Coulomb's coefficient between floes and on fixed ice, 0-10 (Table 1)
     double ice_structure_friction = 0.2;  ///< f_is, of ice on the structure, 0-10 (Table 1)
+    SlipFriction slip{};                  ///< not in the stock solver
     bool split_impulse = true;            ///< correct penetrations deeper than split_impulse_depth outside the impulse
     double split_impulse_depth = 0.04;    ///< m, >= 0
     Friction friction = Friction::one_direction;

@@ -18,6 +18,14 @@ std::vector<Refusal> refused_contacts(SolverKind solver, const ContactLaw& law) 
         refused.push_back({"contact.friction", solver_key, "Bullet's own solver bounds friction by a square",
                            "general.solver = \"lanes\", or contact.preset = \"paper\""});
     }
+    if (solver == SolverKind::stock) {
+        constexpr std::string_view reason = "Bullet's own solver has one coefficient of friction for every speed";
+        constexpr std::string_view instead = "general.solver = \"lanes\", or the law \"constant\"";
+        if (law.slip.ice_ice != SlipEffect::constant)
+            refused.push_back({"contact.ice_ice_friction_law", solver_key, reason, instead});
+        if (law.slip.ice_structure != SlipEffect::constant)
+            refused.push_back({"contact.ice_structure_friction_law", solver_key, reason, instead});
+    }
     if (solver == SolverKind::stock && law.normal == NormalLaw::crushing) {
         refused.push_back({"contact.law", solver_key, "Bullet's own solver has no contacts that crush",
                            "general.solver = \"lanes\", or contact.law = \"rigid\""});

@@ -16,6 +16,7 @@
 #include "shapes/elements.hpp"
 #include "solver/lane_system.hpp"
 #include "solver/lane_width.hpp"
+#include "solver/slip_friction.hpp"
 #include "world/bullet_shapes.hpp"
 #include "world/engine.hpp"
 #include "world/hull_contacts.hpp"
@@ -138,6 +139,8 @@ class LaneEngine final : public Engine {
     bool acts(double distance) const;
     bool is_inside(const Touching& pair, const Triple& normal) const;
     void set_section(SolverContact& contact) const;
+    double slip_speed(const Touching& pair, const TouchingPoint& point) const;
+    double friction_of(const Touching& pair, TouchingPoint& point) const;
     bool in_system(JointId joint) const;
     bool in_system(BodyId body) const { return system_ && body.index() < system_->body_count(); }
     bool moves(std::uint32_t body) const { return bodies_[body].parts.inverse_mass > 0 && !bodies_[body].asleep; }
@@ -467,8 +470,29 @@ void LaneEngine::read_contacts() {
     for (const Touching& pair : touching_) read(pair);
 }
 
+/// How fast two surfaces slide on each other at the beginning of the step, m/s.
+double LaneEngine::slip_speed(const Touching& pair, const TouchingPoint& point) const {
+    const auto velocity = [&](std::uint32_t number, const Triple& at) {
+        const BodyMotion& motion = system_->motions()[number];
+        return std::to_array(motion.velocity) +
+               cross(std::to_array(motion.angular_velocity), at - std::to_array(motion.position));
+    };
+    const Triple sliding = cross(velocity(pair.a, point.on_a) - velocity(pair.b, point.on_b), point.normal);
+    return std::sqrt(dot(sliding, sliding));
+}
+
+/// Coefficient of friction at a point, which remembers how fast it slides.
+double LaneEngine::friction_of(const Touching& pair, TouchingPoint& point) const {
+    const ContactLaw& law = definition_.contact;
+    const SlipLaw slip = slip_law(law, pair.solid >= 0);
+    // Friction that does not know the speed is Bullet's product of two materials, to the last bit.
+    if (slip.effect == SlipEffect::constant) return bodies_[pair.a].friction * bodies_[pair.b].friction;
+    const double speed = slip_speed(pair, point);
+    point.remembered_slip = remembered_slip(law.slip, speed, point.remembered_slip, definition_.time_step);
+    return friction_coefficient(slip, law.slip, speed, point.remembered_slip);
+}
+
 void LaneEngine::read(const Touching& pair) {
-    const double friction = bodies_[pair.a].friction * bodies_[pair.b].friction;
     const double kept = kept_of_impulse(cone());
     const bool solvable = moves(pair.a) || moves(pair.b);
     TouchingPoints& points = store_[pair.points];
@@ -478,6 +502,7 @@ void LaneEngine::read(const Touching& pair) {
             if (solvable) point.impulse = 0;
             point.slide = {};
             point.friction_impulse = 0;
+            point.remembered_slip = -1;
             continue;
         }
         contacts_.push_back({.a = pair.a,
@@ -486,7 +511,7 @@ void LaneEngine::read(const Touching& pair) {
                              .on_b = point.on_b,
                              .normal = point.normal,
                              .distance = point.distance,
-                             .friction = friction,
+                             .friction = friction_of(pair, point),
                              .impulse = point.impulse * kept,
                              .solid = pair.solid});
         set_section(contacts_.back());

@@ -112,6 +112,11 @@ void check_contact(const ContactLaw& law, SolverKind solver) {
     for (const double friction : {law.ice_ice_friction, law.ice_structure_friction}) {
         require(friction >= 0 && friction <= 10, "a coefficient of friction", friction, "between 0 and 10");
     }
+    const SlipFriction& slip = law.slip;
+    require(slip.speed > 0, "the speed at which friction is given", slip.speed, "above 0 m/s");
+    require(slip.memory > 0, "the memory of friction", slip.memory, "above 0 s");
+    require(0 <= slip.least && slip.least <= slip.largest && slip.largest <= 10, "the least coefficient of friction",
+            slip.least, "at least 0 and at most the largest, which is at most 10");
     require(law.normal == NormalLaw::rigid || law.crushing_pressure > 0, "the crushing pressure", law.crushing_pressure,
             "above 0 Pa");
     require(law.erp >= 0 && law.erp <= 1, "the contact ERP", law.erp, "between 0 and 1");

@@ -133,6 +133,16 @@ TEST(Digests, OfATextThatHasAnotherValueOfEveryKey) {
     const Campaign campaign = every_key();
     const std::set<std::string_view> came_later{"arrangement.columns",
                                                 "arrangement.start",  // a key of then, without effect now
+                                                "contact.ice_ice_friction_law",
+                                                "contact.ice_ice_friction_exponent",
+                                                "contact.ice_structure_friction_law",
+                                                "contact.ice_structure_friction_exponent",
+                                                "contact.friction_speed_m_s",
+                                                "contact.least_friction",
+                                                "contact.largest_friction",
+                                                "contact.friction_direct",
+                                                "contact.friction_evolution",
+                                                "contact.friction_memory_s",
                                                 "general.tolerance_mm_s",
                                                 "joint.failure",
                                                 "joint.averaging_s",
