@@ -164,9 +164,9 @@ Key contact_preset(ContactLaw& contact) {
     return preset_key(
         {"contact.preset", words, "docs/convergence.md",
          "Sets contact.friction, contact.law and paper.internal_edges together; those of them that are given "
-         "as well are applied after it. physical: cone, crushing, false, with which the largest loads do not depend "
-         "on the time step (docs/convergence.md). paper: one_direction, rigid, true, which is what Bullet does by "
-         "default and so probably the paper. own: leaves them as they are."});
+         "as well are applied after it. physical: cone, crushing, false, with which no dependence of loads over 0.1 s "
+         "and more on the time step shows (docs/convergence.md). paper: one_direction, rigid, true, which is what "
+         "Bullet does by default and so probably the paper. own: leaves them as they are."});
 }
 
 }  // namespace
