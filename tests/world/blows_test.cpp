@@ -99,28 +99,21 @@ double away(const BodyState& state, const Scene& scene) {
     return (state.velocity + state.angular_velocity.cross(state.rotation * scene.vertex)).dot(scene.normal());
 }
 
-/// Grows by 0.5 % of `peak` a step until something yields. `puts(load)` applies it, `yields()` tells.
-template <class Puts, class Yields>
-double growing_load(World& world, double peak, const Puts& puts, const Yields& yields) {
-    for (double load = 0.02 * peak;; load += 0.005 * peak) {
-        puts(load);
-        world.step();
-        if (yields()) return load;
-    }
-}
-
-/// Stops a box and loads its edge.
+/// Stops a box and puts a load on its edge that grows until the edge yields.
 double yields_at(World& world, BodyId body, const Scene& scene, double time_step) {
     const BodyState after = world.state(body);
     const Vec3 momentum = scene.inertia().cwiseProduct(after.rotation.transpose() * after.angular_velocity);
     world.apply(body, {-element_mass / time_step * after.velocity, after.rotation * -momentum / time_step});
     world.step();
-    const auto puts = [&](double load) {
+    const double expected = scene.crushed().load;
+    double load = 0.02 * expected;
+    for (; load < 10 * expected; load += 0.005 * expected) {
         const Vec3 force = -load * scene.normal();
         world.apply(body, {force, (world.state(body).rotation * scene.vertex).cross(force)});
-    };
-    return growing_load(world, scene.crushed().load, puts,
-                        [&] { return away(world.state(body), scene) < -1e-4 * speed; });
+        world.step();
+        if (away(world.state(body), scene) < -1e-4 * speed) break;
+    }
+    return load;
 }
 
 /// Share: of a step's way that is left to go when a step begins.
