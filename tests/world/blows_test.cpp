@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <vector>
 
 #include "scene.hpp"
@@ -22,6 +23,8 @@ struct Bounds {
     double time_step;
     double deepest;  ///< depth that is left
     double weakest;  ///< load at which they yield afterwards
+
+    friend void PrintTo(const Bounds& bounds, std::ostream* out) { *out << bounds.time_step << " s"; }
 };
 constexpr Bounds of_steps[] = {
     {0.04, 5.8, 0.24}, {0.02, 2.9, 0.36}, {0.01, 1.5, 0.68}, {0.005, 1.13, 0.89}, {0.0025, 1.04, 0.97}};
