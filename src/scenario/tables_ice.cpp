@@ -169,10 +169,6 @@ Key contact_preset(ContactLaw& contact) {
          "Bullet does by default and so probably the paper. own: leaves them as they are."});
 }
 
-}  // namespace
-
-namespace {
-
 /// How the friction of one kind of surfaces depends on the speed.
 void add_slip_effect(Keys& keys, std::string_view law, std::string_view power, SlipEffect& effect,
                      std::string_view exponent, double& of, std::string_view source) {
@@ -193,28 +189,25 @@ void add_slip_friction(Keys& keys, SlipFriction& slip) {
     add_slip_effect(keys, "contact.ice_structure_friction_law", "contact.ice_structure_friction_law = \"power\"",
                     slip.ice_structure, "contact.ice_structure_friction_exponent", slip.ice_structure_exponent,
                     "steel and concrete: docs/contact.md");
-    const auto add = [&](std::string_view path, double& field, Range range, std::string_view source,
-                         std::string_view doc) {
-        keys.push_back(only_with(
-            "a friction law other than \"constant\"",
-            [&slip] { return slip.ice_ice != SlipEffect::constant || slip.ice_structure != SlipEffect::constant; },
-            late_key(number_key(path, field, unit::one, range, source, doc))));
+    const auto adder = [&keys](std::string_view setting, const std::function<bool()>& in_force) {
+        return [&keys, setting, in_force](std::string_view path, double& field, Range range, std::string_view source,
+                                          std::string_view doc) {
+            keys.push_back(
+                only_with(setting, in_force, late_key(number_key(path, field, unit::one, range, source, doc))));
+        };
     };
+    const auto add = adder("a friction law other than \"constant\"", [&slip] {
+        return slip.ice_ice != SlipEffect::constant || slip.ice_structure != SlipEffect::constant;
+    });
+    const auto add_state = adder("a friction law \"rate_and_state\"", [&slip] {
+        return slip.ice_ice == SlipEffect::rate_and_state || slip.ice_structure == SlipEffect::rate_and_state;
+    });
     add("contact.friction_speed_m_s", slip.speed, above(0).at_most(100), "of the tests of hulls",
         "Speed of sliding at which the coefficients of friction are given.");
     add("contact.least_friction", slip.least, at_least(0).at_most(10), "docs/contact.md",
         "No coefficient that depends on the speed falls below this.");
     add("contact.largest_friction", slip.largest, above(0).at_most(10), "docs/contact.md",
         "No coefficient that depends on the speed rises above this; what sticks has it, or less.");
-    const auto add_state = [&](std::string_view path, double& field, Range range, std::string_view source,
-                               std::string_view doc) {
-        keys.push_back(only_with(
-            "a friction law \"rate_and_state\"",
-            [&slip] {
-                return slip.ice_ice == SlipEffect::rate_and_state || slip.ice_structure == SlipEffect::rate_and_state;
-            },
-            late_key(number_key(path, field, unit::one, range, source, doc))));
-    };
     add_state("contact.friction_direct", slip.direct, at_least(0).at_most(10), "Lishman et al. 2011",
               "A: what e times the speed of sliding adds to the coefficient at once.");
     add_state("contact.friction_evolution", slip.evolution, at_least(0).at_most(10), "Lishman et al. 2011",
