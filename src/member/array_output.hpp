@@ -332,6 +332,8 @@ inline constexpr std::array array_outputs{
                                                                "contact force on the structure towards +z", time_axis),
     history_output<&MemberResult::history, &LoadHistory::heave>("history/heave_load", "N",
                                                                 "contact force on the structure upwards", time_axis),
+    history_output<&MemberResult::history, &LoadHistory::concentration>(
+        "history/concentration", "1", "concentration of ice in a box round the structure", time_axis),
     motion_output<&MotionHistory::x>("history/structure_x", "m", "x of the structure's axis", motion_axis),
     motion_output<&MotionHistory::z>("history/structure_z", "m", "z of the structure's axis", motion_axis),
     motion_output<&MotionHistory::yaw>("history/structure_yaw", "rad",

@@ -15,20 +15,23 @@ namespace floes {
 /// For a failed member only the order of its floes, the failures and the peaks are valid: they were recorded before it
 /// failed.
 struct MemberOutputs {
-    LoadStatistics load;                                       ///< of the surge load in the window
-    std::vector<AveragedLoad> averaged;                        ///< the same load over each averaging time, rising
-    std::vector<PartLoad> parts;                               ///< loads on each part of a structure of several
-    Swing yaw, roll, pitch;                                    ///< of the moments on the structure, in the window
-    double mean_sway = 0;                                      ///< N, over the window
-    double mean_heave = 0;                                     ///< N, over the window
-    double failure_ratio = 0;                                  ///< broken floes / floes_entered, 0-1
-    double split_ratio = 0;                                    ///< floes in more than one piece / floes_entered, 0-1
-    double cracked_ratio = 0;                                  ///< floes that began to crack / floes_entered, 0-1
-    double pieces = 0;                                         ///< of ice, at the end of the run
-    double floes_entered = 0;                                  ///< that were computed, at any time of the run
-    double floes_met = 0;                                      ///< of these, that touched the structure at any time
-    double met_failure_ratio = 0;                              ///< broken floes among those met / those met, 0-1
-    double fracture_work = 0;                                  ///< J, taken by cracks over the run
+    LoadStatistics load;                 ///< of the surge load in the window
+    std::vector<AveragedLoad> averaged;  ///< the same load over each averaging time, rising
+    std::vector<PartLoad> parts;         ///< loads on each part of a structure of several
+    Swing yaw, roll, pitch;              ///< of the moments on the structure, in the window
+    double mean_sway = 0;                ///< N, over the window
+    double mean_heave = 0;               ///< N, over the window
+    double failure_ratio = 0;            ///< broken floes / floes_entered, 0-1
+    double split_ratio = 0;              ///< floes in more than one piece / floes_entered, 0-1
+    double cracked_ratio = 0;            ///< floes that began to crack / floes_entered, 0-1
+    double pieces = 0;                   ///< of ice, at the end of the run
+    double floes_entered = 0;            ///< that were computed, at any time of the run
+    double floes_met = 0;                ///< of these, that touched the structure at any time
+    double met_failure_ratio = 0;        ///< broken floes among those met / those met, 0-1
+    double mean_concentration = 0;       ///< of ice round the structure, over the window
+    double ice_flux = 0;       ///< m²/s of ice that fell astern of the structure, over the window; NaN on a path
+    double floes_astern = 0;   ///< that did so; likewise
+    double fracture_work = 0;  ///< J, taken by cracks over the run
     std::array<double, failure_mode_names.size()> failures{};  ///< failed joints by mode
     double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
     double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1

@@ -88,6 +88,11 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.floes_entered = entered;
     result.floes_met = simulation.floes_met();
     result.met_failure_ratio = simulation.floes_met_broken() / result.floes_met;  // NaN where none was met
+    result.mean_concentration = mean_of(in_window(result.history.concentration));
+    const IceAmount astern = simulation.fallen_astern();
+    const bool one_way = !scenario.path.any();
+    result.ice_flux = one_way ? astern.area / scenario.analysis.window : MemberResult::not_measured;
+    result.floes_astern = one_way ? astern.floes : MemberResult::not_measured;
     result.failure_ratio = ice.broken_floes() / entered;
     result.split_ratio = ice.split_floes() / entered;
     result.cracked_ratio = ice.cracked_floes() / entered;

@@ -88,6 +88,12 @@ Corner long_axis(const Measures& of) {
 
 Outline clipped(Corners polygon, const HalfPlane& within) {
     Outline kept;
+    clip_into(kept, polygon, within);
+    return kept;
+}
+
+void clip_into(Outline& kept, Corners polygon, const HalfPlane& within) {
+    kept.clear();
     kept.reserve(polygon.size() + 1);
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Corner& here = polygon[k];
@@ -99,7 +105,6 @@ Outline clipped(Corners polygon, const HalfPlane& within) {
             kept.push_back(here + room / (room - room_next) * (next - here));
     }
     if (kept.size() < 3 || !(area_of(kept) > 0)) kept.clear();
-    return kept;
 }
 
 Outline eroded(Corners polygon, double offset) {

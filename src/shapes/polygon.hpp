@@ -68,6 +68,9 @@ struct HalfPlane {
 /// What of a convex polygon lies in the half plane (Sutherland and Hodgman); empty where that has no area.
 Outline clipped(Corners polygon, const HalfPlane& within);
 
+/// Refills `kept` with it, which keeps its memory and is no part of the polygon.
+void clip_into(Outline& kept, Corners polygon, const HalfPlane& within);
+
 /// The points of a convex polygon at least `offset` from each of its edges; empty where there are none.
 Outline eroded(Corners polygon, double offset);
 

@@ -11,14 +11,16 @@ namespace floes {
 
 /// Contact force on the structure in each step, N. Entry k belongs to the step that ends at (k + 1) Δt; where a member
 /// keeps means over `analysis.history_steps` = N steps, to the N that end at (k + 1) N Δt. The water's force on the
-/// structure is not in it, so there is no open-water resistance to subtract.
+/// structure is not in it, so there is no open-water resistance to subtract. Beside it, how closely ice lies there.
 struct LoadHistory {
-    std::vector<double> surge;  ///< positive against the tow (-x)
-    std::vector<double> sway;   ///< positive towards +z
-    std::vector<double> heave;  ///< positive up
+    std::vector<double> surge;          ///< positive against the tow (-x)
+    std::vector<double> sway;           ///< positive towards +z
+    std::vector<double> heave;          ///< positive up
+    std::vector<double> concentration;  ///< of ice round the structure at the last look, simulation/nearby_ice.hpp
 };
 
-inline constexpr std::array load_histories{&LoadHistory::surge, &LoadHistory::sway, &LoadHistory::heave};
+inline constexpr std::array load_histories{&LoadHistory::surge, &LoadHistory::sway, &LoadHistory::heave,
+                                           &LoadHistory::concentration};
 
 // How a structure that is not towed straight on moved, and what its moorings bore, over time.
 

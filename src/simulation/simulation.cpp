@@ -119,6 +119,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
       piece_water_(scenario, floes),
       lee_(scenario, channel_, floes, ice_),
       work_(scenario, floes, ice_, structure_),
+      nearby_(scenario, channel_),
       sleeping_(scenario.field.wake_radius, ice_.elements()),
       contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
     for (int floe = 0; floe < ice_.places(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
@@ -213,6 +214,7 @@ FrameContact Simulation::seen(const ContactForce& contact) const {
 }
 
 void Simulation::step() {
+    if (steps_ == scenario_.first_window_step()) astern_before_ = astern();
     move_structure();
     move_window();
     wake_floes();
@@ -233,7 +235,13 @@ void Simulation::step() {
     encounters_.meet(structure_contacts_, ice_);
     if (steps_ >= scenario_.first_window_step()) map_contacts();
     break_joints();
+    nearby_.look(steps_, ice_, states_, sheets_.motions(), motion_.after());
     record();
+}
+
+IceAmount Simulation::astern() const {
+    const IceAmount there = nearby_.astern(ice_, states_, motion_.after());
+    return {left_.area + there.area, left_.floes + there.floes};
 }
 
 void Simulation::place_structure() {
@@ -332,6 +340,7 @@ void Simulation::record() {
     loads_.surge.push_back(-load.x());
     loads_.sway.push_back(load.z());
     loads_.heave.push_back(load.y());
+    loads_.concentration.push_back(nearby_.concentration());
     if (motion_.is_free()) record_motion();
     ++steps_;
 }
@@ -411,6 +420,8 @@ void Simulation::leave_behind() {
         const auto is_in = [&](const BodyState& one) { return one.position.x() >= window_->first(); };
         if (std::ranges::any_of(elements, is_in)) continue;
         encounters_.leave(place, ice_);
+        for (const CutElement& one : ice_.cut(place).elements) left_.area += one.area;
+        ++left_.floes;
         ice_.leave(world_, place);
         sleeping_.leave(place);
         for (BodyState& one : elements) one.velocity = one.angular_velocity = Vec3::Zero();

@@ -17,6 +17,7 @@
 #include "simulation/hull_loads.hpp"
 #include "simulation/lee.hpp"
 #include "simulation/moving_window.hpp"
+#include "simulation/nearby_ice.hpp"
 #include "simulation/record.hpp"
 #include "simulation/sheets.hpp"
 #include "simulation/structure_motion.hpp"
@@ -138,6 +139,9 @@ class Simulation {
     /// On parts of the structure, and moments, over the steps of the analysis window so far; at least one.
     const HullLoads& hull_loads() const { return hull_loads_; }
 
+    /// What of the ice has gone astern of the structure in the analysis window so far, less what has come back.
+    IceAmount fallen_astern() const { return astern() - astern_before_; }
+
     /// Where the work of the tow went in the analysis window so far.
     WorkShares work() const { return work_.shares(); }
 
@@ -173,6 +177,7 @@ class Simulation {
     void check_wellbeing() const;
     void read_ice_load();
     void map_contacts();
+    IceAmount astern() const;
     void break_joints();
     void share_out_water(std::size_t first_break);
     void record();
@@ -191,6 +196,9 @@ class Simulation {
     PieceWater piece_water_;
     Lee lee_;
     TowWork work_;
+    NearbyIce nearby_;
+    IceAmount left_;           ///< floes that have left, all of them astern
+    IceAmount astern_before_;  ///< at the start of the window
     std::vector<BodyState> states_, states_before_;
     SleepingFloes sleeping_;
     std::optional<MovingWindow> window_;  ///< of a field without end

@@ -61,6 +61,27 @@ double sum_of(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+TEST(RunMember, MeasuresTheIceRoundTheStructureAndAsternOfIt) {
+    Scenario scenario = jam();
+    scenario.field.half_width = 2.4;  // room for floes to pass
+    scenario.field.concentration = 0.4;
+    scenario.structure.speed = 0.3;
+    const MemberResult result = run_member(scenario, 7, 0);
+    ASSERT_EQ(result.status, MemberStatus::done) << result.reason;
+    ASSERT_EQ(result.history.concentration.size(), 300u);
+    const auto begin = result.history.concentration.begin() + 50;
+    EXPECT_NEAR(result.mean_concentration, std::accumulate(begin, result.history.concentration.end(), 0.0) / 250,
+                1e-12);
+    EXPECT_GT(result.mean_concentration, 0.2);
+    EXPECT_GT(result.floes_astern, 0);
+    EXPECT_NEAR(result.ice_flux * 5, 0.36 * result.floes_astern, 2 * 0.36);
+    scenario.path.table = {{0, 0, 0, 0}, {6, 1.8, 0, 0}};
+    const MemberResult on_path = run_member(scenario, 7, 0);
+    EXPECT_EQ(on_path.status, MemberStatus::done) << on_path.reason;
+    EXPECT_GT(on_path.mean_concentration, 0.2);
+    EXPECT_TRUE(std::isnan(on_path.ice_flux) && std::isnan(on_path.floes_astern));
+}
+
 TEST(RunMember, MapsItsLoadToTheStructure) {
     const MemberResult result = run_member(jam(), 7, 0);
     const LoadMap& map = result.load_map;

@@ -24,8 +24,10 @@ MemberRecord awkward_record() {
     record.result.load.sd = odd_nan;
     record.result.load.trend = -0.0;
     record.result.load.trend_p = std::numeric_limits<double>::denorm_min();
-    record.result.history = {
-        {odd_nan, -0.0, std::numeric_limits<double>::infinity(), 0.1}, {}, {std::numeric_limits<double>::lowest()}};
+    record.result.history = {{odd_nan, -0.0, std::numeric_limits<double>::infinity(), 0.1},
+                             {},
+                             {std::numeric_limits<double>::lowest()},
+                             {0.7}};
     record.result.load_map.normal.front() = std::numeric_limits<double>::denorm_min();
     record.result.load_map.surge.front() = -0.0;
     record.host = std::string("nö\0de", 6);
@@ -121,6 +123,7 @@ TEST(MemberRecord, ComesBackBitForBit) {
     EXPECT_EQ(bits_of(whole.history.surge), bits_of(before.result.history.surge));
     EXPECT_TRUE(whole.history.sway.empty());
     EXPECT_EQ(whole.history.heave, before.result.history.heave);
+    EXPECT_EQ(whole.history.concentration, before.result.history.concentration);
     EXPECT_EQ(whole.load_map, before.result.load_map);
     EXPECT_EQ(whole.failures, before.result.failures);
     EXPECT_EQ(whole.peaks, before.result.peaks);

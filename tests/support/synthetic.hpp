@@ -96,6 +96,7 @@ inline MemberRecord record(const Campaign& campaign, int number) {
     result.mean_sway = base + 0.7;
     result.mean_heave = -base - 0.8;
     result.failure_ratio = 1.0 / (number + 3);
+    result.mean_concentration = 0.5 + 0.001 * number;
     for (std::size_t mode = 0; mode < result.failures.size(); ++mode)
         result.failures[mode] = 3 * number + static_cast<double>(mode);
     result.local_order = 0.5 + 0.001 * number;
@@ -106,6 +107,7 @@ inline MemberRecord record(const Campaign& campaign, int number) {
         history.surge.push_back(base * std::sin(0.1 * k));
         history.sway.push_back(base * std::cos(0.1 * k));
         history.heave.push_back(base / (k + 1));
+        history.concentration.push_back(0.5 + 0.001 * number);
     }
     LoadMap map{{}, {}, {}};
     for (std::size_t bin = 0; bin < LoadMap::heights * LoadMap::angles; ++bin) {

@@ -1,0 +1,105 @@
+#include "simulation/nearby_ice.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shapes/hydrostatics.hpp"
+
+namespace floes {
+
+NearbyIce::NearbyIce(const Scenario& scenario, const Channel& channel)
+    : sheets_(channel.sheets),
+      waterplane_(hydrostatics(scenario.structure.shape).waterplane),
+      thickness_(scenario.floe.thickness) {
+    for (const std::vector<Vec2>& outline : scenario.structure.shape.waterlines())
+        for (const Vec2& corner : outline) waterline_.push_back({corner.x(), 0, corner.y()});
+    low_ = high_ = waterline_.front();
+    for (const Vec3& corner : waterline_) {
+        low_ = low_.cwiseMin(corner);
+        high_ = high_.cwiseMax(corner);
+    }
+    const double breadth = high_.z() - low_.z();
+    high_ += Vec3{breadth, 0, breadth};
+    low_.z() -= breadth;
+    within_.reserve(4 + sheets_.size());
+    for (Outline* outline : {&box_, &seen_, &spare_}) outline->reserve(most_corners + 4 + sheets_.size());
+}
+
+void NearbyIce::cut_to(const HalfPlane& half) {
+    clip_into(spare_, seen_, half);
+    seen_.swap(spare_);
+}
+
+void NearbyIce::lay_box(std::span<const SheetMotion> sheets, const StructurePose& at) {
+    const Quat turn = turned_about_y(at.yaw);
+    const auto corner = [&](double x, double z) {
+        const Vec3 there = at.position + turn * Vec3{x, 0, z};
+        return Corner{there.x(), there.z()};
+    };
+    seen_.assign({corner(low_.x(), low_.z()), corner(high_.x(), low_.z()), corner(high_.x(), high_.z()),
+                  corner(low_.x(), high_.z())});
+    within_.clear();
+    for (std::size_t k = 0; k < seen_.size(); ++k) {
+        const Corner normal = outward(seen_, k);
+        within_.push_back({normal, dot(normal, seen_[k])});
+    }
+    for (std::size_t k = 0; k < sheets_.size(); ++k) {
+        const IceSheet& form = sheets_[k];
+        const double way = k < sheets.size() ? sheets[k].way : 0;
+        const Vec3 edge = form.centre + form.half_extents.cwiseProduct(form.inwards) + way * form.inwards;
+        within_.push_back({{-form.inwards.x(), -form.inwards.z()}, -edge.dot(form.inwards)});
+        cut_to(within_.back());
+    }
+    box_.swap(seen_);
+}
+
+/// The element as seen from above, m².
+double NearbyIce::area_in_box(const CutElement& element, const BodyState& state) {
+    seen_.clear();
+    for (const Corner& one : element.corners) {
+        const Vec3 there = state.position + state.rotation * Vec3{one.x, 0, one.z};
+        seen_.push_back({there.x(), there.z()});
+    }
+    if (area_of(seen_) < 0) std::ranges::reverse(seen_);  // upside down
+    for (const HalfPlane& half : within_)
+        if (!seen_.empty()) cut_to(half);
+    return seen_.empty() ? 0.0 : area_of(seen_);
+}
+
+void NearbyIce::look(int step, const IceField& ice, std::span<const BodyState> states,
+                     std::span<const SheetMotion> sheets, const StructurePose& at) {
+    constexpr int stride = 10;
+    if (step % stride != 0) return;
+    lay_box(sheets, at);
+    double covered = 0;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const IceElement& element = ice.elements()[i];
+        if (!ice.is_there(element.floe) || states[i].position.y() < -thickness_) continue;
+        covered += area_in_box(ice.cut_element(element), states[i]);
+    }
+    concentration_ = covered / (area_of(box_) - waterplane_);
+}
+
+IceAmount NearbyIce::astern(const IceField& ice, std::span<const BodyState> states, const StructurePose& at) const {
+    const Pose pose = at.pose();
+    double line = at.position.x();
+    for (const Vec3& corner : waterline_) line = std::min(line, (pose.position + pose.orientation * corner).x());
+    IceAmount found;
+    for (int place = 0; place < ice.places(); ++place) {
+        if (!ice.is_there(place)) continue;
+        double area = 0;
+        double moment = 0;
+        const auto first = static_cast<std::size_t>(ice.first_element(place));
+        for (std::size_t i = first; i < first + static_cast<std::size_t>(ice.elements(place)); ++i) {
+            const double own = ice.cut_element(ice.elements()[i]).area;
+            const double x = states[i].position.x();
+            area += own;
+            moment += own * x;
+            if (x < line) found.area += own;
+        }
+        if (moment < line * area) ++found.floes;
+    }
+    return found;
+}
+
+}  // namespace floes
