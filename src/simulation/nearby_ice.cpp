@@ -55,6 +55,11 @@ void NearbyIce::lay_box(std::span<const SheetMotion> sheets, const StructurePose
 
 /// The element as seen from above, m².
 double NearbyIce::area_in_box(const CutElement& element, const BodyState& state) {
+    double reach = 0;
+    for (const Corner& one : element.corners) reach = std::max(reach, std::hypot(one.x, one.z));
+    const Corner middle{state.position.x(), state.position.z()};
+    const auto room = [&](const HalfPlane& half) { return half.bound - dot(half.normal, middle); };
+    if (std::ranges::any_of(within_, [&](const HalfPlane& half) { return room(half) <= -reach; })) return 0;
     seen_.clear();
     for (const Corner& one : element.corners) {
         const Vec3 there = state.position + state.rotation * Vec3{one.x, 0, one.z};
@@ -62,7 +67,7 @@ double NearbyIce::area_in_box(const CutElement& element, const BodyState& state)
     }
     if (area_of(seen_) < 0) std::ranges::reverse(seen_);  // upside down
     for (const HalfPlane& half : within_)
-        if (!seen_.empty()) cut_to(half);
+        if (!seen_.empty() && room(half) < reach) cut_to(half);
     return seen_.empty() ? 0.0 : area_of(seen_);
 }
 
