@@ -1,0 +1,211 @@
+#!/usr/bin/python3
+"""The tables of docs/trends.md, from docs/trends.
+
+Usage:
+    trends.py                          writes the tables
+    trends.py --check                  writes nothing; fails if a table differs from the data
+    trends.py --collect FOLDER FLOES   first takes the members of arch_gap.h5 and compressed_field.h5 in FOLDER, made from
+                                       configs/validation, as far as they are there, and draws docs/trends/*.png
+"""
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import pandas as pd
+from scipy import stats
+
+from contact import collected
+from page_blocks import fill_or_check
+from validation_data import change, half_width, interval
+from validation_tables import bracketed, table, with_interval
+
+DOCS = pathlib.Path(__file__).resolve().parent.parent
+DATA = DOCS / "trends"
+KEYS = {"case": "joint.name", "percent": "field.concentration_percent", "half_width_m": "field.half_width_m",
+        "speed_m_s": "structure.speed_m_s", "thickness_m": "ice.thickness_m", "side_m": "floe.length_m"}
+WORK = {"ice_crushing": "crushing and stopping, ice on ice", "ice_friction": "friction, ice on ice",
+        "hull_crushing": "crushing and stopping on the plate", "hull_friction": "friction on the plate",
+        "lifting": "lifting and pushing under", "vertical_drag": "drag along the normals"}
+COLUMNS = {"arch_gap": ["floes_astern", "ice_flux"], "compressed_field": ["mean_concentration"] + [f"work_{one}" for one in WORK]}
+SIDES = ["side_0.08", "side_0.10", "side_0.125", "side_0.15", "side_0.20", "side_0.25", "side_0.33"]
+BASE = "side_0.25"
+GAPS = {"closeness_20": "32 % comes to the gap (concentration times width over gap)", "closeness_30": "48 %", "closeness_45": "72 %",
+        BASE: "**96 %, as above**", "twice_as_wide": "96 %, channel twice as wide, half as close", "speed_0.05": "half the speed",
+        "speed_0.2": "twice the speed, half the time step", "friction_0.1": "friction 0.1, on the barrier too",
+        "friction_0.6": "friction 0.6, on the barrier too",
+        "two_sizes_25": "25 % of the area of this side, 75 % of half of it", "two_sizes_50": "50 and 50 %",
+        "two_sizes_75": "75 and 25 %"}
+FIELDS = {"base": "**side 0.3 m, 30 mm thick, 3 m long, 0.1 m/s, friction 0.3**", "thickness_0.015": "half as thick",
+          "thickness_0.06": "twice as thick", "side_0.2": "two thirds of the side", "side_0.45": "1.5 times the side",
+          "length_6": "twice as long", "speed_0.05": "half the speed", "speed_0.2": "twice the speed",
+          "friction_0.1": "ice-ice friction 0.1", "pressure_x4": "edges crush at four times the pressure",
+          "late": "**the first row, compressed on to 131 to 156 %**", "late_thickness_0.015": "half as thick",
+          "late_thickness_0.06": "twice as thick", "late_side_0.45": "1.5 times the side"}
+THICKNESSES = {"thickness_0.015": "15 mm", "base": "30 mm", "thickness_0.06": "60 mm",
+               "late_thickness_0.015": "on, 15 mm", "late": "on, 30 mm", "late_thickness_0.06": "on, 60 mm"}
+
+
+def members(name):
+    rows = pd.read_csv(DATA / f"{name}.csv")
+    if name == "arch_gap":  # what falls through, of what comes at the barrier
+        rows["passes"] = 100 * rows.ice_flux / (rows.percent / 100 * 2 * rows.half_width_m * rows.speed_m_s)
+        rows["arched"] = rows.floes_astern == 0
+    else:
+        rows["log_N"] = np.log(rows.mean_N)
+    return rows
+
+
+def share(hits, n):
+    """Clopper and Pearson's 95 % interval of a share, in percent."""
+    low = stats.beta.ppf(0.025, hits, n - hits + 1) if hits else 0.0
+    high = stats.beta.ppf(0.975, hits + 1, n - hits) if hits < n else 1.0
+    return f"{100 * hits / n:.0f} [{100 * low:.0f}, {100 * high:.0f}]"
+
+
+def arched(rows, case):
+    own = rows[rows.case == case]
+    return [f"{int(own.arched.sum())} of {len(own)}", share(int(own.arched.sum()), len(own)),
+            with_interval(own.passes.to_numpy())]
+
+
+def gaps():
+    rows = members("arch_gap")
+    return table(["side / gap", "arched", "%", "falls through, % of what comes"],
+                 [[case.removeprefix("side_"), *arched(rows, case)] for case in SIDES])
+
+
+def others():
+    rows = members("arch_gap")
+    lines = []
+    for case, words in GAPS.items():
+        beside = "" if case == BASE else "{:+.0f} ± {:.0f}".format(*change(rows, "passes", case, BASE))
+        lines.append([words, *arched(rows, case), beside])
+    return table(["side / gap 0.25", "arched", "%", "falls through, %", "beside the bold row"], lines)
+
+
+def base_of(case):
+    return "late" if case.startswith("late") else "base"
+
+
+def ratio(rows, case):
+    """Geometric mean over that of the base, with its 95 % interval."""
+    mean, half = change(rows, "log_N", case, base_of(case))
+    return tuple(np.exp([mean, mean - half, mean + half]))
+
+
+def fields():
+    rows = members("compressed_field")
+    lines = []
+    for case, words in FIELDS.items():
+        logs = rows[rows.case == case].log_N
+        middle, half = logs.mean(), half_width(logs)
+        lines.append([words, f"{len(logs)}", bracketed(*np.exp([middle, middle - half, middle + half])),
+                      "" if case == base_of(case) else bracketed(*ratio(rows, case))])
+    return table(["field", "arrangements", "load, geometric mean, N", "over the bold row"], lines)
+
+
+def exponent(quantity, cases):
+    """Of the load as a power of a quantity, with its 95 % interval, by a straight line through the logarithms."""
+    rows = members("compressed_field")
+    rows = rows[rows.case.isin([base_of(cases[0]), *cases])]
+    line = stats.linregress(np.log(rows[quantity]), rows.log_N)
+    half = stats.t.ppf(0.975, len(rows) - 2) * line.stderr
+    return line.slope, line.slope - half, line.slope + half
+
+
+def work():
+    rows = members("compressed_field")
+    own = {case: rows[rows.case == case] for case in THICKNESSES}
+    lines = [[words] + [f"{100 * one[f'work_{key}'].mean() / one.mean_N.mean():.0f}" for one in own.values()]
+             for key, words in WORK.items()]
+    lines.append(["*ice at the surface, % of the area ahead*"] +
+                 [f"{100 * one.mean_concentration.mean():.0f}" for one in own.values()])
+    return table(["% of the mean load"] + list(THICKNESSES.values()), lines)
+
+
+def power(bounds):
+    return "power {:.2f} [{:.2f}, {:.2f}]".format(*bounds)
+
+
+def within(value, bounds):
+    return "yes" if bounds[1] <= value <= bounds[2] else "no"
+
+
+def verdicts():
+    rows = members("arch_gap")
+
+    def counts(*cases):
+        return ", ".join(arched(rows, case)[0] for case in cases)
+
+    def some(case):
+        own = rows[rows.case == case].arched
+        return int(own.sum()), int((~own).sum())
+
+    def apart(*cases):
+        """How the share that falls through differs from that of the base, and whether any difference is beyond chance."""
+        found = [change(rows, "passes", case, BASE) for case in cases]
+        return (", ".join(f"{mean:+.0f} ± {half:.0f}" for mean, half in found) + " points",
+                any(abs(mean) > half for mean, half in found))
+
+    more = stats.fisher_exact([some(BASE), some("closeness_20")], alternative="greater").pvalue
+    wide, differs_wide = apart("twice_as_wide")
+    fast, differs_fast = apart("speed_0.05", "speed_0.2")
+    rub, differs_rub = apart("friction_0.1", "friction_0.6")
+    pure = tuple(sum(counted) for counted in zip(some("side_0.125"), some(BASE)))
+    mixed = stats.fisher_exact([some("two_sizes_50"), pure], alternative="greater").pvalue
+    mixes = ["side_0.125", "two_sizes_25", "two_sizes_50", "two_sizes_75", BASE]
+    thick = exponent("thickness_m", ["thickness_0.015", "thickness_0.06"])
+    late = exponent("thickness_m", ["late_thickness_0.015", "late_thickness_0.06"])
+    side = exponent("side_m", ["side_0.2", "side_0.45"])
+    speed = exponent("speed_m_s", ["speed_0.05", "speed_0.2"])
+    length = ratio(members("compressed_field"), "length_6")
+    seen = {True: "yes", False: "not seen"}
+    lines = [
+        ["blocks up to 0.10 of the gap do not arch, even where more comes than can pass", "Calkins and Ashton",
+         f"at 0.08 and 0.10 {counts('side_0.08', 'side_0.10')} arched",
+         ", ".join("no" if some(case)[0] else "yes" for case in SIDES[:2])],
+        ["larger ones do", "the same", f"at 0.15, 0.20, 0.25 and 0.33 {counts('side_0.15', 'side_0.20', 'side_0.25', 'side_0.33')}",
+         seen[bool(rows[rows.case.isin(SIDES[3:])].arched.any())]],
+        ["a higher concentration upstream arches", "both", f"{counts('closeness_20', 'closeness_30', 'closeness_45', BASE)} "
+         f"where 20, 30, 45 and 60 % come (first and last: p = {more:.2g})", seen[bool(more < 0.05)]],
+        ["the concentration in the gap decides, whatever the width of the flume", "Tatinclaux and Lee",
+         f"twice as wide at half the concentration: {counts('twice_as_wide')}, {wide} fall through", "no" if differs_wide else "yes"],
+        ["no effect of the Froude number before blocks dive", "the same", f"half and twice the speed: "
+         f"{counts('speed_0.05', 'speed_0.2')}, {fast}", "no" if differs_fast else "yes"],
+        ["friction matters", "the same", f"friction 0.1 and 0.6: {counts('friction_0.1', 'friction_0.6')}, {rub}", seen[differs_rub]],
+        ["of two sizes, equal areas arch most easily", "Calkins and Ashton 1976", f"0, 25, 50, 75 and 100 % of the area in the "
+         f"larger: {counts(*mixes)} (half and half beside one size: p = {mixed:.2g})", seen[bool(mixed < 0.05)]],
+        ["a compressed field: load linear in the thickness after a first phase", "Lensu", f"{power(thick)}, compressed on "
+         f"{power(late)}", f"{within(1, thick)}, {within(1, late)}"],
+        ["load independent of the diameter of the floes", "Lensu", power(side), within(0, side)],
+        ["load independent of the length of the field", "IIHR", f"twice as long: {bracketed(*length)} times the load",
+         within(1, length)],
+        ["load falls with the speed: inversely, or until it is constant", "IIHR; Tatinclaux and Cheng", power(speed),
+         "yes" if speed[2] < 0 else "no" if speed[1] > 0 else "not seen"]]
+    return table(["published", "by", "here", "agrees"], lines)
+
+
+def collect(folder, floes):
+    for name, columns in COLUMNS.items():
+        path = folder / f"{name}.h5"
+        if path.exists():
+            collected(path, KEYS, columns).round(6).to_csv(DATA / f"{name}.csv", index=False)
+    for case, arrangement in [("side_0.08", 0), ("side_0.33", 1)]:
+        subprocess.run([floes, "replay", folder / "arch_gap.h5", "--case", case, "--arrangement", f"{arrangement}", "--from",
+                        "23.9", "--to", "24", "--at", "24", "--view", "above", "--size", "700x380", "-o",
+                        DATA / f"{case}.png"], check=True)
+
+
+def main():
+    arguments = sys.argv[1:]
+    if arguments[:1] == ["--collect"] and len(arguments) == 3:
+        collect(pathlib.Path(arguments[1]), arguments[2])
+    elif arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
+    fill_or_check({DOCS / "trends.md": {"verdicts": verdicts, "gaps": gaps, "others": others, "fields": fields, "work": work}},
+                  arguments == ["--check"], "trends.py")
+
+
+if __name__ == "__main__":
+    main()
