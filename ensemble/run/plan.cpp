@@ -570,7 +570,7 @@ double record_bytes(const Scenario& scenario) {
     return static_cast<double>(encode(record).size());
 }
 
-/// Sizes of its rows of numbers, packed: three of loads, and those of the motions that the hull has.
+/// Sizes of its rows of numbers, packed: those of loads and ice, and those of the motions that the hull has.
 struct HistoryBytes {
     double all = 0;
     double deflated = 0;  ///< the compressed part; small sets are left uncompressed
@@ -579,7 +579,8 @@ struct HistoryBytes {
         for (const ArrayOutput& output : array_outputs) {
             if (output.group() != "history" || !scenario.analysis.keep_history) continue;
             const std::size_t numbers = output.axes[0]->places(scenario).size();
-            const double bytes = measured_member_costs().history_bytes * static_cast<double>(numbers);
+            const int repeated = std::max(1, output.held_steps / scenario.analysis.history_stride);
+            const double bytes = measured_member_costs().history_bytes * static_cast<double>(numbers) / repeated;
             all += bytes;
             if (PackedNumbers{numbers, {}}.deflated()) deflated += bytes;
         }

@@ -200,6 +200,7 @@ struct ArrayOutput {
     bool of_arrangement = false;  ///< stored once for all members that begin from the same floes
     ArrayNumbers numbers = ArrayNumbers::real;
     std::span<const char* const> words = {};  ///< of flags, counted from 0
+    int held_steps = 1;                       ///< a value of a history is that of so many steps
 
     constexpr std::string_view group() const { return in_file() ? path.substr(0, path.find('/')) : ""; }
     constexpr std::string_view name() const { return path.substr(path.find('/') + 1); }
@@ -220,13 +221,14 @@ struct ArrayOutput {
 /// A history of the load, or of how the structure moved.
 template <auto owner, auto history>
 constexpr ArrayOutput history_output(std::string_view path, std::string_view unit, std::string_view long_name,
-                                     const ArrayAxis& axis) {
+                                     const ArrayAxis& axis, int held_steps = 1) {
     return {.path = path,
             .unit = unit,
             .long_name = long_name,
             .axes = {&axis},
             .access = at_vector<owner, history>(),
-            .chunks = ArrayChunks::of_its_own};
+            .chunks = ArrayChunks::of_its_own,
+            .held_steps = held_steps};
 }
 
 template <auto history>
@@ -333,7 +335,7 @@ inline constexpr std::array array_outputs{
     history_output<&MemberResult::history, &LoadHistory::heave>("history/heave_load", "N",
                                                                 "contact force on the structure upwards", time_axis),
     history_output<&MemberResult::history, &LoadHistory::concentration>(
-        "history/concentration", "1", "concentration of ice in a box round the structure", time_axis),
+        "history/concentration", "1", "concentration of ice in a box round the structure", time_axis, steps_a_look),
     motion_output<&MotionHistory::x>("history/structure_x", "m", "x of the structure's axis", motion_axis),
     motion_output<&MotionHistory::z>("history/structure_z", "m", "z of the structure's axis", motion_axis),
     motion_output<&MotionHistory::yaw>("history/structure_yaw", "rad",

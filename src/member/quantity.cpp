@@ -14,7 +14,7 @@ namespace floes {
 double Quantity::of(const MemberOutputs& outputs) const {
     if (averaging == 0) return place.get(outputs);
     const auto found = std::ranges::find(outputs.averaged, averaging, &AveragedLoad::time);
-    return found == outputs.averaged.end() ? std::numeric_limits<double>::quiet_NaN() : (*found).*averaged;
+    return found == outputs.averaged.end() ? std::numeric_limits<double>::quiet_NaN() : averaged(*found);
 }
 
 bool Quantity::holds(double value) const {
@@ -29,6 +29,7 @@ Quantity averaged_over(const Quantity& one, double time) {
     made.label = ShortText{std::string_view{fmt::format("{} over {} s", one.label, time)}};
     made.shown = std::min(one.shown, Shown::in_pairs);
     made.averaging = time;
+    made.for_programs = one.averaged == largest_of;  // people have the mean of the maxima
     return made;
 }
 

@@ -66,6 +66,12 @@ constexpr Place failures_in() {
             [](MemberOutputs& outputs, double value) { outputs.failures[number] = value; }};
 }
 
+/// A number of the averaged load.
+template <double AveragedLoad::*number>
+constexpr double of_averaged(const AveragedLoad& load) {
+    return load.*number;
+}
+
 inline constexpr double no_least = -std::numeric_limits<double>::infinity();
 inline constexpr double no_most = std::numeric_limits<double>::infinity();
 
@@ -93,9 +99,9 @@ struct Quantity {
     bool stops = false;       ///< a stop rule may use it
     bool in_designs = false;  ///< used in the sensitivity to a design's axes
     int since = 0;            ///< minor version of the file's layout 1 that introduced it
-    double AveragedLoad::*averaged = nullptr;  ///< the same for the averaged load; none: not taken
-    double averaging = 0;                      ///< s, that the load is averaged over; 0: every step
-    bool for_programs = false;                 ///< in CSV and JSON, but in no table for people
+    double (*averaged)(const AveragedLoad&) = nullptr;  ///< the same of the averaged load; none: not taken
+    double averaging = 0;                               ///< s, that the load is averaged over; 0: every step
+    bool for_programs = false;                          ///< in CSV and JSON, but in no table for people
 
     /// NaN where the outputs do not have that averaging time.
     double of(const MemberOutputs& outputs) const;
@@ -355,7 +361,7 @@ inline constexpr std::array load_quantities{
              .label = "SD",
              .stops = true,
              .in_designs = true,
-             .averaged = &AveragedLoad::sd},
+             .averaged = of_averaged<&AveragedLoad::sd>},
     Quantity{.key = "maximum_load",
              .unit = "N",
              .long_name = "largest surge load in the window",
@@ -364,7 +370,8 @@ inline constexpr std::array load_quantities{
              .label = "maximum",
              .least = no_least,
              .positive = true,
-             .stops = true},
+             .stops = true,
+             .averaged = largest_of},
     Quantity{.key = "skewness",
              .unit = "1",
              .long_name = "skewness of the surge load over the window",
@@ -385,14 +392,14 @@ inline constexpr std::array load_quantities{
              .positive = true,
              .stops = true,
              .in_designs = true,
-             .averaged = &AveragedLoad::mean_maximum},
+             .averaged = of_averaged<&AveragedLoad::mean_maximum>},
     Quantity{.key = "sd_maximum",
              .unit = "N",
              .long_name = "population standard deviation of the segment maxima of the surge load",
              .place = at<&MemberOutputs::load, &LoadStatistics::sd_maximum>(),
              .shown = Shown::in_table3,
              .label = "SD maximum",
-             .averaged = &AveragedLoad::sd_maximum},
+             .averaged = of_averaged<&AveragedLoad::sd_maximum>},
     Quantity{.key = "failure_ratio",
              .unit = "1",
              .long_name = "broken floes over all floes that were computed, at the end of the run",

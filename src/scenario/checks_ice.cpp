@@ -128,6 +128,14 @@ void check_proportions(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+void check_friction(const Scenario& scenario, Contradictions& found) {
+    const SlipFriction& slip = scenario.contact.slip;
+    if (slip.least <= slip.largest) return;
+    refuse(scenario, found, {"contact.least_friction", "contact.largest_friction"},
+           "<contact.least_friction> is above <contact.largest_friction>; between them every coefficient must find its "
+           "place");
+}
+
 void check_solver(const Scenario& scenario, Contradictions& found) {
     const SolverKind solver = scenario.general.solver;
     std::vector<Refusal> refused = refused_contacts(solver, scenario.contact);
@@ -137,11 +145,6 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
     if (scenario.joint.model == JointModel::beam) add(refused_springs(solver));
     if (scenario.water.added_mass_from == WaterFrom::outline) add(refused_water(solver));
     if (scenario.field.wake_radius > 0) add(refused_sleep(solver));
-    if (const SlipFriction& slip = scenario.contact.slip; slip.least > slip.largest) {
-        refuse(scenario, found, {"contact.least_friction", "contact.largest_friction"},
-               "<contact.least_friction> is above <contact.largest_friction>; between them every coefficient must find "
-               "its place");
-    }
     for (const auto& [key, with, reason, instead] : refused) {
         refuse(scenario, found, {std::string(key), std::string(with)}, "<{}> is not possible with <{}>: {}; take {}",
                std::string(key), std::string(with), reason, instead);

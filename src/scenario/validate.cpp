@@ -20,6 +20,7 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_floating(scenario, found);
     check_stress_averaging(scenario, found);
     check_proportions(scenario, found);
+    check_friction(scenario, found);
     check_solver(scenario, found);
     check_time(scenario, found);
     check_levels(scenario, found);

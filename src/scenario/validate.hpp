@@ -50,6 +50,7 @@ void check_sides(const Scenario& scenario, Contradictions& found);     ///< floe
 void check_element_count(const Scenario& scenario, double elements, Contradictions& found);  ///< of all floes
 void check_stress_averaging(const Scenario& scenario, Contradictions& found);  ///< over not too many steps
 void check_proportions(const Scenario& scenario, Contradictions& found);  ///< sheets that bend a little, and a field
+void check_friction(const Scenario& scenario, Contradictions& found);     ///< bounds that hold a coefficient
 void check_solver(const Scenario& scenario, Contradictions& found);       ///< it refuses nothing that it is to do
 void check_floating(const Scenario& scenario, Contradictions& found);     ///< the ice floats, heave is stable
 void check_time(const Scenario& scenario, Contradictions& found);         ///< whole steps, segments, history values

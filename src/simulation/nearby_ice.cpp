@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "shapes/hydrostatics.hpp"
+#include "simulation/record.hpp"
 
 namespace floes {
 
@@ -73,8 +74,7 @@ double NearbyIce::area_in_box(const CutElement& element, const BodyState& state)
 
 void NearbyIce::look(int step, const IceField& ice, std::span<const BodyState> states,
                      std::span<const SheetMotion> sheets, const StructurePose& at) {
-    constexpr int stride = 10;
-    if (step % stride != 0) return;
+    if (step % steps_a_look != 0) return;
     lay_box(sheets, at);
     double covered = 0;
     for (std::size_t i = 0; i < states.size(); ++i) {

@@ -5,7 +5,7 @@
 // structure's axes the box goes from the aft end of its waterline to a breadth of it ahead of the forward end, and a
 // breadth to either side of it. Of the box counts what lies between the ice sheets, less what the hull cuts out of the
 // water. Ice whose middle is more than its thickness below the water does not count: it lies below the hull, or below
-// other ice that does. Looked at in every tenth step of the run.
+// other ice that does. Looked at every `steps_a_look` steps of the run.
 //
 // Astern of the structure is what lies behind the line across the tow through the aft end of its waterline, over the
 // whole width of the field. Areas count by elements, so that pieces of a broken floe go by themselves; floes by the

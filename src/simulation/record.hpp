@@ -19,6 +19,8 @@ struct LoadHistory {
     std::vector<double> concentration;  ///< of ice round the structure at the last look, simulation/nearby_ice.hpp
 };
 
+inline constexpr int steps_a_look = 10;  ///< from one look at the concentration to the next
+
 inline constexpr std::array load_histories{&LoadHistory::surge, &LoadHistory::sway, &LoadHistory::heave,
                                            &LoadHistory::concentration};
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -27,6 +28,11 @@ std::vector<std::size_t> local_maxima(std::span<const double> values, double lea
 }
 
 }  // namespace
+
+double largest_of(const AveragedLoad& load) {
+    if (load.segment_maximum.empty()) return std::numeric_limits<double>::quiet_NaN();
+    return std::ranges::max(load.segment_maximum);
+}
 
 std::vector<double> declustered_peaks(std::span<const double> values, std::size_t apart, double least) {
     FLOES_EXPECTS(apart >= 1);

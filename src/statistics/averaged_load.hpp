@@ -30,6 +30,9 @@ struct AveragedLoad {
     std::vector<double> peaks = {};       ///< declustered peaks of the running means above their mean, falling, N
 };
 
+/// Largest running mean of the window, N; NaN where there is none.
+double largest_of(const AveragedLoad& load);
+
 /// How a window is looked at.
 struct Averaging {
     double time_step = 0;           ///< s

@@ -47,7 +47,7 @@ TEST(Quantities, AreFoundByKey) {
 
 TEST(AveragedQuantities, FollowThoseThatTheyAreMadeFrom) {
     const std::vector<Quantity> all = quantities_with(std::vector{0.1, 2.0});
-    EXPECT_EQ(all.size(), quantities.size() + 6);
+    EXPECT_EQ(all.size(), quantities.size() + 8);
     const auto place = std::ranges::find(all, "mean_maximum", [](const Quantity& one) { return one.key.view(); });
     const Quantity& short_time = place[1];
     EXPECT_EQ(short_time.key.view(), "mean_maximum_0.1s");
@@ -62,10 +62,12 @@ TEST(AveragedQuantities, FollowThoseThatTheyAreMadeFrom) {
 TEST(AveragedQuantities, AreOfTheirTimeAndNaNWhereItWasNotTaken) {
     MemberOutputs outputs;
     outputs.load.mean_maximum = 9;
-    outputs.averaged = {{0.1, 1, {}, 2, 3}, {0.5, 4, {}, 5, 6}};
+    outputs.averaged = {{0.1, 1, {}, 2, 3}, {0.5, 4, {2, 8, 5}, 5, 6}};
     EXPECT_EQ(averaged_over(quantity("sd_load"), 0.1).of(outputs), 1);
     EXPECT_EQ(averaged_over(quantity("mean_maximum"), 0.5).of(outputs), 5);
     EXPECT_EQ(averaged_over(quantity("sd_maximum"), 0.5).of(outputs), 6);
+    EXPECT_EQ(averaged_over(quantity("maximum_load"), 0.5).of(outputs), 8);
+    EXPECT_TRUE(std::isnan(averaged_over(quantity("maximum_load"), 0.1).of(outputs)));
     EXPECT_TRUE(std::isnan(averaged_over(quantity("mean_maximum"), 1).of(outputs)));
 }
 
