@@ -1,11 +1,13 @@
-# What floes new writes for a first campaign runs, within a minute on two cores, and gives the file that it says.
+# What floes new writes for a first campaign runs, within a minute of two cores, and gives the file that it says.
 source "$(dirname "$0")/common.sh"
 
 expect 0 new "$FLOES" new my.toml
 said new "floes run my.toml"
-before=$SECONDS
 expect 0 run "$FLOES" run my.toml
-[ $((SECONDS - before)) -le 180 ] || fail "the first campaign took $((SECONDS - before)) s"
+times > times.txt  # of processors, which a busy machine hardly changes; line 2 is that of what the shell started
+read -r user _ < <(tail -n 1 times.txt)
+user=$(awk -F '[ms]' '{ print int(60 * $1 + $2) }' <<< "$user")
+[ "$user" -le 120 ] || fail "the first campaign took $user s of a processor"
 expect 0 summarized "$FLOES" summarize my.h5
 said summarized "thin"
 said summarized "thick"

@@ -4,16 +4,16 @@
 SEED=${FLOES_SEED:-$RANDOM}
 RANDOM=$SEED
 echo "seed $SEED"
-FULL=5  # this part finds a full disk in its first start: a limit to the size of files stands for it
+FULL=5  # this part finds a full disk in every start until disk.is_full is gone: a limit to the size of files stands for it
 mapfile -t HELD < <(for part in $(seq 32); do [ "$part" = $FULL ] || echo "$RANDOM $part"; done | sort -n | head -6 |
     cut -d' ' -f2 | sort -n)
 
+touch disk.is_full
 cat > floes_here <<SH
 #!/usr/bin/env bash
 [[ " \$* " =~ " --part "([0-9]+)/32" " ]] || exec $PROGRAM "\$@"
 part=\${BASH_REMATCH[1]}
-if [[ \$part == $FULL && ! -e $FOLDER/disk.was_full ]]; then
-    touch $FOLDER/disk.was_full
+if [[ \$part == $FULL && -e $FOLDER/disk.is_full ]]; then
     trap '' XFSZ
     ulimit -f 20
 fi
@@ -63,7 +63,7 @@ while_it_runs() {
     said merge.log "of 64 members done"
 }
 
-# all_but_the_full_one_are_done: the rest is told.
+# all_but_the_full_one_are_done: the rest is told. The disk is full no longer.
 all_but_the_full_one_are_done() {
     said "campaign.part$FULL.log" "Is the disk full"
     "$PROGRAM" merge campaign.part*.h5 -o campaign.h5 > merge.log 2>&1 && fail "all members are there despite a full disk"
@@ -74,6 +74,7 @@ all_but_the_full_one_are_done() {
     said "campaign.part${HELD[2]}.log" "ended with 137"                       # killed
     local part
     for part in "${HELD[@]}"; do said "campaign.part$part.log" "resumed: "; done
+    rm disk.is_full
 }
 
 all_is_one_run() {
