@@ -27,7 +27,7 @@ CampaignTable averaged() {
         if (row.done())
             row.averaged = {{.time = 0.5,
                              .sd = row.load.sd / 2,
-                             .segment_maximum = {},
+                             .segment_maximum = {row.load.maximum / 2},
                              .mean_maximum = row.load.mean_maximum / 2,
                              .sd_maximum = row.load.sd_maximum / 2}};
     }
