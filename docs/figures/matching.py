@@ -13,6 +13,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import tomllib
 
 from page_blocks import fill_or_check
 from validation_tables import table
@@ -26,6 +27,20 @@ MATCHINGS = {
     "one_run_two_waves": ("one run, two waves", ["channel", "wave2"], "channel"),
     "ten_runs": ("mean of ten runs, two waves", ["channel", "wave2"], "channel_ten"),
     "tank": ("the tank test", ["physical"], "tank"),
+}
+# Of the tank test: what is not known of the largest load, and what a further measurement would say, each beside a record
+# that was averaged over 1 s. Name of a reading: what the page calls it, averaging time, change of each target, and what
+# else would be measured, as it is expected.
+READINGS = {
+    "single": ("single steps of 0.02 s", "", {}, None),
+    "0.1": ("0.1 s", "_0.1s", {}, None),
+    "0.5": ("0.5 s", "_0.5s", {}, None),
+    "1": ("1 s", "_1s", {}, None),
+    "2": ("2 s", "_2s", {}, None),
+    "open_water": ("whether open water is in the 38.8 N", "_1s", {"uncertainty": 0.03}, None),
+    "heave": ("the mean heave load", "_1s", {}, "mean_heave"),
+    "spectrum": ("the SD over 1 s", "_1s", {}, "sd_load_1s"),
+    "ten": ("all of it in ten runs", "_1s", {"runs": 10}, None),
 }
 TRUTH = {"structure.keel_radius_m": 0.43, "contact.ice_structure_friction": 0.2}  # behind the targets of the channel
 LABELS = {"mean_load": "mean load", "maximum_load": "largest load", "failure_ratio": "broken floes", "sd_load_1s": "SD",
@@ -49,6 +64,31 @@ def collect(folder, floes):
             (DATA / f"{name}.json").write_text(done.stdout)
             if name == "ten_runs":
                 picture(page)
+    collect_readings(folder, floes)
+
+
+def matched(floes, campaign, targets, *more):
+    with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+        for target in targets:
+            file.write("[[target]]\n" + "".join(f"{key} = {json.dumps(value)}\n" for key, value in target.items()))
+        file.flush()
+        command = [floes, "match", campaign, "--targets", file.name, "--format", "json", *more]
+        return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)["match"]
+
+
+def collect_readings(folder, floes):
+    """Each target may be off by 10 % of what is measured, the share of cracked floes by its own discrepancy."""
+    mean, largest, cracked = tomllib.loads((ROOT / "configs/targets_tank.toml").read_text())["target"]
+    campaign = folder / "physical.h5"
+    found = {}
+    for name, (_, averaging, changes, measured) in READINGS.items():
+        own = {"quantity": f"maximum_load{averaging}", "discrepancy_percent": mean["discrepancy_percent"]}
+        targets = [mean | changes, largest | own | changes, cracked | changes]
+        if measured:
+            [expected] = matched(floes, campaign, targets, "--predict", f"E60:{measured}")["predicted"]
+            targets.append(mean | {"quantity": measured, "value": expected["weighted"], "uncertainty": 0.0})
+        found[name] = matched(floes, campaign, targets)
+    (DATA / "tank_readings.json").write_text(json.dumps(found, indent=1) + "\n")
 
 
 def percent(share):
@@ -66,6 +106,31 @@ def left():
                      "; ".join(f"{LABELS[target['quantity']]} {percent(target['rules_out'])} %"
                                f" ({percent(target['alone'])})" for target in most if target["rules_out"] > 0)])
     return table(["measured", "not ruled out", "implausibility of the truth", "what each target rules out (alone)"], rows)
+
+
+def readings(names):
+    found = json.loads((DATA / "tank_readings.json").read_text())
+    rows = []
+    for name in names:
+        one = found[name]
+        mean, largest, cracked = one["targets"][:3]
+        rows.append([READINGS[name][0], f"{percent(one['left'])} %",
+                     *(f"{percent(target['rules_out'])} %" for target in (mean, largest, cracked)),
+                     *(f"{entry['low']:.3g} to {entry['high']:.3g}" for entry in one["inputs"])])
+    return rows
+
+
+INPUTS_LEFT = ["keel radius left, m", "ice-ice friction left", "hull friction left"]
+
+
+def averaging():
+    return table(["record averaged over", "not ruled out", "mean rules out", "largest load", "cracked floes", *INPUTS_LEFT],
+                 readings(["single", "0.1", "0.5", "1", "2"]))
+
+
+def further():
+    return table(["1 s, and if one knew", "not ruled out", "mean rules out", "largest load", "cracked floes", *INPUTS_LEFT],
+                 readings(["1", "open_water", "heave", "spectrum", "ten"]))
 
 
 def design():
@@ -92,7 +157,7 @@ def picture(page):
                     f"--screenshot={DATA / 'pairs.png'}", page.as_uri()], check=True, capture_output=True)
 
 
-BLOCKS = {"left": left, "design": design}
+BLOCKS = {"left": left, "design": design, "averaging": averaging, "further": further}
 
 
 def main(arguments):
