@@ -284,13 +284,14 @@ void add_paper(Keys& keys, Scenario& scenario) {
                  "Point about which the bending moment of Eq. (3) is taken. pivot: the section that breaks. "
                  "element_centre: the centre of the joint's first element, about which Bullet reports a joint's "
                  "torque; this adds shear times half an element's side to the moment, and more floes break."))));
-    keys.push_back(late_key(
-        formerly("water.form_drag_on",
-                 word_key("paper.form_drag_on", scenario.water.form_drag_on, {"outline", "every_element"},
-                          "what meets the water",
-                          "Edge faces that form drag acts on. outline: those of the floe, and of cracks. "
-                          "every_element: those of each element, as if it were alone; a floe of 3 x 3 elements then "
-                          "has three times the drag."))));
+    keys.push_back(late_key(formerly(
+        "water.form_drag_on",
+        word_key("paper.form_drag_on", scenario.water.form_drag_on, {"outline", "every_element"},
+                 "what meets the water",
+                 "Edge faces that form drag acts on. outline: those of the floe, and of cracks. "
+                 "every_element: those of each element, as if it were alone; a floe of 3 x 3 elements then "
+                 "has three times the drag where water.shelter_draughts is 0; else the elements ahead shelter those "
+                 "behind."))));
     keys.push_back(late_key(formerly(
         "contact.internal_edges",
         switch_key("paper.internal_edges", scenario.contact.internal_edges, "docs/convergence.md",

@@ -162,8 +162,8 @@ TEST(TankTargets, AreTheExperimentsFigures) {
     const Experiment found;
     ASSERT_EQ(targets.size(), 3u);
     EXPECT_EQ(find(targets, "E60 mean_load").value, found.mean);
-    EXPECT_EQ(find(targets, "E60 maximum_load").value, found.maximum);
-    EXPECT_DOUBLE_EQ(find(targets, "E60 failure_ratio").value, found.failure_ratio);
+    EXPECT_EQ(find(targets, "E60 maximum_load_0.5s").value, found.maximum);
+    EXPECT_DOUBLE_EQ(find(targets, "E60 split_ratio").value, found.failure_ratio);
     EXPECT_EQ(found.elastic_modulus_mpa, 60);
 }
 
