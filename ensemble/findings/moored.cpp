@@ -56,6 +56,19 @@ AveragedLoad averaged_once(std::span<const double> values, double step, const An
         .front();
 }
 
+AveragedLoad load_in_window(std::span<const double> surge, double step, const Analysis& analysis, double time) {
+    const auto window = static_cast<std::size_t>(std::llround(analysis.window / step));
+    const std::span<const double> in_window = surge.last(std::min(surge.size(), window));
+    const double segment = step * static_cast<double>(in_window.size() / static_cast<std::size_t>(analysis.segments));
+    return averaged_once(in_window, step, analysis, std::clamp(time, step, std::max(step, segment)),
+                         analysis.peak_separation);
+}
+
+double first_load(std::span<const double> surge, double step) {
+    const auto met = std::ranges::find_if(surge, [](double load) { return load != 0; });
+    return step * static_cast<double>(met - surge.begin());
+}
+
 double moored_separation(const Analysis& analysis, const Oscillator& model) {
     return std::max({analysis.peak_separation, model.period(), 1 / model.decay_rate()});
 }
@@ -89,8 +102,7 @@ std::vector<double> mooring_force(std::span<const double> surge, double step, co
 MooredRun moored_run(std::span<const double> surge, double step, const Analysis& analysis,
                      const MooredRequest& request) {
     const Oscillator hull = request.model();
-    const auto met = std::ranges::find_if(surge, [](double load) { return load != 0; });
-    MooredRun run{.first_load = step * static_cast<double>(met - surge.begin()), .force = {}, .load = {}};
+    MooredRun run{.first_load = first_load(surge, step), .force = {}, .load = {}};
     const std::vector<OscillatorState> states = states_in_window(surge, step, analysis, hull);
     const std::vector<double> force = force_of(states, hull.stiffness);
     const double mean = mean_of(force);
@@ -99,11 +111,8 @@ MooredRun moored_run(std::span<const double> surge, double step, const Analysis&
     double squares = 0;
     for (const OscillatorState& at : states) squares += at.velocity * at.velocity;
     run.rms_velocity = std::sqrt(squares / static_cast<double>(states.size()));
-    const double separation = moored_separation(analysis, hull);
-    run.force = averaged_once(force, step, analysis, step, separation);
-    const double segment = step * static_cast<double>(states.size() / static_cast<std::size_t>(analysis.segments));
-    run.load = averaged_once(surge.last(states.size()), step, analysis,
-                             std::clamp(request.model_averaging(), step, std::max(step, segment)), separation);
+    run.force = averaged_once(force, step, analysis, step, moored_separation(analysis, hull));
+    run.load = load_in_window(surge, step, analysis, request.model_averaging());
     return run;
 }
 
@@ -232,10 +241,11 @@ std::vector<Section> moored_sections(Evidence& evidence) {
 
 namespace {
 
-/// A mean over the runs of a case.
+/// A mean over the runs of a case that have such a value.
 Estimate over(const MooredCase& one, double factor, const std::function<double(const MooredRun&)>& value) {
     std::vector<double> values;
     for (const MooredRun& run : one.runs) values.push_back(factor * value(run));
+    values = measured(std::move(values));
     return estimate(mean_interval(values), static_cast<int>(values.size()));
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "campaign/case_words.hpp"
+#include "core/units.hpp"
 #include "findings/design_load.hpp"
 #include "inference/interval.hpp"
 #include "scenario/scenario.hpp"
@@ -49,14 +50,15 @@ inline constexpr double most_left = 0.05;
 /// For one member, at the scale of the campaign.
 struct MooredRun {
     int member = 0;
-    double first_load = 0;    ///< s after the start at which the hull meets ice; the length of the run if it never does
+    double first_load = 0;    ///< s, as first_load()
     double mean_offset = 0;   ///< m, in the window like what follows
     double sd_offset = 0;     ///< m
     double rms_velocity = 0;  ///< m/s
     AveragedLoad force;       ///< k x as it is, N
-    AveragedLoad load;        ///< F averaged over that time, but at least over one value and at most over a segment
+    AveragedLoad load;        ///< of load_in_window() over the averaging time asked for
 
-    double amplification() const { return force.mean_maximum / load.mean_maximum; }
+    /// NaN of a run in which ice never pressed on the hull.
+    double amplification() const { return load.mean_maximum > 0 ? force.mean_maximum / load.mean_maximum : undefined; }
 };
 
 /// `surge`: load from the start to the end of the window, N, means over `step` s. `analysis`: window and segments. The
@@ -71,6 +73,13 @@ std::vector<double> mooring_force(std::span<const double> surge, double step, co
 /// Of values `step` s apart in the window of a case, averaged over one time.
 AveragedLoad averaged_once(std::span<const double> values, double step, const Analysis& analysis, double time,
                            double separation);
+
+/// The load of the window, of the arguments of moored_run(), averaged over `time`, but at least over one value and at
+/// most over a segment.
+AveragedLoad load_in_window(std::span<const double> surge, double step, const Analysis& analysis, double time);
+
+/// s after the start at which the hull meets ice; the length of the run if it never does.
+double first_load(std::span<const double> surge, double step);
 
 /// s, at the scale of the campaign, between peaks of k x that count as two: not below analysis.peak_separation, the
 /// natural period, and the time 1/(ζω) in which free motion falls to 1/e, since the swings of one event are one.

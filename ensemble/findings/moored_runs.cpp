@@ -233,6 +233,17 @@ std::vector<double> periods_in(const PeriodRange& range) {
     return periods;
 }
 
+/// Their mean over the window's segments, as AveragedLoad has it.
+double mean_segment_maximum(std::span<const double> values, int segments) {
+    double sum = 0;
+    const auto count = static_cast<std::size_t>(segments);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t begin = part_begin(values.size(), k, count);
+        sum += std::ranges::max(values.subspan(begin, part_begin(values.size(), k + 1, count) - begin));
+    }
+    return sum / segments;
+}
+
 /// For one case.
 struct Ratios {
     double step = 0;
@@ -241,6 +252,7 @@ struct Ratios {
 };
 
 std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredRequest>& hulls) {
+    if (hulls.empty()) return {};
     const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
     std::map<std::size_t, Ratios> found;
     for_each_history(evidence.file, [&](const StoredHistory& history) {
@@ -251,11 +263,13 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
         Ratios& one = found[index];
         one.step = history.step;
         one.of_hull.resize(hulls.size());
-        for (std::size_t k = 0; k < hulls.size(); ++k) {
-            const MooredRun run =
-                moored_run(history.values, history.step, evidence.table.cases[index].analysis, hulls[k]);
-            one.first_load = std::min(one.first_load, run.first_load);
-            if (run.load.mean_maximum > 0) one.of_hull[k].push_back(run.amplification());
+        one.first_load = std::min(one.first_load, first_load(history.values, history.step));
+        const Analysis& analysis = evidence.table.cases[index].analysis;
+        const double load =
+            load_in_window(history.values, history.step, analysis, hulls.front().model_averaging()).mean_maximum;
+        for (std::size_t k = 0; k < hulls.size() && load > 0; ++k) {
+            const std::vector<double> force = mooring_force(history.values, history.step, analysis, hulls[k]);
+            one.of_hull[k].push_back(mean_segment_maximum(force, analysis.segments) / load);
         }
     });
     std::vector<Point> points;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/roots.hpp>
 
 #include "core/random.hpp"
 #include "core/units.hpp"
@@ -64,11 +65,15 @@ struct Excesses {
 /// Where a rising function has a value: the end that is nearer, if it lies outside.
 template <class Function>
 double place_of(double value, Function rising, double low, double high) {
-    for (int k = 0; k < 60; ++k) {
-        const double middle = 0.5 * (low + high);
-        (rising(middle) < value ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+    const auto off = [&](double at) { return rising(at) - value; };
+    const double at_low = off(low);
+    if (at_low >= 0) return low;
+    const double at_high = off(high);
+    if (at_high <= 0) return high;
+    std::uintmax_t steps = 60;
+    const auto bracket = boost::math::tools::toms748_solve(off, low, high, at_low, at_high,
+                                                           boost::math::tools::eps_tolerance<double>(50), steps);
+    return 0.5 * (bracket.first + bracket.second);
 }
 
 /// The likeliest scale where the shape is given, and below 0: a largest excess is possible.
@@ -109,13 +114,16 @@ Fitted fit_pareto(const Excesses& excesses) {
 
 /// Given c the likeliest a^c is the mean of (d + e)^c - d^c, where d = u - b.
 Fitted fit_weibull(const Excesses& excesses, double above_origin) {
-    const double logs = excesses.mean([&](double excess) { return std::log(above_origin + excess); });
+    std::vector<double> logs;  // a power by its logarithm takes half the time
+    for (const double excess : excesses.values) logs.push_back(std::log(above_origin + excess));
+    const Excesses logarithms{logs, excesses.weights, excesses.count};
+    const double mean_log = logarithms.mean([](double log) { return log; });
     const auto at = [&](double log_shape) -> Fitted {
         const double shape = std::exp(log_shape);
-        const double mean = excesses.mean([&](double excess) { return std::pow(above_origin + excess, shape); }) -
-                            std::pow(above_origin, shape);
+        const double mean =
+            logarithms.mean([&](double log) { return std::exp(shape * log); }) - std::pow(above_origin, shape);
         return {std::pow(mean, 1 / shape), shape,
-                excesses.count * (std::log(mean) - log_shape + 1 - (shape - 1) * logs)};
+                excesses.count * (std::log(mean) - log_shape + 1 - (shape - 1) * mean_log)};
     };
     const double best = least([&](double log_shape) { return at(log_shape).cost; }, std::log(lowest_weibull_shape),
                               std::log(highest_weibull_shape));
@@ -219,53 +227,95 @@ struct Hazard {
     double log_now;
 };
 
-Hazard hazard_at(const UnlikeTail& tail, double y) {
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    if (tail.kind == TailKind::weibull) {
-        const double d = tail.threshold - tail.origin;
-        const double grown = 1 + y / d;
-        if (grown <= 0) return {-d / (tail.shape * tail.scale), impossible};
+/// The hazard of a tail at any place.
+class Hazards {
+  public:
+    explicit Hazards(const UnlikeTail& tail) : tail_(tail), log_scale_(std::log(tail.scale)) {}
+
+    Hazard at(double y) const {
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        if (tail_.kind == TailKind::weibull) {
+            const double d = tail_.threshold - tail_.origin;
+            const double grown = 1 + y / d;
+            if (grown <= 0) return {-d / (tail_.shape * tail_.scale), impossible};
+            const double log_grown = std::log(grown);
+            return {d / (tail_.shape * tail_.scale) * std::expm1(tail_.shape * log_grown),
+                    (tail_.shape - 1) * log_grown - log_scale_};
+        }
+        if (std::abs(tail_.shape) < small) return {y / tail_.scale, -log_scale_};
+        const double grown = 1 + tail_.shape / tail_.scale * y;
+        if (grown <= 0) return {tail_.shape < 0 ? infinite : -infinite, impossible};
         const double log_grown = std::log(grown);
-        return {d / (tail.shape * tail.scale) * std::expm1(tail.shape * log_grown),
-                (tail.shape - 1) * log_grown - std::log(tail.scale)};
+        return {log_grown / tail_.shape, -log_grown - log_scale_};
     }
-    const double slope = tail.shape / tail.scale;
-    if (std::abs(tail.shape) < small) return {y / tail.scale, -std::log(tail.scale)};
-    const double grown = 1 + slope * y;
-    if (grown <= 0) return {tail.shape < 0 ? infinite : -infinite, impossible};
-    const double log_grown = std::log(grown);
-    return {log_grown / tail.shape, -log_grown - std::log(tail.scale)};
-}
 
-double rate_of(const UnlikeTail& tail, double x, double s) {
-    return tail.rate * std::exp(-hazard_at(tail, x / s - tail.threshold).sum);
-}
+    /// λ(x; s)
+    double rate(double x, double s) const { return tail_.rate * std::exp(-at(x / s - tail_.threshold).sum); }
 
-/// Log likelihood of a member's peaks given its scale, per event of unit weight.
-double log_likelihood_given(const UnlikeTail& tail, const TailData& data, const MemberPeaks& member, double s) {
-    double sum = -data.window * rate_of(tail, member.stands_out ? data.out_threshold : data.threshold, s);
-    const double each = std::log(tail.rate / s);
-    for (std::size_t k = 0; k < member.peaks.size(); ++k) {
-        const Hazard hazard = hazard_at(tail, member.peaks[k] / s - tail.threshold);
-        sum += member.weights[k] * (each - hazard.sum + hazard.log_now);
+    const UnlikeTail& tail() const { return tail_; }
+
+  private:
+    const UnlikeTail& tail_;
+    double log_scale_;
+};
+
+/// The likelihood of the members of a class. What does not depend on their peaks is found once for all of them: most
+/// have none above the threshold.
+class ClassLikelihood {
+  public:
+    /// `part`: of an event of unit weight.
+    ClassLikelihood(const Hazards& hazards, const TailData& data, bool out, double part)
+        : hazards_(hazards), part_(part) {
+        const UnlikeTail& tail = hazards.tail();
+        const double middle = out ? tail.out_factor : 1;
+        const double scatter = out ? tail.out_scatter : tail.scatter;
+        count_ = scatter == 0 ? 1 : node_count;
+        for (std::size_t k = 0; k < count_; ++k) {
+            const double s = scatter == 0 ? middle : middle * std::exp(scatter * nodes[k].at);
+            scales_[k] = {s, -data.window * hazards.rate(out ? data.out_threshold : data.threshold, s),
+                          std::log(tail.rate / s)};
+        }
+        without_peaks_ = mean_over_scales({});
     }
-    return std::isnan(sum) ? impossible : sum;
-}
 
-/// Log of the mean over the member's scale.
-double log_likelihood(const UnlikeTail& tail, const TailData& data, const MemberPeaks& member, double part) {
-    const double middle = member.stands_out ? tail.out_factor : 1;
-    const double scatter = member.stands_out ? tail.out_scatter : tail.scatter;
-    if (scatter == 0) return part * log_likelihood_given(tail, data, member, middle);
-    std::array<double, node_count> logs{};
-    for (std::size_t k = 0; k < node_count; ++k)
-        logs[k] = part * log_likelihood_given(tail, data, member, middle * std::exp(scatter * nodes[k].at));
-    const double most = *std::ranges::max_element(logs);
-    if (!std::isfinite(most)) return impossible;
-    double sum = 0;
-    for (std::size_t k = 0; k < node_count; ++k) sum += nodes[k].share * std::exp(logs[k] - most);
-    return most + std::log(sum);
-}
+    double log_of(const MemberPeaks& member) const {
+        return member.peaks.empty() ? without_peaks_ : mean_over_scales(member);
+    }
+
+  private:
+    struct Scale {
+        double s;
+        double without_peaks;  ///< log likelihood
+        double each;           ///< log (R / s)
+    };
+
+    double log_at(const Scale& scale, const MemberPeaks& member) const {
+        double sum = scale.without_peaks;
+        for (std::size_t k = 0; k < member.peaks.size(); ++k) {
+            const Hazard hazard = hazards_.at(member.peaks[k] / scale.s - hazards_.tail().threshold);
+            sum += member.weights[k] * (scale.each - hazard.sum + hazard.log_now);
+        }
+        return part_ * (std::isnan(sum) ? impossible : sum);
+    }
+
+    /// Log of the mean over the member's scale.
+    double mean_over_scales(const MemberPeaks& member) const {
+        if (count_ == 1) return log_at(scales_[0], member);
+        std::array<double, node_count> logs{};
+        for (std::size_t k = 0; k < count_; ++k) logs[k] = log_at(scales_[k], member);
+        const double most = *std::ranges::max_element(logs);
+        if (!std::isfinite(most)) return impossible;
+        double sum = 0;
+        for (std::size_t k = 0; k < count_; ++k) sum += nodes[k].share * std::exp(logs[k] - most);
+        return most + std::log(sum);
+    }
+
+    const Hazards& hazards_;
+    double part_;
+    std::size_t count_ = 1;
+    std::array<Scale, node_count> scales_{};
+    double without_peaks_ = 0;
+};
 
 double log_prior(const UnlikeTail& tail, std::span<const double> at) {
     const auto normal = [](double value, double sd) { return -0.5 * value * value / (sd * sd) - std::log(sd); };
@@ -334,9 +384,11 @@ UnlikeTails draw_tails(TailKind kind, const TailData& data, const WalkOptions& o
     const auto density = [&](std::span<const double> at) {
         const UnlikeTail tail = tail_of(kind, data, at);
         double sum = log_prior(tail, at);
+        const Hazards hazards(tail);
+        const ClassLikelihood of_usual(hazards, data, false, part), of_out(hazards, data, true, part);
         for (const MemberPeaks& member : data.members) {
             if (!std::isfinite(sum)) return impossible;
-            sum += log_likelihood(tail, data, member, part);
+            sum += (member.stands_out ? of_out : of_usual).log_of(member);
         }
         return sum;
     };
@@ -363,12 +415,13 @@ UnlikeTails draw_tails(TailKind kind, const TailData& data, const WalkOptions& o
 namespace {
 
 /// Log of the probability that a member's largest peak stays below x, where that is nearly impossible.
-double log_hardly_below(const UnlikeTail& tail, double window, double x) {
+double log_hardly_below(const Hazards& hazards, double window, double x) {
+    const UnlikeTail& tail = hazards.tail();
     std::vector<double> logs;
     const auto add = [&](double share, double middle, double scatter) {
         for (const Node& node : nodes)
             logs.push_back(std::log(share * node.share) -
-                           window * rate_of(tail, x, middle * std::exp(scatter * node.at)));
+                           window * hazards.rate(x, middle * std::exp(scatter * node.at)));
     };
     add(1 - tail.out_share, 1, tail.scatter);
     if (tail.out_share > 0) add(tail.out_share, tail.out_factor, tail.out_scatter);
@@ -383,16 +436,17 @@ double log_hardly_below(const UnlikeTail& tail, double window, double x) {
 
 double log_below(const UnlikeTail& tail, double window, double members, double x) {
     constexpr double nearly_all = 1 - 1e-12;
+    const Hazards hazards(tail);
     const auto above = [&](double middle, double scatter) {
-        if (scatter == 0) return -std::expm1(-window * rate_of(tail, x, middle));
+        if (scatter == 0) return -std::expm1(-window * hazards.rate(x, middle));
         double sum = 0;
         for (const Node& node : nodes)
-            sum -= node.share * std::expm1(-window * rate_of(tail, x, middle * std::exp(scatter * node.at)));
+            sum -= node.share * std::expm1(-window * hazards.rate(x, middle * std::exp(scatter * node.at)));
         return sum;
     };
     double sum = (1 - tail.out_share) * above(1, tail.scatter);
     if (tail.out_share > 0) sum += tail.out_share * above(tail.out_factor, tail.out_scatter);
-    return members * (sum < nearly_all ? std::log1p(-sum) : log_hardly_below(tail, window, x));
+    return members * (sum < nearly_all ? std::log1p(-sum) : log_hardly_below(hazards, window, x));
 }
 
 double largest_at(const UnlikeTail& tail, double window, double members, double log_p) {

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+
+#include <fmt/format.h>
 
 #include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"
@@ -192,7 +195,9 @@ TEST_F(Summarize, MovesAMooredHull) {
         campaign.cases[index].scenario.structure.speed = 1.1;  // or the hull meets the field's end
         campaign.cases[index].scenario.analysis.window = 3;
     }
-    publish(file_, campaign, synthetic::records(campaign), std::vector<Session>{synthetic::session()});
+    std::vector<MemberRecord> records = synthetic::records(campaign);
+    std::ranges::fill(records.at(2).result.history.surge, 0.0);  // ice passed by
+    publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
     const std::string hull = "--mooring-kN-m 1000 --mass-t 6.333 --damping-percent 30";
     const std::string told = summarize(hull);
     EXPECT_THAT(told, HasSubstr("natural period 0.5 s"));
@@ -201,11 +206,21 @@ TEST_F(Summarize, MovesAMooredHull) {
     // At 10 % the entry of the hull has not faded, whatever its period.
     EXPECT_THAT(summarize("--parts moored"), HasSubstr("Moored hull: unknown"));
     // Froude: the same hull of a model at 1 : 4.
-    const auto force = [&](const std::string& options) {
-        return json::parse(summarize(options + " --format json")).at("moored").at("cases").at(0).at("largest_force");
+    const auto moored = [&](const std::string& options) {
+        return json::parse(summarize(options + " --format json")).at("moored");
     };
-    EXPECT_NEAR(force("--mooring-kN-m 16000 --mass-t 405.312 --damping-percent 30 --scale 4").get<double>(),
-                64 * force(hull).get<double>(), 1e-6);
+    const auto force = [&](const std::string& options) {
+        return moored(options).at("cases").at(0).at("largest_force").get<double>();
+    };
+    EXPECT_NEAR(force("--mooring-kN-m 16000 --mass-t 405.312 --damping-percent 30 --scale 4"), 64 * force(hull), 1e-6);
+    // A point of the spectrum is the hull of its period.
+    const json point = moored(hull).at("spectrum").at(5);
+    const double omega = 2 * std::numbers::pi / point.at("period").get<double>();
+    const json same =
+        moored(fmt::format("--mooring-kN-m 1000 --mass-t {} --damping-percent 30", 1000 / (omega * omega)));
+    EXPECT_EQ(same.at("cases").at(0).at("case"), point.at("case"));
+    EXPECT_NEAR(same.at("cases").at(0).at("amplification").get<double>(), point.at("amplification").get<double>(),
+                1e-6);
     EXPECT_THAT(refusal([&] { summarize("--scale 4"); }), HasSubstr("--parts hull"));
     EXPECT_THAT(summarize(hull + " --parts fatigue"), HasSubstr("Cycles and duration of the mooring force k x"));
 }

@@ -73,10 +73,12 @@ TEST(MemberTails, OfMembersThatDifferAreHigher) {
     EXPECT_GT(log_below(jams, window, 10, 250), 10 * std::log(0.95) - 0.01);
 }
 
-/// Twenty exponential peaks of 20 N above 10 N in a window, times each scale; above 24 N times the scale of its class.
-TailData data_of(const std::vector<double>& scales, std::size_t out) {
+/// Twenty exponential peaks of 20 N above 10 N in a window, times each scale; above the threshold times the scale of
+/// its class.
+TailData data_of(const std::vector<double>& scales, std::size_t out, double threshold = 24) {
     RandomStream random{43, 0, StreamId::bootstrap, 0};
-    TailData data{.members = {}, .window = window, .threshold = 24, .out_threshold = 5 * 24, .origin = 10};
+    TailData data{
+        .members = {}, .window = window, .threshold = threshold, .out_threshold = 5 * threshold, .origin = 10};
     for (std::size_t k = 0; k < scales.size(); ++k) {
         MemberPeaks& member = data.members.emplace_back();
         member.stands_out = k < out;
@@ -109,6 +111,18 @@ TEST(MemberTails, FindWhatAlikeMembersWereDrawnFrom) {
     EXPECT_LT(range_of(found, &UnlikeTail::scatter).high, 0.25);
     const auto none = std::ranges::count(found.draws, 0.0, &UnlikeTail::scatter);
     EXPECT_GT(none, std::ssize(found.draws) / 2);  // more than before a peak was seen
+}
+
+// Above 80 N a member has 0.6 peaks, and half of them have none; these count as much as the others.
+TEST(MemberTails, FindWhatMembersMostlyWithoutPeaksWereDrawnFrom) {
+    const TailData data = data_of(std::vector<double>(400, 1.0), 0, 80);
+    EXPECT_GT(std::ranges::count_if(data.members, [](const MemberPeaks& one) { return one.peaks.empty(); }), 190);
+    for (const TailKind kind : {TailKind::pareto, TailKind::weibull}) {
+        const UnlikeTails found = draw_tails(kind, data, {});
+        ASSERT_FALSE(found.draws.empty());
+        EXPECT_WITHIN(range_of(found, &UnlikeTail::rate), 20 / window * std::exp(-70.0 / 20));
+        EXPECT_WITHIN(range_of(found, &UnlikeTail::scale), 20);
+    }
 }
 
 TEST(MemberTails, FindHowMembersDiffer) {
