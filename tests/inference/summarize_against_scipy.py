@@ -117,6 +117,8 @@ class Summarize(unittest.TestCase):
             cls.levels = file["level"][:] if "level" in file else []
             cls.times = file["averaging_time"][:] if "averaging_time" in file else []
             cls.averaged = {name: file["averaged"][name][:] for name in file.get("averaged", {})}
+            if cls.averaged:
+                cls.averaged["maximum_load"] = np.fmax.reduce(cls.averaged["segment_maximum"], axis=2)
             cls.segments = file["cases/segments"][:]
             cls.counts = {name: file["exceedance"][name][:] for name in file.get("exceedance", {})}
         cls.done = cls.members["status"] == 0
