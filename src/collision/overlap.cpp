@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+
+#include "shapes/elements.hpp"
 
 namespace floes {
 namespace {
@@ -129,40 +132,57 @@ void touch_by_edges(const PrismPlace& a, const PrismPlace& b, const Best& best, 
     found.points[0] = {on_b, -best.gap};
 }
 
-using Points = std::vector<Triple>;
+/// Points in order, in place of a vector: every pair that touches needs some in every step.
+class Points {
+  public:
+    /// Does nothing where the room is used up. Each edge of the one face adds a point at most to those of the other.
+    void add(const Triple& point) {
+        if (count_ < room) points_[count_++] = point;
+    }
+    void keep(std::size_t count) { count_ = count; }
+    std::size_t size() const { return count_; }
+    Triple& operator[](std::size_t i) { return points_[i]; }
+    const Triple& operator[](std::size_t i) const { return points_[i]; }
+
+    static constexpr std::size_t room = 2 * most_corners;
+
+  private:
+    std::array<Triple, room> points_;
+    std::size_t count_ = 0;
+};
 
 /// Corners of a face in order, world.
 void corners_of(const PrismPlace& prism, int face, Points& corners) {
-    corners.clear();
     const PrismShape& shape = *prism.shape;
     const double half = shape.half_thickness;
     if (face < 2) {
-        for (const Corner& one : shape.corners)
-            corners.push_back(to_world(prism, {one.x, face == 0 ? half : -half, one.z}));
+        for (const Corner& one : shape.corners) corners.add(to_world(prism, {one.x, face == 0 ? half : -half, one.z}));
         return;
     }
     const auto k = static_cast<std::size_t>(face - 2);
     const Corner& from = shape.corners[k];
     const Corner& to = after(shape.corners, k);
-    corners = {to_world(prism, {from.x, half, from.z}), to_world(prism, {to.x, half, to.z}),
-               to_world(prism, {to.x, -half, to.z}), to_world(prism, {from.x, -half, from.z})};
+    corners.add(to_world(prism, {from.x, half, from.z}));
+    corners.add(to_world(prism, {to.x, half, to.z}));
+    corners.add(to_world(prism, {to.x, -half, to.z}));
+    corners.add(to_world(prism, {from.x, -half, from.z}));
 }
 
-void cut(Points& polygon, Points& spare, const Triple& normal, double bound) {
-    spare.clear();
+/// What of `polygon` lies below the bound along the normal, into `rest`.
+void cut(const Points& polygon, Points& rest, const Triple& normal, double bound) {
+    rest.keep(0);
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Triple& here = polygon[k];
         const Triple& next = polygon[k + 1 < polygon.size() ? k + 1 : 0];
         const double room = bound - dot(normal, here);
         const double room_next = bound - dot(normal, next);
-        if (room >= 0) spare.push_back(here);
-        if ((room >= 0) != (room_next >= 0)) spare.push_back(here + scaled(next - here, room / (room - room_next)));
+        if (room >= 0) rest.add(here);
+        if ((room >= 0) != (room_next >= 0)) rest.add(here + scaled(next - here, room / (room - room_next)));
     }
-    polygon.swap(spare);
 }
 
 /// The deepest point, the one farthest from it, and the two farthest on either side of the line between them.
-std::array<int, 4> spread(const Points& points, const std::vector<double>& depth, const Triple& normal, int& count) {
+std::array<int, 4> spread(const Points& points, std::span<const double> depth, const Triple& normal, int& count) {
     const auto farthest_by = [&](const auto& measure) {
         int best = -1;
         double most = 0;
@@ -201,14 +221,14 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
         against = along;
         incident = static_cast<int>(k) + 2;
     }
-    Points points;
-    Points spare;
-    std::vector<double> depth;
-    corners_of(other, incident, points);
+    std::array<Points, 2> buffers;
+    std::size_t now = 0;
+    corners_of(other, incident, buffers[now]);
     const Triple centre = centre_of(one);
     const auto cut_by = [&](const Triple& own, double offset) {
         const Triple normal = out_of(one, own);
-        if (!points.empty()) cut(points, spare, normal, offset + dot(normal, centre));
+        cut(buffers[now], buffers[1 - now], normal, offset + dot(normal, centre));
+        now = 1 - now;
     };
     const int face = best.face.face;
     if (face < 2) {
@@ -224,17 +244,18 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
         for (const int flat : {0, 1}) cut_by(own_normal(*one.shape, flat), one.shape->half_thickness);
     }
     const double surface = face_offset(*one.shape, face) + dot(out, centre);
-    depth.clear();
+    Points& points = buffers[now];
+    std::array<double, Points::room> depth;
     std::size_t kept = 0;
-    for (const Triple& point : points) {
-        const double deep = surface - dot(out, point);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double deep = surface - dot(out, points[i]);
         if (!(deep >= 0)) continue;
-        points[kept++] = point;
-        depth.push_back(deep);
+        points[kept] = points[i];
+        depth[kept++] = deep;
     }
-    points.resize(kept);
-    if (points.empty()) return;
-    const std::array<int, 4> chosen = spread(points, depth, out, found.count);
+    points.keep(kept);
+    if (kept == 0) return;
+    const std::array<int, 4> chosen = spread(points, {depth.data(), kept}, out, found.count);
     for (int i = 0; i < found.count; ++i) {
         const auto from = static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)]);
         Overlap::Point& to = found.points[static_cast<std::size_t>(i)];
