@@ -105,7 +105,9 @@ SolverState LaneSystem::state(std::size_t body) const {
     return state;
 }
 
-void LaneSystem::take_over(const LaneSystem& other) {
+void LaneSystem::take_over(LaneSystem&& other) {
+    contact_rows_ = std::move(other.contact_rows_);
+    direct_contacts_ = std::move(other.direct_contacts_);
     for (std::size_t i = 0; i < other.body_count(); ++i) {
         set_state(i, other.state(i));
         motion_[i].way = other.motion_[i].way;

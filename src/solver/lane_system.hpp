@@ -55,8 +55,9 @@ class LaneSystem {
     /// The state of all bodies as they are now.
     const BodyMotion* motions() const { return motion_.data(); }
 
-    /// Takes over the motions and the forces added so far from a system of the first of these bodies.
-    void take_over(const LaneSystem& other);
+    /// Takes over the motions and the forces added so far from a system of the first of these bodies, and its memory
+    /// for contacts.
+    void take_over(LaneSystem&& other);
 
     /// From the coming step on. Throws RunError where joints are not solved directly.
     void set_water(std::size_t body, const CarriedWater& water);

@@ -390,11 +390,11 @@ void LaneEngine::lay_out() {
         joint_in_system_[i] = awake.size();
         awake.push_back(joints_[i]);
     }
-    const std::optional<LaneSystem> before = std::move(system_);
+    std::optional<LaneSystem> before = std::move(system_);
     system_.emplace(bodies, awake, width_, definition_.solver);
-    if (before) system_->take_over(*before);
-    for (std::size_t i = before ? before->body_count() : 0; i < bodies_.size(); ++i)
-        system_->set_state(i, bodies_[i].start);
+    const std::size_t known = before ? before->body_count() : 0;
+    if (before) system_->take_over(std::move(*before));
+    for (std::size_t i = known; i < bodies_.size(); ++i) system_->set_state(i, bodies_[i].start);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (removed_[i] && in_system(JointId(i))) system_->remove_joint(joint_in_system_[i]);
     }
