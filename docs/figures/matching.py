@@ -6,7 +6,7 @@ Usage:
     matching.py --check             writes nothing; fails if the page differs from the data
     matching.py --collect FOLDER [FLOES]
                                     first matches channel.h5, wave2.h5 and physical.h5 of FOLDER with the program FLOES,
-                                    and takes the picture (needs chromium)
+                                    and takes the pictures (needs chromium)
 """
 import json
 import pathlib
@@ -28,6 +28,7 @@ MATCHINGS = {
     "ten_runs": ("mean of ten runs, two waves", ["channel", "wave2"], "channel_ten"),
     "tank": ("the tank test", ["physical"], "tank"),
 }
+PICTURES = {"ten_runs": "pairs.png", "tank": "tank_pairs.png"}
 # Of the tank test: what is not known of the largest load, and what a further measurement would say, each beside a record
 # that was averaged over 1 s. Name of a reading: what the page calls it, averaging time, change of each target, and what
 # else would be measured, as it is expected.
@@ -62,8 +63,8 @@ def collect(folder, floes):
                 command += [word for key, value in TRUTH.items() for word in ("--at", f"{key}={value}")]
             done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
             (DATA / f"{name}.json").write_text(done.stdout)
-            if name == "ten_runs":
-                picture(page)
+            if name in PICTURES:
+                picture(page, DATA / PICTURES[name])
     collect_readings(folder, floes)
 
 
@@ -115,22 +116,19 @@ def readings(names):
         one = found[name]
         mean, largest, cracked = one["targets"][:3]
         rows.append([READINGS[name][0], f"{percent(one['left'])} %",
-                     *(f"{percent(target['rules_out'])} %" for target in (mean, largest, cracked)),
-                     *(f"{entry['low']:.3g} to {entry['high']:.3g}" for entry in one["inputs"])])
+                     *(f"{percent(target['rules_out'])} %" for target in (mean, largest, cracked))])
     return rows
 
 
-INPUTS_LEFT = ["keel radius left, m", "ice-ice friction left", "hull friction left"]
+RULES_OUT = ["not ruled out", "mean rules out", "largest load", "cracked floes"]
 
 
 def averaging():
-    return table(["record averaged over", "not ruled out", "mean rules out", "largest load", "cracked floes", *INPUTS_LEFT],
-                 readings(["single", "0.1", "0.5", "1", "2"]))
+    return table(["record averaged over", *RULES_OUT], readings(["single", "0.1", "0.5", "1", "2"]))
 
 
 def further():
-    return table(["1 s, and if one knew", "not ruled out", "mean rules out", "largest load", "cracked floes", *INPUTS_LEFT],
-                 readings(["1", "open_water", "heave", "spectrum", "ten"]))
+    return table(["1 s, and if one knew", *RULES_OUT], readings(["1", "open_water", "heave", "spectrum", "ten"]))
 
 
 def design():
@@ -145,7 +143,7 @@ def design():
     return table(["measured", "expected, N", "with 10 % exceedance probability, N", "the same, weighed", "its growth"], rows)
 
 
-def picture(page):
+def picture(page, png):
     """The pairs of inputs, cut out of the page."""
     text = page.read_text()
     begin = text.index("<h2>What is left, for each pair")
@@ -154,7 +152,7 @@ def picture(page):
     page.write_text(f"<!doctype html><meta charset=utf-8>{style}<body style='margin:8px;max-width:none'>{figure}")
     width, height = (16 + round(float(size)) for size in figure.split('viewBox="0 0 ')[1].split('"')[0].split())
     subprocess.run(["chromium", "--headless", "--no-sandbox", "--hide-scrollbars", f"--window-size={width},{height}",
-                    f"--screenshot={DATA / 'pairs.png'}", page.as_uri()], check=True, capture_output=True)
+                    f"--screenshot={png}", page.as_uri()], check=True, capture_output=True)
 
 
 BLOCKS = {"left": left, "design": design, "averaging": averaging, "further": further}
