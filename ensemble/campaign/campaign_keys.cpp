@@ -88,9 +88,8 @@ std::string about_stop_of() {
         if (one.stops) stoppable.push_back(one.key.view());
     return fmt::format(
         "Member result to which the rule applies: {}; sd_load, maximum_load and mean_maximum also averaged over a time "
-        "of "
-        "analysis.averaging_s, as \"mean_maximum_0.5s\". Or \"{}\": the largest load in stop.exposure_h, as floes "
-        "design gives it by both tails.",
+        "of analysis.averaging_s, as \"mean_maximum_0.5s\". Or \"{}\": the largest load in stop.exposure_h, as "
+        "floes design gives it by both tails.",
         fmt::join(stoppable, ", "), design_load_word);
 }
 
