@@ -21,7 +21,7 @@ class Quantity:
 IN_SUMMARY = [
     Quantity("mean_load", least=-inf),
     Quantity("sd_load", averaged=True),
-    Quantity("maximum_load", least=-inf, positive=True),
+    Quantity("maximum_load", least=-inf, positive=True, averaged=True),
     Quantity("mean_maximum", least=-inf, positive=True, averaged=True),
     Quantity("sd_maximum", averaged=True),
     Quantity("failure_ratio", most=1),

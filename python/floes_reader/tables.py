@@ -31,6 +31,21 @@ def averaging_times(stored: Stored) -> list[float]:
     return stored.read("averaging_time").tolist() if stored.has("averaged") else []
 
 
+FROM_SEGMENTS = "maximum_load"  # of the averaged load the file has it by segments
+
+
+def has_averaged(stored: Stored, name: str) -> bool:
+    return stored.has(f"averaged/{'segment_maximum' if name == FROM_SEGMENTS else name}")
+
+
+def averaged(stored: Stored, name: str, place: int) -> numpy.ndarray:
+    """A quantity of each member, averaged over the time in that place."""
+    if name == FROM_SEGMENTS:
+        maxima = stored.read("averaged/segment_maximum", (slice(None), place))
+        return numpy.fmax.reduce(maxima, axis=1, initial=numpy.nan)
+    return stored.read(f"averaged/{name}", (slice(None), place))
+
+
 def quantities(stored: Stored) -> pandas.DataFrame:
     """By key: `units`, `long_name`, `averaging_time`."""
     rows = {}
@@ -40,7 +55,7 @@ def quantities(stored: Stored) -> pandas.DataFrame:
             continue
         about = stored.attributes_of(path)
         rows[name] = {"units": about["units"], "long_name": about["long_name"], "averaging_time": 0.0}
-        for time in averaging_times(stored) if stored.has(f"averaged/{name}") else []:
+        for time in averaging_times(stored) if has_averaged(stored, name) else []:
             words = f"{about['long_name']}, averaged over {str(time).removesuffix('.0')} s"
             rows[over(name, time)] = {"units": about["units"], "long_name": words, "averaging_time": time}
     return pandas.DataFrame.from_dict(rows, orient="index").rename_axis("quantity")
@@ -65,7 +80,7 @@ def members(stored: Stored, cases: list[str], known: pandas.DataFrame) -> pandas
             columns[key] = stored.read(f"members/{key}")
         else:
             base = key.removesuffix(over("", time))
-            columns[key] = stored.read(f"averaged/{base}", (slice(None), times.index(time)))
+            columns[key] = averaged(stored, base, times.index(time))
     for name, column in columns.items():
         if len(column) != len(case):
             raise stored.damaged(f"{name} of the members has {len(column)} values, not {len(case)}")

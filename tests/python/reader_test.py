@@ -309,7 +309,7 @@ class Tables(unittest.TestCase):
         with floes_reader.open(EMPTY) as campaign:
             self.assertTrue((campaign.members.status == "missing").all())
             self.assertTrue(campaign.members.mean_load.isna().all())
-            self.assertEqual((len(campaign.breaks), len(campaign.peaks), len(campaign.summary())), (0, 0, 78))
+            self.assertEqual((len(campaign.breaks), len(campaign.peaks), len(campaign.summary())), (0, 0, 87))
 
 
 class Page(unittest.TestCase):
