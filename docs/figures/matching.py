@@ -44,7 +44,7 @@ READINGS = {
     "ten": ("all of it in ten runs", "_1s", {"runs": 10}, None),
 }
 TRUTH = {"structure.keel_radius_m": 0.43, "contact.ice_structure_friction": 0.2}  # behind the targets of the channel
-LABELS = {"mean_load": "mean load", "maximum_load": "largest load", "failure_ratio": "broken floes", "sd_load_1s": "SD",
+LABELS = {"mean_load": "mean load", "maximum_load_0.5s": "largest load", "split_ratio": "cracked floes", "sd_load_1s": "SD",
           "mean_maximum_1s": "mean maximum"}
 
 
