@@ -233,17 +233,6 @@ std::vector<double> periods_in(const PeriodRange& range) {
     return periods;
 }
 
-/// Their mean over the window's segments, as AveragedLoad has it.
-double mean_segment_maximum(std::span<const double> values, int segments) {
-    double sum = 0;
-    const auto count = static_cast<std::size_t>(segments);
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t begin = part_begin(values.size(), k, count);
-        sum += std::ranges::max(values.subspan(begin, part_begin(values.size(), k + 1, count) - begin));
-    }
-    return sum / segments;
-}
-
 /// For one case.
 struct Ratios {
     double step = 0;
@@ -269,7 +258,7 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
             load_in_window(history.values, history.step, analysis, hulls.front().model_averaging()).mean_maximum;
         for (std::size_t k = 0; k < hulls.size() && load > 0; ++k) {
             const std::vector<double> force = mooring_force(history.values, history.step, analysis, hulls[k]);
-            one.of_hull[k].push_back(mean_segment_maximum(force, analysis.segments) / load);
+            one.of_hull[k].push_back(mean_of(part_maxima(force, static_cast<std::size_t>(analysis.segments))) / load);
         }
     });
     std::vector<Point> points;

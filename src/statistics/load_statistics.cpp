@@ -29,6 +29,22 @@ std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts) 
     return index * count / parts;
 }
 
+namespace {
+
+std::span<const double> part_of(std::span<const double> window, std::size_t index, std::size_t parts) {
+    const std::size_t begin = part_begin(window.size(), index, parts);
+    return window.subspan(begin, part_begin(window.size(), index + 1, parts) - begin);
+}
+
+}  // namespace
+
+std::vector<double> part_maxima(std::span<const double> values, std::size_t parts) {
+    FLOES_EXPECTS(parts >= 1 && values.size() >= parts);
+    std::vector<double> maxima;
+    for (std::size_t k = 0; k < parts; ++k) maxima.push_back(std::ranges::max(part_of(values, k, parts)));
+    return maxima;
+}
+
 std::vector<double> batch_means(std::span<const double> values, std::size_t batch) {
     FLOES_EXPECTS(batch >= 1);
     std::vector<double> means(values.size() / batch);
@@ -64,11 +80,6 @@ namespace {
 constexpr std::size_t most_batches = 15;
 constexpr double significance = 0.05;
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-
-std::span<const double> part_of(std::span<const double> window, std::size_t index, std::size_t parts) {
-    const std::size_t begin = part_begin(window.size(), index, parts);
-    return window.subspan(begin, part_begin(window.size(), index + 1, parts) - begin);
-}
 
 struct Line {
     double slope = 0;          ///< per index
@@ -127,10 +138,7 @@ LoadStatistics load_statistics(std::span<const double> window, double time_step,
     result.mean = mean_of(window);
     result.sd = population_sd(window, result.mean);
     result.maximum = std::ranges::max(window);
-    const auto parts = static_cast<std::size_t>(segments);
-    for (std::size_t i = 0; i < parts; ++i) {
-        result.segment_maximum.push_back(std::ranges::max(part_of(window, i, parts)));
-    }
+    result.segment_maximum = part_maxima(window, static_cast<std::size_t>(segments));
     result.mean_maximum = mean_of(result.segment_maximum);
     result.sd_maximum = population_sd(result.segment_maximum, result.mean_maximum);
     result.trend = fit_line(window).slope / time_step;

@@ -21,6 +21,9 @@ double population_sd(std::span<const double> values, double mean);
 /// does not divide `count`.
 std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts);
 
+/// Largest value of each of `parts` equal parts of the values, of which each part has at least one.
+std::vector<double> part_maxima(std::span<const double> values, std::size_t parts);
+
 /// Value k is the mean of values[k * batch] … values[(k + 1) * batch - 1]; an incomplete batch at the end is dropped.
 /// `batch` at least 1.
 std::vector<double> batch_means(std::span<const double> values, std::size_t batch);
