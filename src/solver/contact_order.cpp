@@ -68,7 +68,8 @@ void ContactOrder::sort_pairs() {
     for (const Pair& pair : pairs_) sorted_[start_[rank(pair)]++] = pair;
 }
 
-void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t width) {
+void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t width,
+                            std::uint32_t before) {
     const std::uint32_t turns = pairs.size() > width ? 2 : 1;
     const std::uint32_t first_row = packs_.empty() ? 0 : packs_.back().end_row;
     const std::size_t first_slot = pack_slots_.size();
@@ -83,7 +84,7 @@ void ContactOrder::add_pack(std::span<const Contact> contacts, std::span<const P
         for (std::uint32_t k = 0; k < count; ++k) row_slots_[first + k] = (first_row + k * turns) * width + i;
         most = std::max(most, count);
     }
-    packs_.push_back({turns, first_row, first_row + most * turns});
+    packs_.push_back({turns, first_row, first_row + most * turns, before % sum_columns});
 }
 
 void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spare, int width, int turns, Order order) {
@@ -96,9 +97,11 @@ void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spar
     row_slots_.resize(contacts.size());
     pack_slots_.clear();
     packs_.clear();
+    std::uint32_t before = 0;  // pairs of the level
     for (std::size_t first = 0, end = 0; first < sorted_.size(); first = end) {
         while (end < sorted_.size() && end < first + most && sorted_[end].level == sorted_[first].level) ++end;
-        add_pack(contacts, {&sorted_[first], end - first}, lanes);
+        add_pack(contacts, {&sorted_[first], end - first}, lanes, before);
+        before = end < sorted_.size() && sorted_[end].level == sorted_[first].level ? before + lanes : 0;
     }
 }
 

@@ -45,7 +45,8 @@ class ContactOrder {
         std::uint32_t contacts;
         std::uint32_t first;
     };
-    void add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t width);
+    void add_pack(std::span<const Contact> contacts, std::span<const Pair> pairs, std::uint32_t width,
+                  std::uint32_t before);
     void find_pairs(std::span<const Contact> contacts, Order order);
     std::uint32_t next_level(const Contact& pair);
     std::uint32_t first_level(const Contact& pair);

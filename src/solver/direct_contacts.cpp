@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "solver/aligned_array.hpp"
 #include "solver/contact_order.hpp"
@@ -19,66 +18,20 @@ constexpr double runs_away = 4;
 
 }  // namespace
 
-void Acceleration::begin(const State& state) {
-    momentum_ = 1;
-    least_change_ = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-        begun_[k].reserve(state.places);
-        ended_[k].reserve(state.places);
-        std::copy_n(state.impulse[k], state.places, begun_[k].data());
-        std::copy_n(state.impulse[k], state.places, ended_[k].data());
-    }
-    ended_delta_.reserve(8 * state.slots.size());
-    for (std::size_t i = 0; i < state.slots.size(); ++i)
-        std::copy_n(state.delta + 8 * static_cast<std::size_t>(state.slots[i]), 8, &ended_delta_[8 * i]);
-}
-
-bool Acceleration::turned(const State& state) {
-    double change = 0;
-    double onwards = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (const std::uint32_t i : state.place) {
-            const double by_sweep = state.impulse[k][i] - begun_[k][i];
-            change += by_sweep * by_sweep;
-            onwards += by_sweep * (state.impulse[k][i] - ended_[k][i]);
-        }
-    }
-    const bool result = onwards < 0 || change > runs_away * least_change_;
-    least_change_ = std::min(least_change_, change);
-    return result;
-}
-
-void Acceleration::move_ahead(const State& state) {
-    if (turned(state)) momentum_ = 1;
+double Acceleration::after(const SweepChange& sweep) {
+    if (sweep.onwards < 0 || sweep.square > runs_away * least_square_) momentum_ = 1;
+    least_square_ = std::min(least_square_, sweep.square);
     const double next = 0.5 * (1 + std::sqrt(1 + 4 * momentum_ * momentum_));
     const double ahead = (momentum_ - 1) / next;
     momentum_ = next;
-    for (std::size_t k = 0; k < 3; ++k) {
-        double* impulse = state.impulse[k];
-        double* begun = begun_[k].data();
-        double* ended = ended_[k].data();
-        for (std::size_t i = 0; i < state.places; ++i) {
-            begun[i] = impulse[i] + ahead * (impulse[i] - ended[i]);
-            ended[i] = impulse[i];
-            impulse[i] = begun[i];
-        }
-    }
-    double* ended = ended_delta_.data();
-    for (const std::uint32_t slot : state.slots) {
-        double* delta = state.delta + 8 * static_cast<std::size_t>(slot);
-        for (int i = 0; i < 8; ++i) {
-            const double now = delta[i];
-            delta[i] = now + ahead * (now - ended[i]);
-            ended[i] = now;
-        }
-        ended += 8;
-    }
+    return ahead;
 }
 
 DirectRowArrays DirectContacts::rows() {
     return {row_.data(),
             {target_[0].data(), target_[1].data(), target_[2].data()},
             {impulse_[0].data(), impulse_[1].data(), impulse_[2].data()},
+            {ended_[0].data(), ended_[1].data(), ended_[2].data()},
             {scale_[0].data(), scale_[1].data()}};
 }
 
@@ -99,6 +52,7 @@ void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<
     row_.reserve(slots * direct_field::count);
     for (AlignedArray<double>& target : target_) target.reserve(slots);
     for (AlignedArray<double>& impulse : impulse_) impulse.reserve(slots);
+    for (AlignedArray<double>& ended : ended_) ended.reserve(slots);
     for (AlignedArray<double>& scale : scale_) scale.reserve(slots);
     const bool crushing = law.normal == NormalLaw::crushing;
     kernels.direct.prepare_contacts(all, floes.arrays(), floes.columns(), order_.packs(), points_.data(),
@@ -112,22 +66,29 @@ void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<
                            time_step);
 }
 
+/// As if a sweep had ended where the first one begins.
+void DirectContacts::begin_sweeps(const MovedAhead& moved) {
+    for (std::size_t k = 0; k < ended_.size(); ++k) std::copy_n(impulse_[k].data(), moved.places, ended_[k].data());
+    for (std::size_t i = 0; i < moved.count; ++i)
+        std::copy_n(moved.delta + 8 * static_cast<std::size_t>(moved.slots[i]), 8, moved.ended + 8 * i);
+}
+
 int DirectContacts::solve(const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels, const Sweeps& sweeps) {
     if (order_.rows() == 0) return 0;
     const auto* columns = floes.columns();
     kernels.direct.start_contacts(all.delta, columns, order_.packs(), rows());
     const LimitArrays limits = limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{};
-    const Acceleration::State state{{impulse_[0].data(), impulse_[1].data(), impulse_[2].data()},
-                                    order_.slots(),
-                                    order_.rows() * static_cast<std::size_t>(width_),
-                                    all.delta,
-                                    floes.touched_slots()};
-    acceleration_.begin(state);
+    const std::span<const std::uint32_t> slots = floes.touched_slots();
+    ended_delta_.reserve(8 * slots.size());
+    const MovedAhead moved{all.delta, ended_delta_.data(), slots.data(), slots.size(),
+                           order_.rows() * static_cast<std::size_t>(width_)};
+    begin_sweeps(moved);
+    Acceleration acceleration;
     int used = 1;
-    while (kernels.direct.solve_contacts(all.delta, columns, order_.packs(), rows(), limits) >= sweeps.tolerance &&
-           used < sweeps.most) {
-        acceleration_.move_ahead(state);
-        ++used;
+    for (;; ++used) {
+        const SweepChange change = kernels.direct.solve_contacts(all.delta, columns, order_.packs(), rows(), limits);
+        if (change.largest < sweeps.tolerance || used >= sweeps.most) break;
+        kernels.direct.move_ahead(moved, rows(), acceleration.after(change));
     }
     kernels.direct.sum_contacts(floes.arrays().impulse, columns, order_.packs(), rows());
     return used;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -26,27 +27,12 @@ namespace floes {
 /// moved out of its cone comes back in the next sweep, which is the last word.
 class Acceleration {
   public:
-    /// What sweeps change.
-    struct State {
-        std::array<double*, 3> impulse;        ///< of the three rows of each contact, by place
-        std::span<const std::uint32_t> place;  ///< by contact, in an order that the lanes do not decide
-        std::size_t places;                    ///< with those of empty lanes
-        double* delta;                         ///< 8 numbers by slot
-        std::span<const std::uint32_t> slots;  ///< that impulses change
-    };
-
-    /// Before the first sweep.
-    void begin(const State& state);
-
-    /// Between two sweeps.
-    void move_ahead(const State& state);
+    /// How far to move ahead after a sweep, of the way from where the last one ended.
+    double after(const SweepChange& sweep);
 
   private:
-    bool turned(const State& state);
-
-    std::array<AlignedArray<double>, 3> begun_, ended_;  ///< impulses when the last sweep began, when that before ended
-    AlignedArray<double> ended_delta_;
-    double momentum_ = 1, least_change_ = 0;
+    double momentum_ = 1;
+    double least_square_ = std::numeric_limits<double>::infinity();
 };
 
 class DirectContacts {
@@ -66,13 +52,14 @@ class DirectContacts {
 
   private:
     DirectRowArrays rows();
+    void begin_sweeps(const MovedAhead& moved);
 
     int width_ = 1;
     std::vector<ContactOrder::Contact> to_order_;
     ContactOrder order_;
-    Acceleration acceleration_;
     AlignedArray<double> points_, friction_start_, row_;
-    std::array<AlignedArray<double>, 3> target_, impulse_;
+    std::array<AlignedArray<double>, 3> target_, impulse_, ended_;
+    AlignedArray<double> ended_delta_;
     std::array<AlignedArray<double>, 2> scale_;
     bool limited_ = false;
     AlignedArray<double> yield_, give_;  ///< where limited, of the normal rows

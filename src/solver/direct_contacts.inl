@@ -142,10 +142,12 @@ void prepare_direct_contacts(const LaneArrays& arrays, const DirectArrays& direc
     });
 }
 
-/// A pair while its rows are solved: the motions after the impulses so far, and the sums of these impulses.
+/// A pair while its rows are solved: the motions after the impulses so far, and the sums of these impulses; what
+/// SweepChange sums.
 struct DirectPair {
     Flat a, b;
     Flat on_a, on_b;
+    Pack square, onwards;
 };
 
 [[gnu::always_inline]] inline Pack along(const double* row, int i, const DirectPair& pair) {
@@ -179,21 +181,22 @@ struct DirectPair {
     }
 }
 
-template <class Solve>
+template <class Solve, class Visited>
 [[gnu::always_inline]] inline void for_each_direct_row(double* delta, const ComplianceColumn* columns,
                                                        const ContactPacks& packs, const double* rows,
-                                                       const Solve& solve) {
+                                                       const Solve& solve, const Visited& visited) {
     const std::uint32_t* slots = packs.slots;
     for (std::size_t k = 0; k < packs.count; ++k, slots += 2 * lanes) {
         const auto motion = [=](const std::uint32_t* at) {
             return gather_flat([=](int lane) { return delta + 8 * static_cast<std::size_t>(at[lane]); });
         };
-        DirectPair pair{motion(slots), motion(slots + lanes), {}, {}};
+        DirectPair pair{motion(slots), motion(slots + lanes), {}, {}, {}, {}};
         for (std::uint32_t i = packs.packs[k].first_row; i < packs.packs[k].end_row; ++i) {
             solve(static_cast<int>(i), rows + static_cast<std::size_t>(i) * (direct_field::count * lanes), pair);
         }
         pass_to_piece(delta, columns, slots, pair.on_a);
         pass_to_piece(delta, columns, slots + lanes, pair.on_b);
+        visited(packs.packs[k], pair);
     }
 }
 
@@ -202,11 +205,13 @@ void start_direct_contacts(double* delta, const ComplianceColumn* columns, const
     const auto start = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
         for (int k = 0; k < 3; ++k) push(row, k, pair, load(all.impulse[k], i));
     };
-    for_each_direct_row(delta, columns, packs, all.row, start);
+    for_each_direct_row(delta, columns, packs, all.row, start, [](const ContactPack&, const DirectPair&) {});
 }
 
 /// One contact while its three rows are solved.
 struct PieceContact {
+    const DirectRowArrays& all;
+    int i;
     const double* row;
     DirectPair& pair;
     Pack& largest;  ///< change of velocity so far; an empty lane's is not a number and left out
@@ -226,6 +231,13 @@ struct PieceContact {
         if (!any_positive(absolute(pressed))) return;
         ::floes::push(row, 0, pair, pressed);
         largest = most(absolute(pressed) * load(row, direct_field::change), largest);
+        count(0, pressed);
+    }
+
+    /// The impulse of row k of the contact, which has changed.
+    [[gnu::always_inline]] void count(int k, Pack change) const {
+        pair.square = pair.square + change * change;
+        pair.onwards = pair.onwards + change * (load(all.impulse[k], i) - load(all.ended[k], i));
     }
 
     [[gnu::always_inline]] void push(Pack pressed, Pack one, Pack two) const {
@@ -234,7 +246,31 @@ struct PieceContact {
         ::floes::push(row, 2, pair, two);
         largest = most(absolute(pressed) * load(row, direct_field::change), largest);
         largest = most(most(absolute(one), absolute(two)) * load(row, direct_field::change + 1), largest);
+        count(0, pressed);
+        count(1, one);
+        count(2, two);
     }
+};
+
+/// Sums by column.
+class ColumnSums {
+  public:
+    /// The lanes of a pack; what is not a number, as of an empty lane, is left out.
+    [[gnu::always_inline]] void add(const ContactPack& pack, Pack x) {
+        Pack& sum = sums_[pack.column / lanes];
+        sum = sum + (absolute(x) >= 0.0 ? x : Pack{});
+    }
+
+    double total() const {
+        alignas(Pack) double columns[sum_columns];
+        for (int k = 0; k < static_cast<int>(sum_columns) / lanes; ++k) store(columns, k, sums_[k]);
+        double sum = 0;
+        for (const double column : columns) sum += column;
+        return sum;
+    }
+
+  private:
+    Pack sums_[sum_columns / lanes]{};
 };
 
 inline double largest_of(Pack x) {
@@ -246,22 +282,45 @@ inline double largest_of(Pack x) {
 }
 
 template <bool limited>
-double solve_all_direct(double* delta, const ComplianceColumn* columns, const ContactPacks& packs,
-                        const DirectRowArrays& all, const LimitArrays& limits) {
+SweepChange solve_all_direct(double* delta, const ComplianceColumn* columns, const ContactPacks& packs,
+                             const DirectRowArrays& all, const LimitArrays& limits) {
     const ConeArrays cones{{all.target[0], all.target[1], all.target[2]},
                            {all.impulse[0], all.impulse[1], all.impulse[2]}};
     Pack largest{};
+    ColumnSums square;
+    ColumnSums onwards;
     const auto solve = [&](int i, const double* row, DirectPair& pair) __attribute__((always_inline)) {
-        solve_cone<limited>(cones, limits, i, PieceContact{row, pair, largest});
+        solve_cone<limited>(cones, limits, i, PieceContact{all, i, row, pair, largest});
     };
-    for_each_direct_row(delta, columns, packs, all.row, solve);
-    return largest_of(largest);
+    const auto visited = [&](const ContactPack& pack, const DirectPair& pair) __attribute__((always_inline)) {
+        square.add(pack, pair.square);
+        onwards.add(pack, pair.onwards);
+    };
+    for_each_direct_row(delta, columns, packs, all.row, solve, visited);
+    return {largest_of(largest), square.total(), onwards.total()};
 }
 
-double solve_direct_contacts(double* delta, const ComplianceColumn* columns, const ContactPacks& packs,
-                             const DirectRowArrays& all, const LimitArrays& limits) {
+SweepChange solve_direct_contacts(double* delta, const ComplianceColumn* columns, const ContactPacks& packs,
+                                  const DirectRowArrays& all, const LimitArrays& limits) {
     const auto solve = limits.yield == nullptr ? solve_all_direct<false> : solve_all_direct<true>;
     return solve(delta, columns, packs, all, limits);
+}
+
+[[gnu::always_inline]] inline void move_pack_ahead(double* now, double* ended, Pack ahead) {
+    const Pack here = load(now, 0);
+    store(now, 0, here + ahead * (here - load(ended, 0)));
+    store(ended, 0, here);
+}
+
+void move_contacts_ahead(const MovedAhead& moved, const DirectRowArrays& all, double ahead) {
+    const Pack by = Pack{} + ahead;
+    for (int k = 0; k < 3; ++k) {
+        for (std::size_t i = 0; i < moved.places; i += lanes) move_pack_ahead(all.impulse[k] + i, all.ended[k] + i, by);
+    }
+    for (std::size_t i = 0; i < moved.count; ++i) {
+        double* delta = moved.delta + 8 * static_cast<std::size_t>(moved.slots[i]);
+        for (int part = 0; part < 8; part += lanes) move_pack_ahead(delta + part, moved.ended + 8 * i + part, by);
+    }
 }
 
 /// Adds the impulse in each lane to that of the lane's body.

@@ -41,6 +41,6 @@ const LaneKernels FLOES_KERNELS{
     solve_frictions,
     solve_cones,
     {carry_water, begin_local, press_joints, to_pieces, from_pieces, direct_reactions, add_velocity_changes,
-     prepare_direct_contacts, start_direct_contacts, solve_direct_contacts, sum_direct_contacts}};
+     prepare_direct_contacts, start_direct_contacts, solve_direct_contacts, move_contacts_ahead, sum_direct_contacts}};
 
 }  // namespace floes

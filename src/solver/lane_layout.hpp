@@ -58,7 +58,11 @@ struct ContactPack {
     std::uint32_t turns;
     std::uint32_t first_row;  ///< in groups of `width`
     std::uint32_t end_row;
+    std::uint32_t column;  ///< of sum_columns, that of its first pair: its place within the level
 };
+
+/// Sums over contacts are made by column and then over columns: in the same order at every lane width.
+inline constexpr std::uint32_t sum_columns = 8;
 
 /// A pair with fewer contacts than others, or none, has rows that exert nothing.
 struct ContactPacks {
@@ -251,7 +255,24 @@ struct DirectRowArrays {
     double* row;
     double* target[3];
     double* impulse[3];  ///< accumulated, over the scale
+    double* ended[3];    ///< the same when the last sweep ended
     double* scale[2];    ///< s of the normal row, and of the two others
+};
+
+/// What one sweep over the contacts did.
+struct SweepChange {
+    double largest;  ///< change of velocity at a contact by its own new impulse, m/s
+    double square;   ///< of the changes of scaled impulses, summed
+    double onwards;  ///< sum of the changes times the way since the last sweep ended: below 0 where sweeps turn back
+};
+
+/// What moves between two sweeps, beside the impulses of the rows.
+struct MovedAhead {
+    double* delta;
+    double* ended;               ///< `delta` when the last sweep ended: 8 numbers for each of the slots
+    const std::uint32_t* slots;  ///< that impulses change
+    std::size_t count;
+    std::size_t places;  ///< of the impulses of a row, with those of empty lanes
 };
 
 struct DirectContactStep {
@@ -278,9 +299,11 @@ struct DirectKernels {
                              const DirectContactStep&);
     /// What the impulses do that rows begin with; one sweep over all contacts.
     void (*start_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&);
-    /// Returns the largest change of velocity at a contact by its own new impulse, m/s.
-    double (*solve_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&,
-                             const LimitArrays&);
+    SweepChange (*solve_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&,
+                                  const LimitArrays&);
+    /// Impulses, and velocities with them, from where a sweep ended to as much further as `ahead` of the way from where
+    /// the last one did.
+    void (*move_ahead)(const MovedAhead&, const DirectRowArrays&, double ahead);
     /// Adds the impulses of all rows to those of their bodies.
     void (*sum_contacts)(double* impulse, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&);
 };
