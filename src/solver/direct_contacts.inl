@@ -40,7 +40,7 @@ inline CompliantBody compliant_body(const LaneArrays& arrays, const DirectArrays
     body.start_velocity = pick3(arrays, body_field::start_velocity, slots);
     body.start_angular_velocity = pick3(arrays, body_field::start_angular_velocity, slots);
     Pack frame[9];
-    pick(direct.local, local_field::count, local_field::frame, slots, frame);
+    pick(direct.local, arrays.width, local_field::count, local_field::frame, slots, frame);
     body.frame = {{frame[0], frame[3], frame[6]}, {frame[1], frame[4], frame[7]}, {frame[2], frame[5], frame[8]}};
     alignas(64) static constexpr double none[compliance_block]{};
     Flat column[3];

@@ -24,8 +24,9 @@ Mat3 nearest_rotation(Mat3 mean) {
 }  // namespace
 
 DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints,
-                         const LaneSlots& slots, const LaneKernels& kernels)
+                         const LaneSlots& slots, const LaneKernels& kernels, const LaneKernels& widest)
     : kernels_(&kernels),
+      widest_(&widest),
       slots_(slots),
       bodies_(bodies.begin(), bodies.end()),
       joints_(joints.begin(), joints.end()),
@@ -175,8 +176,8 @@ void DirectFloes::apply_compliance(Piece& piece, const std::vector<std::uint32_t
     for (const std::uint32_t slot : slots) std::fill_n(delta + 8 * static_cast<std::size_t>(slot), 8, 0.0);
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
         const ComplianceColumn column{piece.compliance->column(i), nullptr, slots.data(), within.data(), slots.size()};
-        kernels_->direct.add_velocity_changes(delta, column,
-                                              impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]));
+        widest_->direct.add_velocity_changes(delta, column,
+                                             impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]));
     }
 }
 

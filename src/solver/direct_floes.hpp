@@ -25,8 +25,9 @@ struct LaneSlots {
 
 class DirectFloes {
   public:
+    /// `kernels`: of the slots' width; `widest`: for what bodies do one by one.
     DirectFloes(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, const LaneSlots& slots,
-                const LaneKernels& kernels);
+                const LaneKernels& kernels, const LaneKernels& widest);
 
     /// Takes effect in the next step.
     void remove_joint(std::size_t joint);
@@ -83,6 +84,7 @@ class DirectFloes {
     void apply_whole_compliance(Piece& piece, double* delta);
 
     const LaneKernels* kernels_;
+    const LaneKernels* widest_;
     LaneSlots slots_;
     std::vector<SolverBody> bodies_;
     std::vector<SolverJoint> joints_;

@@ -189,6 +189,7 @@ struct LaneArrays {
     double* force;  ///< by number of a body; a spare one for empty lanes
     BodyMotion* motion;                 ///< likewise
     const std::uint32_t* body_of_slot;  ///< its number
+    std::uint32_t width;  ///< of the groups of bodies and joints: a power of two; rows of contacts may be wider
 };
 
 // Where the kernels of the direct solver find things. A piece has axes of its own that turn with

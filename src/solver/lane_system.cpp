@@ -30,8 +30,8 @@ void get(const double* lane, int width, int field, std::array<double, count>& va
 }  // namespace
 
 LaneArrays LaneSystem::arrays() {
-    return {body_.data(),  sweep_.data(), frame_.data(),  row_.data(),         reaction_.data(),
-            delta_.data(), force_.data(), motion_.data(), body_of_slot_.data()};
+    return {body_.data(),  sweep_.data(), frame_.data(),  row_.data(),          reaction_.data(),
+            delta_.data(), force_.data(), motion_.data(), body_of_slot_.data(), static_cast<std::uint32_t>(width())};
 }
 
 void LaneSystem::remove_joint(std::size_t joint) {
@@ -199,8 +199,8 @@ int LaneSystem::solve_directly(std::span<SolverContact> contacts, const ContactL
     const LaneArrays all = arrays();
     direct_->touch(all, contacts);
     direct_contacts_.prepare(contacts, slot_of_body_, body_groups_ * static_cast<std::size_t>(width()), all, *direct_,
-                             *kernels_, law, time_step_);
-    const int used = direct_contacts_.solve(all, *direct_, *kernels_, sweeps);
+                             *of_contacts_, law, time_step_);
+    const int used = direct_contacts_.solve(all, *direct_, *of_contacts_, sweeps);
     direct_->finish(all, blocks_);
     direct_contacts_.finish(contacts);
     return used;
@@ -249,11 +249,13 @@ LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const Solve
         if (!kind.back().joints.empty()) most_floes = std::max(most_floes, kind.size());
     }
     kernels_ = &lane_kernels(useful_width(most_floes, width));
+    of_contacts_ = &lane_kernels(width);
     const std::size_t joint_groups = place_blocks(kinds);
     make_arrays(joint_groups);
     fill(bodies, joints);
     if (solver == SolverKind::lanes) return;
-    direct_.emplace(bodies, joints, LaneSlots{slot_of_body_, slot_of_joint_, body_groups_, joint_groups}, *kernels_);
+    direct_.emplace(bodies, joints, LaneSlots{slot_of_body_, slot_of_joint_, body_groups_, joint_groups}, *kernels_,
+                    *of_contacts_);
 }
 
 std::vector<LaneSystem::Floe> LaneSystem::find_floes(std::span<const SolverBody> bodies,

@@ -94,6 +94,7 @@ class LaneSystem {
     int solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps);
 
     const LaneKernels* kernels_;
+    const LaneKernels* of_contacts_;  ///< with the solver direct, whose contacts need no equal floes
     std::vector<std::int32_t> pairs_;
     std::vector<LaneBlock> blocks_;
     std::vector<std::uint32_t> slot_of_body_;  ///< group * width + lane
