@@ -400,17 +400,6 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const LeastOverlap&
 
 }  // namespace
 
-double box_face_gap(const PrismPlace& a, const PrismPlace& b, int axis) {
-    const PrismPlace& one = axis < 3 ? a : b;
-    const PrismPlace& other = axis < 3 ? b : a;
-    const int i = axis % 3;
-    const Triple out{one.rotation[i], one.rotation[3 + i], one.rotation[6 + i]};
-    const Triple between = centre_of(b) - centre_of(a);
-    double gap = std::abs(dot(out, between)) - half_of(one)[i];
-    for (int k = 0; k < 3; ++k) gap -= half_of(other)[k] * std::abs(along_axis(out, other.rotation, k));
-    return gap;
-}
-
 void find_box_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found) {
     found.count = 0;
     const LeastOverlap least = least_overlap(a, b);

@@ -208,18 +208,14 @@ void IceContacts::list_pairs(const BodyMotion* motions, ContactStore& store) {
 bool IceContacts::apart(Pair& pair, const BodyMotion* motions) const {
     const PrismPlace a = place(pair.a, motions);
     const PrismPlace b = place(pair.b, motions);
-    const int of_a = face_axes(*a.shape, *b.shape);
+    const int of_a = face_axes(*a.shape);
     const int first = fixed_[pair.b] != 0 ? of_a : 0;
-    const int end = fixed_[pair.a] != 0 ? of_a : of_a + face_axes(*b.shape, *a.shape);
-    if (pair.axis < 0) pair.axis = first;
-    double gap = face_gap(a, b, pair.axis);
+    const int end = fixed_[pair.a] != 0 ? of_a : of_a + face_axes(*b.shape);
+    double gap = pair.axis < 0 ? 0 : face_gap(a, b, pair.axis);
     if (!(gap > tolerance)) {
-        for (int axis = first; axis < end; ++axis) {
-            const double other = face_gap(a, b, axis);
-            if (!(other > gap)) continue;
-            gap = other;
-            pair.axis = axis;
-        }
+        const FaceGap widest = widest_face_gap(a, b, first, end);
+        gap = widest.gap;
+        pair.axis = widest.axis;
     }
     pair.until = gap > tolerance ? path_[pair.a] + path_[pair.b] + gap - tolerance : 0;
     return gap > tolerance;

@@ -24,10 +24,6 @@ Triple own_normal(const PrismShape& shape, int face) {
     return {normal.x, 0, normal.z};
 }
 
-int faces_of(const PrismShape& shape) {
-    return 2 + static_cast<int>(shape.corners.size());
-}
-
 /// Least and largest of d . p over the prism, d in its axes.
 struct Reach {
     double low, high;
@@ -54,9 +50,7 @@ Triple farthest(const PrismPlace& prism, const Triple& d) {
 }
 
 double face_offset(const PrismShape& shape, int face) {
-    if (face < 2) return shape.half_thickness;
-    const auto k = static_cast<std::size_t>(face - 2);
-    return dot(shape.normals[k], shape.corners[k]);
+    return face < 2 ? shape.half_thickness : shape.ahead[static_cast<std::size_t>(face - 2)];
 }
 
 /// A face of one of two prisms: 0 upper, 1 lower, 2 + k: edge k.
@@ -81,27 +75,154 @@ double gap_along(const PrismPlace& one, const PrismPlace& other, int face) {
     return dot(axis, between) + reach_along(*other.shape, into(other, axis)).low - face_offset(*one.shape, face);
 }
 
-/// Directions of the edges: along the thickness, then along each edge of the polygon, world.
-std::size_t edge_directions(const PrismPlace& prism, std::array<Triple, 40>& found) {
-    found[0] = out_of(prism, {0, 1, 0});
-    std::size_t count = 1;
-    for (const Corner& normal : prism.shape->normals) found[count++] = out_of(prism, {-normal.z, 0, normal.x});
-    return count;
+// Most axes cannot win. What they would do at most is found first, from few products, in axes of the prisms and without
+// a square root; only gaps that may count are found themselves.
+
+constexpr double slack = 1e-9;  // of bounds, m: rounding
+
+/// One of two prisms, and the other as seen from it.
+struct View {
+    const PrismShape& shape;
+    const PrismShape& other;
+    std::array<Triple, 3> axes;  ///< of the other
+    Triple between;              ///< centres, m
+
+    // Of each edge:
+    std::array<double, most_corners> along;  ///< its normal times `between`, m
+    std::array<double, most_corners> lean;   ///< its normal times the other's upright axis
+    std::array<double, most_corners> climb;  ///< its direction times that
+
+    View(const PrismPlace& one, const PrismPlace& seen, const std::array<Triple, 3>& axes_of_seen)
+        : shape(*one.shape), other(*seen.shape), axes(axes_of_seen), between(to_own(one, centre_of(seen))) {
+        const Triple& up = axes[1];
+        for (std::size_t k = 0; k < shape.normals.size(); ++k) {
+            const Corner& n = shape.normals[k];
+            along[k] = n.x * between[0] + n.z * between[2];
+            lean[k] = n.x * up[0] + n.z * up[2];
+            climb[k] = n.x * up[2] - n.z * up[0];
+        }
+    }
+
+    /// At least as large as gap_along(): the other reaches as far as a circle within it.
+    double most_gap(int face) const {
+        const auto k = static_cast<std::size_t>(std::max(face - 2, 0));
+        const double up = std::abs(face < 2 ? axes[1][1] : lean[k]);
+        const double at = face < 2 ? (face == 0 ? between[1] : -between[1]) : along[k];
+        return at - face_offset(shape, face) - other.inner_radius * (1 - up * up) - other.half_thickness * up + slack;
+    }
+
+    /// Whether edge k and the thickness of the other may have a gap of more than -depth. By the circle, then by corners.
+    bool edge_may_win(std::size_t k, double depth) const {
+        const double flat = std::abs(axes[1][1]);
+        const double rise = axes[1][1] < 0 ? lean[k] : -lean[k];
+        const double at = flat * along[k] + rise * between[1];
+        const double up = shape.half_thickness * std::abs(rise);
+        const double outward = at - flat * shape.ahead[k] - up;
+        const double inward = -at - flat * shape.back[k] - up;
+        const double least = other.inner_radius * (1 - climb[k] * climb[k]) - depth - slack;
+        if (std::max(outward, inward) < least) return false;
+        const Corner& n = shape.normals[k];
+        const auto seen = [&](const Triple& axis) { return flat * (n.x * axis[0] + n.z * axis[2]) + rise * axis[1]; };
+        const Triple axis{seen(axes[0]), 0, seen(axes[2])};
+        const Reach reach = reach_along(other, axis);
+        return longer(std::max(outward + reach.low, inward - reach.high), depth, dot(axis, axis));
+    }
+
+    /// Whether a gap along an axis of this squared length, times its length, is a gap of more than -depth.
+    static bool longer(double gap, double depth, double squared) {
+        return gap >= 0 || gap * gap < (depth + slack) * (depth + slack) * squared;
+    }
+};
+
+struct Views {
+    View from_a, from_b;
+
+    Views(const PrismPlace& a, const PrismPlace& b) : Views(a, b, axes_of_b(a, b)) {}
+
+  private:
+    using Axes = std::array<Triple, 3>;
+    static Axes axes_of_b(const PrismPlace& a, const PrismPlace& b) {
+        const double* r = b.rotation;
+        return {into(a, {r[0], r[3], r[6]}), into(a, {r[1], r[4], r[7]}), into(a, {r[2], r[5], r[8]})};
+    }
+    Views(const PrismPlace& a, const PrismPlace& b, const Axes& r)
+        : from_a(a, b, r),
+          from_b(b, a, {{{r[0][0], r[1][0], r[2][0]}, {r[0][1], r[1][1], r[2][1]}, {r[0][2], r[1][2], r[2][2]}}}) {}
+};
+
+/// Which axes of two edges may have a gap of more than -depth. Edge 0 is the thickness, 1 + k that of the polygon.
+class EdgePairs {
+  public:
+    explicit EdgePairs(const Views& seen) : a_(seen.from_a), b_(seen.from_b) {
+        const Triple& x = a_.axes[0];
+        const Triple& z = a_.axes[2];
+        for (std::size_t k = 0; k < b_.shape.normals.size(); ++k) {
+            const Corner& n = b_.shape.normals[k];
+            normal_x_[k] = x[0] * n.x + z[0] * n.z;
+            normal_z_[k] = x[2] * n.x + z[2] * n.z;
+            along_x_[k] = z[0] * n.x - x[0] * n.z;
+            along_z_[k] = z[2] * n.x - x[2] * n.z;
+        }
+    }
+
+    bool may_win(std::size_t i, std::size_t k, double depth) const {
+        if (i == 0 && k == 0) return thicknesses_may_win(depth);
+        if (i == 0) return b_.edge_may_win(k - 1, depth);
+        if (k == 0) return a_.edge_may_win(i - 1, depth);
+        return edges_may_win(i - 1, k - 1, depth);
+    }
+
+  private:
+    bool thicknesses_may_win(double depth) const {
+        const Triple& up = a_.axes[1];
+        const double at = up[2] * a_.between[0] - up[0] * a_.between[2];
+        const double least = a_.shape.inner_radius + b_.shape.inner_radius - depth - slack;
+        return least < 0 || at * at > least * least * (up[0] * up[0] + up[2] * up[2]);
+    }
+
+    /// Each has one of the edge's normals as its flat part, along which its polygon's reach is known.
+    bool edges_may_win(std::size_t i, std::size_t k, double depth) const {
+        const Corner& n = a_.shape.normals[i];
+        const double up = n.x * along_x_[k] + n.z * along_z_[k];
+        const double by_a = b_.climb[k];
+        const double by_b = a_.climb[i];
+        const double at = up * a_.between[1] - by_a * a_.along[i];
+        const double reach = std::abs(up) * a_.shape.half_thickness +
+                             std::abs(n.x * normal_z_[k] - n.z * normal_x_[k]) * b_.shape.half_thickness;
+        const auto of = [](const PrismShape& shape, std::size_t edge, double by) {
+            return by < 0 ? -by * shape.back[edge] : by * shape.ahead[edge];
+        };
+        const double gap = std::max(at - of(a_.shape, i, -by_a) - of(b_.shape, k, -by_b),
+                                    -at - of(a_.shape, i, by_a) - of(b_.shape, k, by_b));
+        return View::longer(gap - reach, depth, up * up + by_a * by_a);
+    }
+
+    const View& a_;
+    const View& b_;
+
+    // Of each edge of b in the axes of a, without what is upright there.
+    std::array<double, most_corners> normal_x_, normal_z_, along_x_, along_z_;
+};
+
+/// Direction of an edge: of the thickness, then along each edge of the polygon, world.
+Triple edge_direction(const PrismPlace& prism, std::size_t edge) {
+    if (edge == 0) return out_of(prism, {0, 1, 0});
+    const Corner& normal = prism.shape->normals[edge - 1];
+    return out_of(prism, {-normal.z, 0, normal.x});
 }
 
 /// False where an axis of two edges parts them.
-bool look_at_edges(const PrismPlace& a, const PrismPlace& b, Best& best) {
-    std::array<Triple, 40> of_a;
-    std::array<Triple, 40> of_b;
-    const std::size_t count_a = edge_directions(a, of_a);
-    const std::size_t count_b = edge_directions(b, of_b);
-    const Triple tilt = cross(of_a[0], of_b[0]);
+bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const Views& seen, Best& best) {
+    const Triple tilt = cross(out_of(a, {0, 1, 0}), out_of(b, {0, 1, 0}));
     if (dot(tilt, tilt) < parallel * parallel) return true;  // flat on each other: edges say what faces say
+    const EdgePairs pairs(seen);
     const Triple between = centre_of(b) - centre_of(a);
-    double face_gap = best.gap;
-    for (std::size_t i = 0; i < count_a; ++i) {
-        for (std::size_t k = 0; k < count_b; ++k) {
-            Triple axis = cross(of_a[i], of_b[k]);
+    for (std::size_t i = 0; i <= a.shape->normals.size(); ++i) {
+        for (std::size_t k = 0; k <= b.shape->normals.size(); ++k) {
+            if (!pairs.may_win(i, k, -best.gap / edges_over_faces)) continue;
+            const Triple along_a = edge_direction(a, i);
+            const Triple along_b = edge_direction(b, k);
+            Triple axis = cross(along_a, along_b);
             const double length = std::sqrt(dot(axis, axis));
             if (length < parallel) continue;
             axis = scaled(axis, 1 / length);
@@ -112,9 +233,8 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, Best& best) {
             const double back = at_a.low - at_b.high - apart;
             const double gap = std::max(onward, back);
             if (gap > 0) return false;
-            if (!(gap * edges_over_faces > face_gap)) continue;
-            face_gap = gap;
-            best = {gap, onward >= back ? axis : scaled(axis, -1), {}, true, of_a[i], of_b[k]};
+            if (!(gap * edges_over_faces > best.gap)) continue;
+            best = {gap, onward >= back ? axis : scaled(axis, -1), {}, true, along_a, along_b};
         }
     }
     return true;
@@ -232,7 +352,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
     };
     const int face = best.face.face;
     if (face < 2) {
-        for (int k = 2; k < faces_of(*one.shape); ++k) cut_by(own_normal(*one.shape, k), face_offset(*one.shape, k));
+        for (int k = 2; k < face_axes(*one.shape); ++k) cut_by(own_normal(*one.shape, k), face_offset(*one.shape, k));
     } else {
         const auto k = static_cast<std::size_t>(face - 2);
         const Corner& normal = one.shape->normals[k];
@@ -266,32 +386,53 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
 
 }  // namespace
 
-int face_axes(const PrismShape& of, const PrismShape& other) {
-    return of.is_box && other.is_box ? 3 : faces_of(of);
+int face_axes(const PrismShape& of) {
+    return 2 + static_cast<int>(of.corners.size());
 }
 
 double face_gap(const PrismPlace& a, const PrismPlace& b, int axis) {
-    if (a.shape->is_box && b.shape->is_box) return box_face_gap(a, b, axis);
-    const int of_a = faces_of(*a.shape);
+    const int of_a = face_axes(*a.shape);
     return axis < of_a ? gap_along(a, b, axis) : gap_along(b, a, axis - of_a);
+}
+
+namespace {
+
+FaceGap widest_gap(const PrismPlace& a, const PrismPlace& b, const Views& seen, int first, int end) {
+    const auto& [from_a, from_b] = seen;
+    const int of_a = face_axes(*a.shape);
+    std::array<double, 2 * (most_corners + 2)> most;
+    int likely = first;
+    for (int axis = first; axis < end; ++axis) {
+        const auto at = static_cast<std::size_t>(axis);
+        most[at] = axis < of_a ? from_a.most_gap(axis) : from_b.most_gap(axis - of_a);
+        if (most[at] > most[static_cast<std::size_t>(likely)]) likely = axis;
+    }
+    FaceGap widest{face_gap(a, b, likely), likely};
+    for (int axis = first; axis < end; ++axis) {
+        if (axis == likely || most[static_cast<std::size_t>(axis)] < widest.gap) continue;
+        const double gap = face_gap(a, b, axis);
+        if (gap > widest.gap || (gap == widest.gap && axis < widest.axis)) widest = {gap, axis};
+    }
+    return widest;
+}
+
+}  // namespace
+
+FaceGap widest_face_gap(const PrismPlace& a, const PrismPlace& b, int first, int end) {
+    return widest_gap(a, b, Views(a, b), first, end);
 }
 
 void find_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found) {
     if (a.shape->is_box && b.shape->is_box) return find_box_overlap(a, b, found);
     found.count = 0;
-    Best best;
-    for (const bool of_a : {true, false}) {
-        const PrismPlace& one = of_a ? a : b;
-        const PrismPlace& other = of_a ? b : a;
-        for (int face = 0; face < faces_of(*one.shape); ++face) {
-            const double gap = gap_along(one, other, face);
-            if (gap > 0) return;
-            if (gap <= best.gap) continue;
-            const Triple axis = out_of(one, own_normal(*one.shape, face));
-            best = {gap, of_a ? axis : scaled(axis, -1), {of_a, face}};
-        }
-    }
-    if (!look_at_edges(a, b, best)) return;
+    const Views seen(a, b);
+    const int of_a = face_axes(*a.shape);
+    const auto [gap, axis] = widest_gap(a, b, seen, 0, of_a + face_axes(*b.shape));
+    if (gap > 0) return;
+    Best best{.gap = gap, .face = {axis < of_a, axis < of_a ? axis : axis - of_a}};
+    best.axis = best.face.of_a ? out_of(a, own_normal(*a.shape, best.face.face))
+                               : scaled(out_of(b, own_normal(*b.shape, best.face.face)), -1);
+    if (!look_at_edges(a, b, seen, best)) return;
     found.normal = best.axis;
     if (best.edges)
         touch_by_edges(a, b, best, found);

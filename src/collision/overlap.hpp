@@ -19,22 +19,24 @@ struct Overlap {
     std::array<Point, 4> points;
 };
 
-/// How many of the axes of face_gap() belong to one of two prisms.
-int face_axes(const PrismShape& of, const PrismShape& other);
+/// How many normals of faces a prism has.
+int face_axes(const PrismShape& of);
 
 /// How far two prisms are apart along a normal of the faces of one of them: axes of a come first, then those of b. m;
 /// negative where they overlap along it.
 double face_gap(const PrismPlace& a, const PrismPlace& b, int axis);
 
+/// The largest of these, of axes from `first` to before `end`.
+struct FaceGap {
+    double gap;
+    int axis;
+};
+FaceGap widest_face_gap(const PrismPlace& a, const PrismPlace& b, int first, int end);
+
 /// Refills `found`; its count is 0 where the prisms are apart.
 void find_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found);
 
-// The same of two boxes, for the two above: as Bullet's btBoxBoxDetector finds them, to the last bit.
-
-/// As face_gap(), along one of the six normals of their faces: 0, 1, 2 of a, 3, 4, 5 of b.
-double box_face_gap(const PrismPlace& a, const PrismPlace& b, int axis);
-
-/// As find_overlap().
+/// The same of two boxes, which it calls: as Bullet's btBoxBoxDetector finds it, to the last bit.
 void find_box_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found);
 
 }  // namespace floes

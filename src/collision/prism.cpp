@@ -56,7 +56,13 @@ Below below(const Outline& corners, const Corner& normal, double bound) {
 
 PrismShape::PrismShape(Outline of, double half)
     : corners(std::move(of)), half_thickness(half), half_extent{0, half, 0}, is_box(is_rectangle(corners)) {
-    for (std::size_t k = 0; k < corners.size(); ++k) normals.push_back(outward(corners, k));
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        normals.push_back(outward(corners, k));
+        ahead.push_back(dot(normals[k], corners[k]));
+        back.push_back(-ahead[k]);
+        for (const Corner& one : corners) back[k] = std::max(back[k], -dot(normals[k], one));
+    }
+    if (!empty()) inner_radius = std::max(0.0, *std::ranges::min_element(ahead));
     for (const Corner& one : corners) {
         half_extent[0] = std::max(half_extent[0], std::abs(one.x));
         half_extent[2] = std::max(half_extent[2], std::abs(one.z));

@@ -3,6 +3,7 @@
 // the centre of mass. A box is one with four corners.
 
 #include <array>
+#include <vector>
 
 #include "shapes/polygon.hpp"
 
@@ -29,6 +30,9 @@ inline double dot(const Triple& a, const Triple& b) {
 struct PrismShape {
     Outline corners;            ///< m
     Outline normals;            ///< outward, of each edge
+    std::vector<double> ahead;  ///< how far the polygon reaches along each normal, m
+    std::vector<double> back;   ///< and against it
+    double inner_radius = 0;    ///< of the circle round the centre of mass that touches the nearest edge, m
     double half_thickness = 0;  ///< m
     Triple half_extent{};       ///< of the box about the centre of mass that holds it, m
     bool is_box = false;        ///< it is that box
