@@ -111,7 +111,8 @@ struct View {
         return at - face_offset(shape, face) - other.inner_radius * (1 - up * up) - other.half_thickness * up + slack;
     }
 
-    /// Whether edge k and the thickness of the other may have a gap of more than -depth. By the circle, then by corners.
+    /// Whether edge k and the thickness of the other may have a gap of more than -depth: by the circle, then by
+    /// corners.
     bool edge_may_win(std::size_t k, double depth) const {
         const double flat = std::abs(axes[1][1]);
         const double rise = axes[1][1] < 0 ? lean[k] : -lean[k];
@@ -162,15 +163,23 @@ class EdgePairs {
             normal_z_[k] = x[2] * n.x + z[2] * n.z;
             along_x_[k] = z[0] * n.x - x[0] * n.z;
             along_z_[k] = z[2] * n.x - x[2] * n.z;
+            middle_[k] = 0.5 * (b_.shape.ahead[k] - b_.shape.back[k]);
+            half_[k] = 0.5 * (b_.shape.ahead[k] + b_.shape.back[k]);
         }
     }
 
-    bool may_win(std::size_t i, std::size_t k, double depth) const {
-        if (i == 0 && k == 0) return thicknesses_may_win(depth);
-        if (i == 0) return b_.edge_may_win(k - 1, depth);
-        if (k == 0) return a_.edge_may_win(i - 1, depth);
-        return edges_may_win(i - 1, k - 1, depth);
+    /// Of edge i of a with each of b: `may`.
+    void look(std::size_t i, double depth) {
+        if (i == 0) {
+            may[0] = thicknesses_may_win(depth) ? 1 : -1;
+            for (std::size_t k = 0; k < b_.shape.normals.size(); ++k) may[1 + k] = b_.edge_may_win(k, depth) ? 1 : -1;
+            return;
+        }
+        may[0] = a_.edge_may_win(i - 1, depth) ? 1 : -1;
+        look_at_edges(i - 1, depth);
     }
+
+    std::array<double, 1 + most_corners> may;  ///< positive where it may
 
   private:
     bool thicknesses_may_win(double depth) const {
@@ -180,28 +189,32 @@ class EdgePairs {
         return least < 0 || at * at > least * least * (up[0] * up[0] + up[2] * up[2]);
     }
 
-    /// Each has one of the edge's normals as its flat part, along which its polygon's reach is known.
-    bool edges_may_win(std::size_t i, std::size_t k, double depth) const {
+    /// The flat part of such an axis is a normal of the edge in each prism, along which its polygon's reach is known.
+    void look_at_edges(std::size_t i, double depth) {
         const Corner& n = a_.shape.normals[i];
-        const double up = n.x * along_x_[k] + n.z * along_z_[k];
-        const double by_a = b_.climb[k];
+        const double middle = a_.along[i] - 0.5 * (a_.shape.ahead[i] - a_.shape.back[i]);
+        const double half = 0.5 * (a_.shape.ahead[i] + a_.shape.back[i]);
         const double by_b = a_.climb[i];
-        const double at = up * a_.between[1] - by_a * a_.along[i];
-        const double reach = std::abs(up) * a_.shape.half_thickness +
-                             std::abs(n.x * normal_z_[k] - n.z * normal_x_[k]) * b_.shape.half_thickness;
-        const auto of = [](const PrismShape& shape, std::size_t edge, double by) {
-            return by < 0 ? -by * shape.back[edge] : by * shape.ahead[edge];
-        };
-        const double gap = std::max(at - of(a_.shape, i, -by_a) - of(b_.shape, k, -by_b),
-                                    -at - of(a_.shape, i, by_a) - of(b_.shape, k, by_b));
-        return View::longer(gap - reach, depth, up * up + by_a * by_a);
+        const double height = a_.between[1];
+        const double half_a = a_.shape.half_thickness;
+        const double half_b = b_.shape.half_thickness;
+        const double bound = (depth + slack) * (depth + slack);
+        const std::size_t count = b_.shape.normals.size();
+        for (std::size_t k = 0; k < count; ++k) {
+            const double up = n.x * along_x_[k] + n.z * along_z_[k];
+            const double up_b = n.x * normal_z_[k] - n.z * normal_x_[k];
+            const double by_a = b_.climb[k];
+            const double gap = std::abs(up * height - by_a * middle + by_b * middle_[k]) - std::abs(by_a) * half -
+                               std::abs(by_b) * half_[k] - std::abs(up) * half_a - std::abs(up_b) * half_b;
+            may[1 + k] = gap * std::abs(gap) + bound * (up * up + by_a * by_a);
+        }
     }
 
     const View& a_;
     const View& b_;
 
-    // Of each edge of b in the axes of a, without what is upright there.
-    std::array<double, most_corners> normal_x_, normal_z_, along_x_, along_z_;
+    // Of each edge of b: in the axes of a, without what is upright there; then its polygon's reach along the normal.
+    std::array<double, most_corners> normal_x_, normal_z_, along_x_, along_z_, middle_, half_;
 };
 
 /// Direction of an edge: of the thickness, then along each edge of the polygon, world.
@@ -215,11 +228,12 @@ Triple edge_direction(const PrismPlace& prism, std::size_t edge) {
 bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const Views& seen, Best& best) {
     const Triple tilt = cross(out_of(a, {0, 1, 0}), out_of(b, {0, 1, 0}));
     if (dot(tilt, tilt) < parallel * parallel) return true;  // flat on each other: edges say what faces say
-    const EdgePairs pairs(seen);
+    EdgePairs pairs(seen);
     const Triple between = centre_of(b) - centre_of(a);
     for (std::size_t i = 0; i <= a.shape->normals.size(); ++i) {
+        pairs.look(i, -best.gap / edges_over_faces);
         for (std::size_t k = 0; k <= b.shape->normals.size(); ++k) {
-            if (!pairs.may_win(i, k, -best.gap / edges_over_faces)) continue;
+            if (!(pairs.may[k] > 0)) continue;
             const Triple along_a = edge_direction(a, i);
             const Triple along_b = edge_direction(b, k);
             Triple axis = cross(along_a, along_b);
@@ -288,17 +302,26 @@ void corners_of(const PrismPlace& prism, int face, Points& corners) {
     corners.add(to_world(prism, {from.x, -half, from.z}));
 }
 
-/// What of `polygon` lies below the bound along the normal, into `rest`.
-void cut(const Points& polygon, Points& rest, const Triple& normal, double bound) {
-    rest.keep(0);
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Triple& here = polygon[k];
-        const Triple& next = polygon[k + 1 < polygon.size() ? k + 1 : 0];
-        const double room = bound - dot(normal, here);
-        const double room_next = bound - dot(normal, next);
-        if (room >= 0) rest.add(here);
-        if ((room >= 0) != (room_next >= 0)) rest.add(here + scaled(next - here, room / (room - room_next)));
+/// What of `polygon` lies below the bound along the normal, into `rest`; false where all of it does.
+bool cut(const Points& polygon, Points& rest, const Triple& normal, double bound) {
+    std::array<double, Points::room + 1> room;
+    const std::size_t count = polygon.size();
+    bool whole = true;
+    for (std::size_t k = 0; k < count; ++k) {
+        room[k] = bound - dot(normal, polygon[k]);
+        whole = whole && room[k] >= 0;
     }
+    if (whole) return false;
+    room[count] = room[0];
+    rest.keep(0);
+    for (std::size_t k = 0; k < count; ++k) {
+        const Triple& here = polygon[k];
+        if (room[k] >= 0) rest.add(here);
+        if ((room[k] >= 0) == (room[k + 1] >= 0)) continue;
+        const Triple& next = polygon[k + 1 < count ? k + 1 : 0];
+        rest.add(here + scaled(next - here, room[k] / (room[k] - room[k + 1])));
+    }
+    return true;
 }
 
 /// The deepest point, the one farthest from it, and the two farthest on either side of the line between them.
@@ -347,8 +370,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
     const Triple centre = centre_of(one);
     const auto cut_by = [&](const Triple& own, double offset) {
         const Triple normal = out_of(one, own);
-        cut(buffers[now], buffers[1 - now], normal, offset + dot(normal, centre));
-        now = 1 - now;
+        if (cut(buffers[now], buffers[1 - now], normal, offset + dot(normal, centre))) now = 1 - now;
     };
     const int face = best.face.face;
     if (face < 2) {

@@ -3,54 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace floes {
 namespace {
 
 /// As of boxes (solver/contact_setup.inl): flush faces reach their whole area within micrometres.
 constexpr double flattest = 1e-5;
-
-/// For the part of a polygon whose height n . p lies below a bound: its area and the chord at the bound over |n|.
-struct Below {
-    double area = 0;
-    double chord = 0;
-};
-
-Below below(const Outline& corners, const Corner& normal, double bound) {
-    const std::size_t count = corners.size();
-    Below found;
-    double low = std::numeric_limits<double>::infinity();  // ends of the chord
-    double high = -low;
-    const Corner along{-normal.z, normal.x};
-    const Corner& origin = corners[0];
-    Corner last{};
-    Corner first{};
-    bool any = false;
-    const auto add = [&](const Corner& point) {
-        if (any)
-            found.area += 0.5 * cross(last - origin, point - origin);
-        else
-            first = point;
-        last = point;
-        any = true;
-    };
-    for (std::size_t k = 0; k < count; ++k) {
-        const Corner& here = corners[k];
-        const Corner& next = corners[k + 1 < count ? k + 1 : 0];
-        const double room = bound - dot(normal, here);
-        const double room_next = bound - dot(normal, next);
-        if (room >= 0) add(here);
-        if ((room >= 0) == (room_next >= 0)) continue;
-        const Corner at = here + room / (room - room_next) * (next - here);
-        add(at);
-        low = std::min(low, dot(along, at));
-        high = std::max(high, dot(along, at));
-    }
-    if (any) add(first);
-    const double squared = dot(normal, normal);
-    if (high > low) found.chord = (high - low) / squared;  // along is as long as the normal
-    return found;
-}
 
 }  // namespace
 
@@ -69,32 +28,65 @@ PrismShape::PrismShape(Outline of, double half)
     }
 }
 
-PrismSection section_of(const PrismShape& prism, const Triple& normal, double depth) {
-    Corner flat{normal[0], normal[2]};
-    const double size = std::sqrt(dot(flat, flat));
-    if (size < flattest) flat = size > 0 ? (flattest / size) * flat : Corner{flattest, 0};
-    const double c = std::max(std::abs(normal[1]), flattest);
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const Corner& one : prism.corners) {
-        low = std::min(low, dot(flat, one));
-        high = std::max(high, dot(flat, one));
-    }
-    const double rise = 2 * prism.half_thickness * c;
-    const double middle = 0.5 * (high - low + rise);
-    const double d = std::min(depth, middle);
-    const Below whole = below(prism.corners, flat, low + d);
-    const Below past = d > rise ? below(prism.corners, flat, low + d - rise) : Below{};
-    return {std::max(0.0, (whole.area - past.area) / c),
-            depth < middle ? std::max(0.0, (whole.chord - past.chord) / c) : 0};
+PrismSections::PrismSections(const PrismShape& prism, const Triple& normal)
+    : prism_(&prism), flat_{normal[0], normal[2]}, cosine_(std::max(std::abs(normal[1]), flattest)) {
+    const double size = std::sqrt(dot(flat_, flat_));
+    if (size < flattest) flat_ = size > 0 ? (flattest / size) * flat_ : Corner{flattest, 0};
+    const std::size_t count = prism.corners.size();
+    for (std::size_t k = 0; k < count; ++k) heights_[k] = dot(flat_, prism.corners[k]);
+    heights_[count] = heights_[0];
+    const auto [low, high] = std::ranges::minmax(std::span(heights_).first(count));
+    low_ = low;
+    rise_ = 2 * prism.half_thickness * cosine_;
+    middle_ = 0.5 * (high - low + rise_);
 }
 
-PrismSection crushed_section(const PrismShape& prism, const Triple& normal, double depth) {
-    const Triple& half = prism.half_extent;
+PrismSection PrismSections::below(double height) const {
+    const Outline& corners = prism_->corners;
+    const Corner along{-flat_.z, flat_.x};
+    double low = std::numeric_limits<double>::infinity();  // ends of the chord
+    double high = -low;
+    PrismSection found;
+    Corner first, last;  // about the first corner
+    bool any = false;
+    const auto add = [&](const Corner& point) {
+        const Corner next = point - corners[0];
+        if (any)
+            found.area += 0.5 * cross(last, next);
+        else
+            first = next;
+        last = next;
+        any = true;
+    };
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const double room = height - heights_[k];
+        const double room_next = height - heights_[k + 1];
+        if (room >= 0) add(corners[k]);
+        if ((room >= 0) == (room_next >= 0)) continue;
+        const Corner at = corners[k] + room / (room - room_next) * (after(corners, k) - corners[k]);
+        add(at);
+        low = std::min(low, dot(along, at));
+        high = std::max(high, dot(along, at));
+    }
+    if (any) found.area += 0.5 * cross(last, first);
+    if (high > low) found.growth = (high - low) / dot(flat_, flat_);  // along is as long as flat_
+    return found;
+}
+
+PrismSection PrismSections::at(double depth) const {
+    const double d = std::min(depth, middle_);
+    const PrismSection whole = below(low_ + d);
+    const PrismSection past = d > rise_ ? below(low_ + d - rise_) : PrismSection{};
+    return {std::max(0.0, (whole.area - past.area) / cosine_),
+            depth < middle_ ? std::max(0.0, (whole.growth - past.growth) / cosine_) : 0};
+}
+
+PrismSection PrismSections::crushed(double depth) const {
+    const Triple& half = prism_->half_extent;
     const double touching = 2 * flattest * std::min({half[0], half[1], half[2]});
     const double taken = std::max(depth, touching);
-    const PrismSection at = section_of(prism, normal, taken);
-    return {std::max(0.0, at.area + at.growth * (depth - taken)), at.growth};
+    const PrismSection section = at(taken);
+    return {std::max(0.0, section.area + section.growth * (depth - taken)), section.growth};
 }
 
 int edge_towards(const PrismShape& prism, const Triple& direction) {

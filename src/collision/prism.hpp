@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "shapes/polygon.hpp"
+#include "shapes/elements.hpp"
 
 namespace floes {
 
@@ -81,14 +81,30 @@ struct PrismSection {
     double growth = 0;
 };
 
-/// normal: inwards, of length 1, in the axes of the prism. With F(s) the area of the polygon up to the depth s,
-/// A(d) = (F(d) - F(d - e))/c for a prism that is e = T c deep along its thickness, c the cosine of it; both cosines
-/// are at least `flattest`. Past the middle it stays at its largest, as that of a box does.
-PrismSection section_of(const PrismShape& prism, const Triple& normal, double depth);
+/// Those of planes with one normal. With F(s) the area of the polygon up to the depth s, A(d) = (F(d) - F(d - e))/c for
+/// a prism that is e = T c deep along its thickness, c the cosine of it; both cosines are at least `flattest`. Past the
+/// middle A stays at its largest, as that of a box does.
+class PrismSections {
+  public:
+    /// normal: inwards, of length 1, in the axes of the prism, which must stay where it is.
+    PrismSections(const PrismShape& prism, const Triple& normal);
 
-/// The area that a contact of this depth crushes, taken from where that area is not 0: an edge that only just touches
-/// has a growth alone. Growth and area as section_of().
-PrismSection crushed_section(const PrismShape& prism, const Triple& normal, double depth);
+    PrismSection at(double depth) const;
+
+    /// The area that a contact of this depth crushes, taken from where that area is not 0: an edge that only just
+    /// touches has a growth alone.
+    PrismSection crushed(double depth) const;
+
+  private:
+    /// For the part of the polygon below a height: its area, and the chord at the height over |flat_|.
+    PrismSection below(double height) const;
+
+    const PrismShape* prism_;
+    Corner flat_;
+    double cosine_;
+    std::array<double, most_corners + 1> heights_;  ///< of the corners, and of the first again
+    double low_, rise_, middle_;
+};
 
 /// The edge through which a direction from the centre, in the axes of the prism, leaves; -1: a flat face.
 int edge_towards(const PrismShape& prism, const Triple& direction);

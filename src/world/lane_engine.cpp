@@ -128,6 +128,13 @@ class LaneEngine final : public Engine {
         std::array<std::uint8_t, most_corners> joints_at{};  ///< how many joints hold others at each edge of a prism
     };
 
+    /// What points of a pair with one normal, from b to a, have in common.
+    struct Line {
+        Triple normal{};
+        bool inside = false;  ///< it leaves a prism where that is covered
+        std::array<std::optional<PrismSections>, 2> sections{};
+    };
+
     Body made_of(const ElementDefinition& element, const IceShape& shape, std::optional<int> rail) const;
     ContactElement contact_element(const IceShape& shape, const Body& body, int piece) const;
     void add(Body body, ContactElement element, const IceShape* near_structure);
@@ -137,8 +144,8 @@ class LaneEngine final : public Engine {
 
     bool cone() const { return definition_.contact.friction == Friction::cone; }
     bool acts(double distance) const;
-    bool is_inside(const Touching& pair, const Triple& normal) const;
-    void set_section(SolverContact& contact) const;
+    Line line_of(const Touching& pair, const Triple& normal) const;
+    static void set_section(SolverContact& contact, const Line& line);
     double slip_speed(const Touching& pair, const TouchingPoint& point) const;
     double friction_of(const Touching& pair, TouchingPoint& point) const;
     bool in_system(JointId joint) const;
@@ -436,28 +443,29 @@ bool LaneEngine::acts(double distance) const {
     return definition_.contact.normal == NormalLaw::rigid || distance < 0;
 }
 
-/// Whether a normal, from b to a, leaves a prism through an edge that another element of its floe covers.
-bool LaneEngine::is_inside(const Touching& pair, const Triple& normal) const {
-    if (definition_.contact.internal_edges) return false;
-    const auto leaves = [&](std::uint32_t number, double sign) {
-        const Body& body = bodies_[number];
-        if (!body.parts.is_prism) return false;
-        const Triple outwards = own_axes(system_->motions()[number].rotation, normal, sign);
-        const int edge = edge_towards(ice_.shape(number), outwards);
-        return edge >= 0 && body.joints_at[static_cast<std::size_t>(edge)] > 0;
-    };
-    return leaves(pair.a, -1) || leaves(pair.b, 1);
+/// A prism is covered where the normal leaves it through an edge at which a joint holds another element of its floe.
+/// Boxes have their sections, and what covers them, in the kernels.
+LaneEngine::Line LaneEngine::line_of(const Touching& pair, const Triple& normal) const {
+    Line line{.normal = normal};
+    const bool prisms = bodies_[pair.a].parts.is_prism || bodies_[pair.b].parts.is_prism;
+    for (const std::size_t side : {0, 1}) {
+        const std::uint32_t number = side == 0 ? pair.a : pair.b;
+        const PrismShape& prism = ice_.shape(number);
+        if (!prisms || prism.empty()) continue;  // the structure: flat and unbounded
+        const Triple inwards = own_axes(system_->motions()[number].rotation, normal, side == 0 ? 1 : -1);
+        if (definition_.contact.normal != NormalLaw::rigid) line.sections[side].emplace(prism, inwards);
+        if (!bodies_[number].parts.is_prism || definition_.contact.internal_edges) continue;
+        const int edge = edge_towards(prism, {-inwards[0], -inwards[1], -inwards[2]});
+        line.inside = line.inside || (edge >= 0 && bodies_[number].joints_at[static_cast<std::size_t>(edge)] > 0);
+    }
+    return line;
 }
 
-/// Of a contact of prisms: the smaller of the two sections that crush. Those of boxes have their own in the kernels.
-void LaneEngine::set_section(SolverContact& contact) const {
-    if (definition_.contact.normal == NormalLaw::rigid) return;
-    if (!bodies_[contact.a].parts.is_prism && !bodies_[contact.b].parts.is_prism) return;
-    for (const auto& [number, sign] : {std::pair(contact.a, 1.0), std::pair(contact.b, -1.0)}) {
-        const PrismShape& prism = ice_.shape(number);
-        if (prism.empty()) continue;  // the structure: flat and unbounded
-        const Triple inwards = own_axes(system_->motions()[number].rotation, contact.normal, sign);
-        const PrismSection section = crushed_section(prism, inwards, -contact.distance);
+/// The smaller of the sections that crush.
+void LaneEngine::set_section(SolverContact& contact, const Line& line) {
+    for (const std::optional<PrismSections>& sections : line.sections) {
+        if (!sections) continue;
+        const PrismSection section = sections->crushed(-contact.distance);
         if (contact.section >= 0 && contact.section <= section.area) continue;
         contact.section = section.area;
         contact.section_growth = section.growth;
@@ -496,9 +504,12 @@ void LaneEngine::read(const Touching& pair) {
     const double kept = kept_of_impulse(cone());
     const bool solvable = moves(pair.a) || moves(pair.b);
     TouchingPoints& points = store_[pair.points];
+    Line line;
     for (int i = 0; i < points.count(); ++i) {
         TouchingPoint& point = points[i];
-        if (!solvable || !acts(point.distance) || is_inside(pair, point.normal)) {
+        const bool acting = solvable && acts(point.distance);
+        if (acting && line.normal != point.normal) line = line_of(pair, point.normal);
+        if (!acting || line.inside) {
             if (solvable) point.impulse = 0;
             point.slide = {};
             point.friction_impulse = 0;
@@ -514,7 +525,7 @@ void LaneEngine::read(const Touching& pair) {
                              .friction = friction_of(pair, point),
                              .impulse = point.impulse * kept,
                              .solid = pair.solid});
-        set_section(contacts_.back());
+        set_section(contacts_.back(), line);
         sources_.push_back(&point);
         if (!cone()) continue;
         contacts_.back().slide = point.slide;

@@ -132,7 +132,7 @@ TEST(Prisms, FacesTellHowFarTheyAreApart) {
 
 TEST(PrismSection, OfAFlushFaceIsTheFace) {
     const PrismShape hexagon(regular(6, 0.1), 0.02);  // an edge faces +x
-    const PrismSection at = section_of(hexagon, {-1, 0, 0}, 1e-4);
+    const PrismSection at = PrismSections(hexagon, {-1, 0, 0}).at(1e-4);
     EXPECT_NEAR(at.area, 0.04 * (0.1 + 2 * 1e-4 / std::sqrt(3.0)), 1e-6);
     EXPECT_NEAR(at.growth, 0.04 * 2 / std::sqrt(3.0), 1e-4);
 }
@@ -140,7 +140,7 @@ TEST(PrismSection, OfAFlushFaceIsTheFace) {
 TEST(PrismSection, OfAVerticalEdgeGrowsWithTheDepth) {
     const PrismShape hexagon(regular(6, 0.1), 0.02);  // a corner faces +z; sides leave it at 60 degrees
     const double d = 0.01;
-    const PrismSection at = section_of(hexagon, {0, 0, -1}, d);
+    const PrismSection at = PrismSections(hexagon, {0, 0, -1}).at(d);
     EXPECT_NEAR(at.area, 0.04 * 2 * d * std::sqrt(3.0), 1e-6);
     EXPECT_NEAR(at.growth, 0.04 * 2 * std::sqrt(3.0), 1e-4);
 }
@@ -153,24 +153,23 @@ TEST(PrismSection, SweepsHalfTheVolume) {
     for (int i = 0; i < 20; ++i) {
         const btVector3 n = dice.vector(1).normalized();
         const Triple normal{n.x(), n.y(), n.z()};
+        const PrismSections sections(hexagon, normal);
         double low = 0;
         for (const Corner& one : hexagon.corners) low = std::min(low, n.x() * one.x + n.z() * one.z);
         const double middle = -low + 0.02 * std::abs(n.y());
         constexpr int parts = 4000;
         double swept = 0;
-        for (int k = 0; k < parts; ++k)
-            swept += section_of(hexagon, normal, (k + 0.5) * middle / parts).area * middle / parts;
+        for (int k = 0; k < parts; ++k) swept += sections.at((k + 0.5) * middle / parts).area * middle / parts;
         EXPECT_NEAR(swept, volume / 2, 1e-4 * volume);
         const double d = 0.37 * middle;
-        const double slope =
-            (section_of(hexagon, normal, d + 1e-7).area - section_of(hexagon, normal, d - 1e-7).area) / 2e-7;
-        EXPECT_NEAR(section_of(hexagon, normal, d).growth, slope, 1e-3 * std::abs(slope) + 1e-6);
+        const double slope = (sections.at(d + 1e-7).area - sections.at(d - 1e-7).area) / 2e-7;
+        EXPECT_NEAR(sections.at(d).growth, slope, 1e-3 * std::abs(slope) + 1e-6);
     }
 }
 
 TEST(PrismSection, OfAJustTouchingEdgeIsNothingYet) {
     const PrismShape hexagon(regular(6, 0.1), 0.02);
-    const PrismSection at = crushed_section(hexagon, {0.6, 0.64, 0.48}, 0);
+    const PrismSection at = PrismSections(hexagon, {0.6, 0.64, 0.48}).crushed(0);
     EXPECT_LT(at.area, 1e-7);
     EXPECT_GT(at.growth, 0);
 }
