@@ -1,0 +1,64 @@
+#pragma once
+// What floes does by default, in a few moments that differ in what they cost: members of shipped configurations, run to
+// where their ice is thick about the structure. Benchmarks step on from there, and the test of what a step takes from
+// the heap does.
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "arrangement/arrangement.hpp"
+#include "campaign/read.hpp"
+#include "core/error.hpp"
+#include "simulation/simulation.hpp"
+#include "support/file_bytes.hpp"
+
+namespace floes {
+
+struct DefaultScene {
+    std::string name;
+    std::string configuration;  ///< in configs/
+    std::string case_name;      ///< empty: the first
+    double time = 0;            ///< of the scene, s
+    std::vector<std::string> changes{};
+    std::uint32_t arrangement = 0;
+
+    Scenario scenario() const {
+        const std::string path = std::string(FLOES_SOURCE_DIR) + "/configs/" + configuration;
+        const Campaign campaign = read_campaign({file_text(path), path, changes, true},
+                                                [](const std::string& file) { return file_text(file); });
+        const auto chosen = std::ranges::find_if(
+            campaign.cases, [&](const Case& one) { return case_name.empty() || one.name == case_name; });
+        if (chosen == campaign.cases.end()) throw InputError(path + " has no case " + case_name);
+        return chosen->scenario;
+    }
+
+    /// At t = 0.
+    Simulation start() const {
+        const Scenario all = scenario();
+        LaidField laid = lay_field(all, 1, arrangement);
+        return Simulation(all, laid.floes, std::move(laid.ahead));
+    }
+};
+
+inline std::vector<DefaultScene> default_scenes() {
+    return {
+        {"cone", "smoke.toml", "E60", 20},
+        {"wall", "validation/grain_wall.toml", "cells", 60},
+        {"full_scale", "full_scale.toml", "", 250},
+        {"polygons", "gallery/mixed_sizes.toml", "", 20, {"shapes.kind=\"polygon\""}},
+        {"without_end", "endless.toml", "", 60},
+        {"moored", "moored.toml", "", 120},
+        // 32 x 32 squares' worth of cells, 6.4 m along each side: a hull cuts its way into one floe.
+        {"large_floe",
+         "smoke.toml",
+         "E60",
+         20,
+         {"floe.length_m=6.4", "floe.breadth_m=6.4", "field.floes=1", "field.half_width_m=3.5",
+          "field.concentration_percent=80.0"}},
+    };
+}
+
+}  // namespace floes
