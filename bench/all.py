@@ -1,40 +1,34 @@
 #!/usr/bin/python3
-"""The paired benchmarks, end to end: what `./floes bench` runs. Some 5 minutes on a quiet machine.
+"""The benchmarks, end to end: what `./floes bench` runs. Some 10 minutes on a quiet machine.
 
     bench/all.py build/release/bench [--rounds 7] [--docs docs/performance.md]
 
-Steps, peers and members in turns, A B A B ..., instructions by callgrind, two threads against two processes. Prints the
-table of docs/performance.md; all single times go to results.json in the folder of the programs. --docs puts the table
-into that file, between its two marks.
+First the scenes of the default, each stepped on again and again from one moment, with the share of each part of the
+program by `perf`; then steps, members and peers of the paper's preset, A B A B ...; two threads against two processes.
+Prints the tables of docs/performance.md; all single times go to results.json in the folder of the programs. --docs puts
+the tables into that file, between their marks.
 """
 
 import argparse
 import json
 import os
-import re
 import statistics
-import subprocess
 import sys
 import tempfile
 
 import pair
+import profile
 import side_by_side
 
 # Times are compared with that of the first of each group.
-LAWS = ["", "_cone", "_crushing", "_cone_crushing"]  # of contact, in the lane solver
-LATE = ["TowStep/stock/late"] + [f"TowStep/lanes/late{law}" for law in LAWS] + ["Peer/bullet/late", "Peer/ode/late"]
-STEEP = ["TowStep/stock/late_steep"] + [f"TowStep/lanes/late_steep{law}" for law in LAWS]
-EARLY = ["TowStep/stock/early", "TowStep/lanes/early"]
-MEMBERS = ["Member/stock", "Member/lanes"] + [f"Member/lanes/wake:{radius}" for radius in (6, 4, 3, 2)]
-# The physical preset: over lanes with 50 sweeps; Bullet's own solver has neither its cone nor its crushing.
-PHYSICAL = [[f"TowStep/lanes/{scene}_cone_crushing", f"TowStep/direct/{scene}_cone_crushing_20",
-             f"TowStep/direct/{scene}_physical"] for scene in ("late", "late_steep")]
-PHYSICAL += [["TowStep/lanes/early_physical", "TowStep/direct/early_physical"]]
-PHYSICAL_MEMBERS = ["Member/lanes_physical", "Member/direct_physical"]
-FIELD = ["Size/floes:2000", "Size/direct/floes:2000"]
-COUNTED = LATE[:-2] + STEEP + EARLY + [name for group in PHYSICAL for name in group if "direct" in name]
-WARM_UP = 5  # steps that callgrind counts too
-MARKS = ("<!-- paired: ./floes bench -->", "<!-- end -->")
+LATE = [f"TowStep/{solver}/late" for solver in ("stock", "lanes", "direct")] + ["Peer/bullet/late", "Peer/ode/late"]
+EARLY = [f"TowStep/{solver}/early" for solver in ("stock", "lanes", "direct")]
+MEMBERS = ["Member/stock", "Member/lanes", "Member/direct", "Member/direct/wake:6", "Member/direct/wake:2"]
+STEPS = 100  # of a scene in a round
+
+
+def marks(name):
+    return f"<!-- {name}: ./floes bench -->", "<!-- end -->"
 
 
 def turns(program, names, rounds, steps):
@@ -47,23 +41,6 @@ def turns(program, names, rounds, steps):
     return times
 
 
-def instructions(program, name):
-    """Of one step."""
-    steps = 5
-    with tempfile.TemporaryDirectory() as folder:
-        out = os.path.join(folder, "out")
-        subprocess.run(["valgrind", "--tool=callgrind", "--toggle-collect=floes::Simulation::step()",
-                        f"--callgrind-out-file={out}", program, "--steps", str(steps), f"--benchmark_filter=^{name}/"],
-                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        with open(out, encoding="utf-8") as file:
-            total = re.search(r"^(?:summary|totals): (\d+)", file.read(), re.MULTILINE)
-    return int(total.group(1)) / (WARM_UP + steps)
-
-
-def ratio_text(ratios):
-    return f"{statistics.median(ratios):.2f} ({min(ratios):.2f} to {max(ratios):.2f})"
-
-
 def parser(about):
     made = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
     made.add_argument("folder")
@@ -72,19 +49,62 @@ def parser(about):
     return made
 
 
-def table(times, counts, first, groups):
-    lines = [f"| benchmark | CPU ms | instructions/step | time of {first} over it (range of rounds) |", "|---|---|---|---|"]
-    for group in groups:
-        for name in group:
-            ratios = [a / b for a, b in zip(times[group[0]], times[name])]
-            ratio = ratio_text(ratios)
-            count = f"{counts[name] / 1e6:.1f} M" if name in counts else ""
-            lines.append(f"| {name} | {statistics.median(times[name]):.4g} | {count} | "
-                         f"{1 if name == group[0] else ratio} |")
+def default_scenes(program, rounds):
+    """Of each scene the answers of all rounds, and the shares of its parts in them."""
+    answers, shares = {}, {}
+    with tempfile.TemporaryDirectory() as folder:
+        data = {name: os.path.join(folder, name) for name in pair.scene_names(program)}
+        scenes = {name: pair.Scene(program, name, before=profile.recording(file)) for name, file in data.items()}
+        for name, scene in scenes.items():
+            print(f"{name}: {scene.ready()}", file=sys.stderr, flush=True)
+            answers[name] = []
+        for round_ in range(rounds):
+            for name, scene in scenes.items():
+                answers[name].append(scene.step(STEPS))
+            print(f"round {round_ + 1} of {rounds}: " + "  ".join(
+                f"{name} {of[-1]['ms']:.3f}" for name, of in answers.items()), file=sys.stderr, flush=True)
+        for name, scene in scenes.items():
+            scene.end()
+            shares[name] = profile.shares(data[name], "timed")
+    return answers, shares
+
+
+def default_table(answers):
+    lines = ["| scene | elements | contacts | sweeps a step | ms a step | µs an element and step (range of rounds) |",
+             "|---|---|---|---|---|---|"]
+    for name, of in answers.items():
+        micros = [1e3 * one["ms"] / one["elements"] for one in of]
+        lines.append(f"| {name} | {of[0]['elements']} | {of[0]['contacts']} | {of[0]['sweeps']:.0f} | "
+                     f"{statistics.median(one['ms'] for one in of):.3g} | {statistics.median(micros):.2f} "
+                     f"({min(micros):.2f} to {max(micros):.2f}) |")
     return "\n".join(lines) + "\n"
 
 
-def put_between_marks(path, text, marks=MARKS):
+def shares_table(shares):
+    lines = ["| share of the time, % | " + " | ".join(shares) + " |", "|---" * (len(shares) + 1) + "|"]
+    lines += [f"| {part} | " + " | ".join(f"{of[part]:.0f}" for of in shares.values()) + " |"
+              for part in next(iter(shares.values()))]
+    return "\n".join(lines) + "\n"
+
+
+def paper_table(times):
+    lines = ["| benchmark | CPU ms | time of stock over it (range of rounds) |", "|---|---|---|"]
+    for group in (LATE, EARLY, MEMBERS):
+        for name in group:
+            ratios = [a / b for a, b in zip(times[group[0]], times[name])]
+            lines.append(f"| {name} | {statistics.median(times[name]):.4g} | "
+                         f"{1 if name == group[0] else pair.ratio_text(ratios)} |")
+    return "\n".join(lines) + "\n"
+
+
+def machine(load):
+    with open("/proc/cpuinfo", encoding="utf-8") as file:
+        of = dict(line.split(":", 1) for line in file.read().replace("\t", "").splitlines() if ":" in line)
+    name, family, model = (of.get(key, "unknown").strip() for key in ("model name", "cpu family", "model"))
+    return f"{name}, family {family} model {model}, {os.cpu_count()} CPUs, load average {load:.1f} before"
+
+
+def put_between_marks(path, text, marks):
     with open(path, encoding="utf-8") as file:
         before, mark, rest = file.read().partition(marks[0])
     _, end, after = rest.partition(marks[1])
@@ -96,27 +116,30 @@ def put_between_marks(path, text, marks=MARKS):
 
 def main():
     options = parser(__doc__).parse_args()
-    program = os.path.join(options.folder, "floes_bench")
+    tables = {}
 
     load = os.getloadavg()[0]
-    times = turns(program, LATE + STEEP + EARLY, options.rounds, 50)
-    times |= turns(program, sorted({name for group in PHYSICAL for name in group} - set(times)), options.rounds, 50)
-    times |= turns(program, MEMBERS + PHYSICAL_MEMBERS + FIELD, max(1, options.rounds // 3), 1)
-    counts = {name: instructions(program, name) for name in COUNTED}
-    together = side_by_side.measure(os.path.join(options.folder, "floes_throughput"), max(1, options.rounds - 2), 200)
+    answers, shares = default_scenes(os.path.join(options.folder, "floes_default"), options.rounds)
+    tables["default"] = (f"{default_table(answers)}\n{shares_table(shares)}\n"
+                         f"{options.rounds} rounds of {STEPS} steps; {machine(load)}.\n")
 
-    text = table(times, counts, "stock", (LATE, STEEP, EARLY, MEMBERS))
-    text += "\n" + table(times, counts, "lanes", (*PHYSICAL, PHYSICAL_MEMBERS, FIELD))
-    text += f"\nLoad average before: {load:.1f}; {os.cpu_count()} CPUs; {options.rounds} rounds of 50 steps, " \
-            f"{len(times[MEMBERS[0]])} of members.\nTwo threads over two processes, throughput: "
-    text += ", ".join(f"{what} {statistics.median(values):.3f} ({min(values):.3f} to {max(values):.3f})"
-                      for what, values in together.items()) + ".\n"
-    print(text, end="")
+    load = os.getloadavg()[0]
+    program = os.path.join(options.folder, "floes_bench")
+    times = turns(program, LATE + EARLY, options.rounds, 50)
+    times |= turns(program, MEMBERS, max(1, options.rounds // 3), 1)
+    together = side_by_side.measure(os.path.join(options.folder, "floes_throughput"), max(1, options.rounds - 2), 200)
+    tables["paper"] = (
+        f"{paper_table(times)}\n{options.rounds} rounds of 50 steps, {len(times[MEMBERS[0]])} of members; {machine(load)}.\n"
+        "Two threads over two processes, throughput: "
+        + ", ".join(f"{what} {pair.ratio_text(values)}" for what, values in together.items()) + ".\n")
+
+    for name, text in tables.items():
+        print(text)
+        if options.docs:
+            put_between_marks(options.docs, text, marks(name))
     with open(os.path.join(options.folder, "results.json"), "w", encoding="utf-8") as file:
-        json.dump({"load": load, "cpu_ms": times, "instructions_a_step": counts, "threads_over_processes": together},
-                  file, indent=1)
-    if options.docs:
-        put_between_marks(options.docs, text)
+        json.dump({"default": answers, "shares": shares, "cpu_ms": times, "threads_over_processes": together}, file,
+                  indent=1)
 
 
 if __name__ == "__main__":

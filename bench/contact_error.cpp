@@ -27,7 +27,7 @@ struct Course {
 };
 
 Course course(SolverKind solver, const bench::Scene& scene, int iterations) {
-    Scenario scenario = bench::tow_scenario(solver, scene.wall);
+    Scenario scenario = bench::tow_scenario(solver);
     scenario.contact = with_preset({}, ContactPreset::physical);
     scenario.general.iterations = iterations;
     scenario.general.tolerance = 0;
@@ -56,7 +56,7 @@ double relative(const std::vector<Vec3>& found, const std::vector<Vec3>& converg
 
 int main() {
     fmt::print("solver,iterations,velocity_error,load_error\n");
-    const bench::Scene scene = bench::late_steep_scene();
+    const bench::Scene scene = bench::late_scene();
     for (const auto& [name, solver, enough] :
          {std::tuple("lanes", SolverKind::lanes, 5000), std::tuple("direct", SolverKind::direct, 1000)}) {
         const Course converged = course(solver, scene, enough);

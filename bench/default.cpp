@@ -67,8 +67,7 @@ void time_steps(Simulation& simulation, int steps) {
 }
 
 int answer(const DefaultScene& scene) {
-    Simulation simulation = scene.start();
-    while (simulation.time() < scene.time) simulation.step();
+    Simulation simulation = scene.reached();
     fmt::print(R"({{"scene": "{}", "time_s": {}, "floes": {}, "elements": {}, "run_up_ms": {:.0f}}})"
                "\n",
                scene.name, scene.time, simulation.ice().floes(), elements(simulation), cpu_ms());
@@ -91,15 +90,13 @@ int answer(const DefaultScene& scene) {
 }  // namespace
 
 int main(int count, char** words) try {
-    const std::string name = count > 1 ? words[1] : "";
-    for (DefaultScene scene : default_scenes()) {
-        if (name.empty()) fmt::print("{}\n", scene.name);
-        if (scene.name != name) continue;
-        if (count > 2) scene.arrangement = static_cast<std::uint32_t>(std::atoi(words[2]));
-        return answer(scene);
+    if (count == 1) {
+        for (const DefaultScene& scene : default_scenes()) fmt::print("{}\n", scene.name);
+        return 0;
     }
-    if (!name.empty()) fmt::print(stderr, "There is no scene {}; without arguments all are listed.\n", name);
-    return name.empty() ? 0 : 2;
+    DefaultScene scene = default_scene(words[1]);
+    if (count > 2) scene.arrangement = static_cast<std::uint32_t>(std::atoi(words[2]));
+    return answer(scene);
 } catch (const std::exception& trouble) {
     fmt::print(stderr, "{}\n", trouble.what());
     return 1;

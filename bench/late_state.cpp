@@ -1,7 +1,6 @@
-// Makes bench/late_state.csv and bench/late_state_steep.csv: tows the structure through arrangement 0 of seed 1 with
-// the lanes solver.
+// Makes bench/late_state.csv: tows the structure through arrangement 0 of seed 1 with the lanes solver.
 //
-//   floes_late_state straight|steep SECONDS FILE
+//   floes_late_state SECONDS FILE
 
 #include <fmt/format.h>
 
@@ -13,15 +12,14 @@
 
 int main(int count, char** arguments) {
     using namespace floes;
-    if (count != 4) {
-        fmt::print(stderr, "Usage: floes_late_state straight|steep SECONDS FILE\n");
+    if (count != 3) {
+        fmt::print(stderr, "Usage: floes_late_state SECONDS FILE\n");
         return 2;
     }
-    const bench::Wall wall = bench::wall_named(arguments[1]);
-    const double end = std::atof(arguments[2]);
-    const Scenario scenario = bench::tow_scenario(SolverKind::lanes, wall);
+    const double end = std::atof(arguments[1]);
+    const Scenario scenario = bench::tow_scenario(SolverKind::lanes);
     const Arrangement floes = make_arrangement(scenario, 1, 0);
-    bench::Scene scene{wall, floes.poses(), {}};
+    bench::Scene scene{floes.poses(), {}};
     Simulation tow(scenario, floes);
     while (tow.time() < end) {
         tow.step();
@@ -31,5 +29,5 @@ int main(int count, char** arguments) {
         }
     }
     scene.state = tow.state();
-    std::ofstream(arguments[3]) << bench::write_scene(scene);
+    std::ofstream(arguments[2]) << bench::write_scene(scene);
 }

@@ -75,7 +75,7 @@ def added(answers):
 
 
 def ratio_text(ratios):
-    return f"{statistics.median(ratios):.3f} ({min(ratios):.3f} to {max(ratios):.3f})"
+    return f"{statistics.median(ratios):.3g} ({min(ratios):.3g} to {max(ratios):.3g})"
 
 
 def compare_builds(programs, options):

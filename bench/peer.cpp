@@ -20,7 +20,7 @@ WaterModel peer_water(const Scenario& scenario) {
 
 PeerScene peer_scene(const Scene& scene) {
     PeerScene peer;
-    const Scenario scenario = tow_scenario(SolverKind::stock, scene.wall);
+    const Scenario scenario = tow_scenario(SolverKind::stock);
     peer.scenario = scenario;
     const Simulation simulation(scenario, floes_at(scenario, scene.poses), scene.state);
     peer.elements = simulation.element_states();

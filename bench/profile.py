@@ -1,73 +1,117 @@
 #!/usr/bin/python3
-"""What a run spends its processor time on: samples by name of function, as a table.
+"""What a run spends its processor time on: samples by the source of the function, as a table.
 
-    bench/profile.py [--docs docs/performance.md] -- build/release/floes run my.toml -o my.h5 --threads 1
-    bench/profile.py -- build/release/bench/floes_bench --benchmark_filter='^Member/direct_physical'
+    bench/profile.py -- build/release/floes run my.toml -o my.h5 --threads 1
+    bench/profile.py --scene cone [--steps 400] build/release/bench/floes_default
 
-Needs `perf`. Samples are of the processor's clock, so other load on the machine does not count.
+Needs `perf`. Samples are of the processor's clock, so other load on the machine does not count. Functions are found in
+src/ by their names; what is inlined counts with its caller.
 """
 
 import argparse
+import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
-import all as paired
+import pair
 
-# The first part that a function or its library fits.
+SOURCES = pathlib.Path(__file__).resolve().parents[1] / "src"
+# The first part that the function or its source, "solver/contact_order" for one, fits.
 PARTS = [
-    ("solving rows", r"solve_all_direct|for_each_direct_row|add_velocity_changes|start_direct_contacts|pass_to_piece|"
-                     r"apply_compliance|velocity_changes|::sweep|solve_all_normals|solve_frictions|solve_all_cones|"
-                     r"solve_cones|solve_normals|start_contacts|to_contacts|from_contacts|piece_motion"),
-    ("Bullet's collision detection, and the structure's shape", r"libBullet|libLinearMath|\bbt[A-Z]|dBoxBox2|Frustum|"
-                                                                r"ConvexSolid|SolidShape|cullPoints2"),
-    ("our collision detection", r"NearPairs|IceContacts|ContactStore|TouchingPoints|TouchingPoint|least_overlap|find_overlap|face_gap|"
-                                r"touch_by_|clip_to_rectangle|spread_evenly|HullContacts|bounds_of|look_closer|"
-                                r"needsCollision|collect_manifolds|PieceDispatcher|every_face|every_pair_of_edges|"
-                                r"LaneEngine::read|LaneEngine::write_contacts|box_face_gap|find_box_overlap|reach_along|gap_along|look_at_edges|fill_points|fill_friction_start|solvable|"
-                                r"seen_from_a|LaneEngine::find_contacts|pair<unsigned"),
-    ("bodies to and fro", r"write_bodies|read_forces|World::state|World::apply|FroudeUnits::to_si\(floes::Body|"
-                          r"FroudeUnits::to_own|read_states|add_force|put_fields|WaterLanes::set|WaterLanes::wrench|"
-                          r"advance_bodies|prepare_bodies|turn_frames|LaneSystem::state|LaneEngine::state|LaneEngine::apply|"
-                          r"nearest_rotation|Eigen::"),
-    ("water", r"gauss|[Ww]ater|drag|buoyan|box_of|submerged|exposed"),
-    ("preparing rows, joints, reactions, breakage", r"prepare|press|joint|reaction|Reaction|compliant_body|direct_arm|store_arm|"
-                                     r"ContactOrder|finish|touching|make_row|raised|failure|break_joints|limits|"
-                                     r"set_friction|begin_local|to_pieces|from_pieces|DirectFloes|DirectContacts|"
-                                     r"ContactRows|tangents|cover"),
+    ("sweeps: rows", r"solve_all_|for_each_direct_row|::sweep"),
+    ("sweeps: passed to pieces", r"add_velocity_changes|pass_to_piece|piece_motion"),
+    ("sweeps: momentum", r"Acceleration::"),
+    ("ice against ice", r"^collision/"),
+    ("hull against ice", r"^world/(hull_contacts|bullet)|^shapes/|libBullet|libLinearMath|\bbt[A-Z]|gjkepa"),
+    ("contacts set up", r"LaneEngine::(read|write_contacts)\b|^solver/(contact_|direct_contacts|slip|kernels)"),
+    ("joints, pieces", r"^solver/(direct_|piece_|joint_|carried)|Eigen::"),
+    ("bodies to and fro", r"^(world|solver|core)/"),
+    ("stress, cracks", r"^ice/"),
+    ("water", r"^water/|^simulation/(field_water|lee)"),
+    ("records", r"^(simulation|statistics)/"),
 ]
-MARKS = ("<!-- profile -->", "<!-- end profile -->")
+REST = "the rest"
 
 
-def samples(command):
-    """Share of each function, %, as (library and function, share)."""
-    with tempfile.NamedTemporaryFile() as data:
-        subprocess.run(["perf", "record", "-e", "cpu-clock", "-o", data.name, *command], check=True,
-                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        report = subprocess.run(["perf", "report", "-i", data.name, "--stdio", "--no-children", "-F",
-                                 "overhead,dso,symbol", "-t", "|"], check=True, capture_output=True, text=True).stdout
-    for line in report.splitlines():
-        found = re.match(r"\s*([0-9.]+)%?\s*\|(.*)", line)
+def where_defined():
+    """The source of each class, and of each function outside one."""
+    classes, functions = {}, {}
+    for path in sorted(SOURCES.rglob("*.[hci]*")):
+        source = path.relative_to(SOURCES).with_suffix("").as_posix()
+        text = path.read_text(encoding="utf-8")
+        for name in re.findall(r"^ *(?:class|struct) (\w+)[^;(]*\{", text, re.MULTILINE):
+            classes.setdefault(name, source)
+        for name in re.findall(r"^\w[^;{}=#/]*?\b(\w+)\([^;{}]*\{", text, re.MULTILINE):
+            functions.setdefault(name, source)
+    return classes, functions
+
+
+def source_of(symbol, classes, functions):
+    if "floes::" not in symbol:
+        return ""
+    words = re.findall(r"\w+", symbol.replace("(anonymous namespace)", ""))
+    return next((of[word] for word in words for of in (classes, functions) if word in of), "")
+
+
+def part_of(library, symbol, where):
+    source = source_of(symbol, *where)
+    return next((name for name, fits in PARTS
+                 if re.search(fits, f"{library} {symbol}") or re.search(fits, source)), REST)
+
+
+def recording(data):
+    """What stands before a command so that perf samples it."""
+    return ["perf", "record", "--quiet", "-e", "cpu-clock", "-F", "1999", "-o", data]
+
+
+def samples(data, of_thread=None):
+    """(library, function, share in %) of what was recorded, of one thread's name only if it is given."""
+    of = ["--comms", of_thread] if of_thread else []
+    report = subprocess.run(["perf", "report", "-i", data, "--stdio", "--no-children", "--percentage", "relative", *of,
+                             "-F", "overhead,dso,symbol,comm", "-t", "|"], check=True, capture_output=True, text=True)
+    for line in report.stdout.splitlines():
+        found = re.match(r"\s*([0-9.]+)%?\s*\|([^|]*)\|([^|]*)", line)
         if found:
-            yield found.group(2), float(found.group(1))
+            yield found.group(2).strip(), found.group(3).strip(), float(found.group(1))
+
+
+def shares(data, of_thread=None):
+    where = where_defined()
+    found = dict.fromkeys([name for name, _ in PARTS] + [REST], 0.0)
+    for library, symbol, share in samples(data, of_thread):
+        found[part_of(library, symbol, where)] += share
+    if not any(found.values()):
+        sys.exit("perf recorded nothing.")
+    return found
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("--docs")
+    options.add_argument("--scene", help="of floes_default: these steps alone, without the run up to it")
+    options.add_argument("--steps", type=int, default=400)
+    options.add_argument("--unknown", action="store_true", help="print what is in the rest")
     options.add_argument("command", nargs="+")
     options = options.parse_args()
-    shares = dict.fromkeys([name for name, _ in PARTS] + ["the rest"], 0.0)
-    for function, share in samples(options.command):
-        shares[next((name for name, words in PARTS if re.search(words, function)), "the rest")] += share
-    if not any(shares.values()):
-        sys.exit("perf recorded nothing.")
-    text = "\n| share of samples | % |\n|---|---|\n"
-    text += "".join(f"| {name} | {share:.0f} |\n" for name, share in shares.items()) + "\n"
-    print(text, end="")
-    if options.docs:
-        paired.put_between_marks(options.docs, text, MARKS)
+    with tempfile.NamedTemporaryFile() as data:
+        before = recording(data.name)
+        if options.scene:
+            scene = pair.Scene(options.command[0], options.scene, before=before)
+            scene.step(options.steps)
+            scene.end()
+        else:
+            subprocess.run([*before, *options.command], check=True, stdout=subprocess.DEVNULL)
+        thread = "timed" if options.scene else None
+        found = shares(data.name, thread)
+        if options.unknown:
+            where = where_defined()
+            for library, symbol, share in samples(data.name, thread):
+                if part_of(library, symbol, where) == REST:
+                    print(f"{share:6.2f} {library} {symbol}")
+    print("\n| share of samples | % |\n|---|---|")
+    for name, share in found.items():
+        print(f"| {name} | {share:.1f} |")
 
 
 if __name__ == "__main__":

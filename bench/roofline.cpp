@@ -110,9 +110,9 @@ struct Tow {
     int sweeps;
 };
 
-Tow tow(SolverKind solver, const Scene& scene, int sweeps) {
-    Scenario scenario = tow_scenario(solver, scene.wall);
-    if (solver == SolverKind::direct) scenario.contact = with_preset({}, ContactPreset::physical);
+Tow tow(SolverKind solver, int sweeps) {
+    const Scene scene = late_scene();
+    Scenario scenario = tow_scenario(solver);
     scenario.general.iterations = sweeps;
     scenario.general.tolerance = 0;
     Tow made{solver == SolverKind::direct ? "direct" : "lanes",
@@ -121,8 +121,8 @@ Tow tow(SolverKind solver, const Scene& scene, int sweeps) {
     return made;
 }
 
-void print_sweep(SolverKind solver, const char* name, const Scene& scene, int few, int many) {
-    Tow tows[] = {tow(solver, scene, few), tow(solver, scene, many)};
+void print_sweep(SolverKind solver, int few, int many) {
+    Tow tows[] = {tow(solver, few), tow(solver, many)};
     std::vector<double> slopes;
     for (int turn = 0; turn < 40; ++turn) {
         double took[2];
@@ -142,8 +142,8 @@ void print_sweep(SolverKind solver, const char* name, const Scene& scene, int fe
     const double bytes = 8 * (joints * (lane_joint.doubles_read + lane_joint.doubles_written) +
                               contacts * (row.doubles_read + row.doubles_written));
     const double flops = joints * lane_joint.flops + contacts * row.flops;
-    fmt::print("sweep,{},{},{:.4g},{},{},{:.4g},{:.4g},{:.4g}\n", tows[0].solver, name, 1e6 * slopes[20], joints,
-               contacts, bytes, flops, 1e-9 * read_rate(bytes));
+    fmt::print("sweep,{},{:.4g},{},{},{:.4g},{:.4g},{:.4g}\n", tows[0].solver, 1e6 * slopes[20], joints, contacts,
+               bytes, flops, 1e-9 * read_rate(bytes));
 }
 
 }  // namespace
@@ -152,9 +152,7 @@ void print_sweep(SolverKind solver, const char* name, const Scene& scene, int fe
 int main() {
     using namespace floes;
     bench::print_ceilings();
-    bench::print_sweep(SolverKind::lanes, "late", bench::late_scene(), 10, 50);
-    bench::print_sweep(SolverKind::lanes, "late_steep", bench::late_steep_scene(), 10, 50);
-    bench::print_sweep(SolverKind::direct, "late", bench::late_scene(), 5, 25);
-    bench::print_sweep(SolverKind::direct, "late_steep", bench::late_steep_scene(), 5, 25);
+    bench::print_sweep(SolverKind::lanes, 10, 50);
+    bench::print_sweep(SolverKind::direct, 5, 25);
     return bench::needed == 0 ? 1 : 0;
 }

@@ -25,8 +25,7 @@ def roofline(program, rounds):
     rows = []
     for lines in zip(*runs):
         cells = [line.split(",") for line in lines]
-        words = 2 if cells[0][0] == "ceiling" else 3
-        rows.append(cells[0][:words] + [statistics.median(map(float, column)) for column in zip(*(c[words:] for c in cells))])
+        rows.append(cells[0][:2] + [statistics.median(map(float, column)) for column in zip(*(c[2:] for c in cells))])
     return rows
 
 
@@ -40,9 +39,9 @@ def bounds_table(rows):
     for kind, *of in rows:
         if kind != "sweep":
             continue
-        solver, scene, micros, joints, contacts, size, flops, read = of
+        solver, micros, joints, contacts, size, flops, read = of
         rate, speed = 1e-3 * size / micros, 1e-3 * flops / micros
-        lines.append(f"| {solver}, {scene} | {micros:.1f} | {joints:.0f} | {contacts:.0f} | {1e-6 * size:.2f} | {rate:.0f} | {read:.0f} | "
+        lines.append(f"| {solver} | {micros:.1f} | {joints:.0f} | {contacts:.0f} | {1e-6 * size:.2f} | {rate:.0f} | {read:.0f} | "
                      f"{100 * rate / read:.0f} | {speed:.1f} | "
                      f"{100 * speed / ceilings['multiply and add']:.0f} |")
     return "\n".join(lines) + "\n"
@@ -53,16 +52,16 @@ def sizes_table(program, rounds):
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "sizes.json")
         for _ in range(rounds):
-            subprocess.run([program, "--benchmark_filter=^Size/(direct/)?floes:", f"--benchmark_out={out}",
+            subprocess.run([program, "--benchmark_filter=^Size/", f"--benchmark_out={out}",
                             "--benchmark_out_format=json"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             with open(out, encoding="utf-8") as file:
                 for run in json.load(file)["benchmarks"]:
                     name = run["name"].split("/iterations")[0]
                     times.setdefault(name, []).append((run["cpu_time"], run["elements"]))
-    lines = ["| floes | lanes, ms a step | µs an element | direct, ms a step | µs an element |", "|---|---|---|---|---|"]
+    lines = ["| floes | default, ms a step | µs an element | paper's preset, ms a step | µs an element |", "|---|---|---|---|---|"]
     for floes in FLOES:
         cells = []
-        for name in (f"Size/floes:{floes}", f"Size/direct/floes:{floes}"):
+        for name in (f"Size/default/floes:{floes}", f"Size/paper/floes:{floes}"):
             took = statistics.median(time for time, _ in times[name])
             cells += [f"{took:.3g}", f"{1e3 * took / times[name][0][1]:.2f}"]
         lines.append(f"| {floes} | " + " | ".join(cells) + " |")

@@ -44,36 +44,20 @@ PlanarPose read_floe(std::istream& in) {
     return pose;
 }
 
-Scene stored_scene(Wall wall, std::string_view name) {
-    const std::string path = fmt::format("{}/{}", FLOES_BENCH_DIR, name);
-    std::ifstream file(path);
-    if (!file) throw InputError(fmt::format("There is no stored scene at {}; make it with floes_late_state.", path));
-    return read_scene(wall, {std::istreambuf_iterator<char>(file), {}});
-}
-
 }  // namespace
 
-Wall wall_named(std::string_view name) {
-    if (name == "straight") return Wall::straight;
-    if (name == "steep") return Wall::steep;
-    throw InputError(fmt::format("There is no wall {}; take straight or steep.", name));
-}
-
-void choose_solver(Scenario& scenario, SolverKind solver) {
-    scenario.general.solver = solver;
-    if (solver != SolverKind::direct) return;
-    scenario.joint.model = JointModel::beam;
-    scenario.general.iterations = direct_iterations;
-    scenario.general.tolerance = General{}.tolerance;
-}
-
-Scenario tow_scenario(SolverKind solver, Wall wall) {
+Scenario tow_scenario(SolverKind solver) {
     Scenario scenario = paper_scenario();
-    scenario.contact = {};  // the paper's laws, which Bullet's own solver has, too
-    choose_solver(scenario, solver);
+    scenario.general.solver = solver;
+    scenario.contact = {};
+    if (solver == SolverKind::direct) {
+        scenario.general.iterations = General{}.iterations;
+        scenario.general.tolerance = General{}.tolerance;
+        scenario.joint = {};
+        scenario.contact = with_preset({}, ContactPreset::physical);
+    }
     scenario.arrangement.method = ArrangementMethod::monte_carlo;
-    scenario.structure.shape = wall == Wall::straight ? Shape({{-0.443, 0.171}, {0.122, 0.736}})
-                                                      : Shape({{-0.443, 0.499}, {0, 0.614}, {0.122, 0.736}});
+    scenario.structure.shape = Shape({{-0.443, 0.171}, {0.122, 0.736}});
     scenario.structure.start = scenario.field.begin - scenario.structure.shape.waterline_radius() - 0.2;
     return scenario;
 }
@@ -103,9 +87,8 @@ std::string write_scene(const Scene& scene) {
     return text;
 }
 
-Scene read_scene(Wall wall, const std::string& text) {
+Scene read_scene(const std::string& text) {
     Scene scene;
-    scene.wall = wall;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with('#')) continue;
@@ -125,18 +108,16 @@ Scene read_scene(Wall wall, const std::string& text) {
 }
 
 Scene late_scene() {
-    return stored_scene(Wall::straight, "late_state.csv");
-}
-
-Scene late_steep_scene() {
-    return stored_scene(Wall::steep, "late_state_steep.csv");
+    const std::string path = FLOES_BENCH_DIR "/late_state.csv";
+    std::ifstream file(path);
+    if (!file) throw InputError(fmt::format("There is no stored scene at {}; make it with floes_late_state.", path));
+    return read_scene({std::istreambuf_iterator<char>(file), {}});
 }
 
 Scene early_scene() {
     Scene scene = late_scene();
-    const Scenario scenario = tow_scenario(SolverKind::lanes, scene.wall);
-    const Simulation at_rest(scenario, floes_at(scenario, scene.poses));
-    scene.state = at_rest.state();
+    const Scenario scenario = tow_scenario(SolverKind::lanes);
+    scene.state = Simulation(scenario, floes_at(scenario, scene.poses)).state();
     return scene;
 }
 

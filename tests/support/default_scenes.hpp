@@ -4,8 +4,8 @@
 // the heap does.
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,32 +26,37 @@ struct DefaultScene {
     std::uint32_t arrangement = 0;
 
     Scenario scenario() const {
+        const auto read = [](const std::string& file) { return file_text(file); };
         const std::string path = std::string(FLOES_SOURCE_DIR) + "/configs/" + configuration;
-        const Campaign campaign = read_campaign({file_text(path), path, changes, true},
-                                                [](const std::string& file) { return file_text(file); });
+        const Campaign campaign = read_campaign({read(path), path, changes, true}, read);
         const auto chosen = std::ranges::find_if(
             campaign.cases, [&](const Case& one) { return case_name.empty() || one.name == case_name; });
         if (chosen == campaign.cases.end()) throw InputError(path + " has no case " + case_name);
-        return chosen->scenario;
+        Scenario made = chosen->scenario;
+        made.analysis.window *= 2;  // steps enough behind the scene
+        return made;
     }
 
-    /// At t = 0.
-    Simulation start() const {
+    /// A run of it that has come to its time.
+    Simulation reached() const {
         const Scenario all = scenario();
         LaidField laid = lay_field(all, 1, arrangement);
-        return Simulation(all, laid.floes, std::move(laid.ahead));
+        Simulation simulation(all, laid.floes, std::move(laid.ahead));
+        while (simulation.time() < time) simulation.step();
+        return simulation;
     }
 };
 
 inline std::vector<DefaultScene> default_scenes() {
     return {
         {"cone", "smoke.toml", "E60", 20},
+        {"squares", "smoke.toml", "E60", 20, {"floe.elements=\"squares\""}},  // to compare cells with
         {"wall", "validation/grain_wall.toml", "cells", 60},
-        {"full_scale", "full_scale.toml", "", 250},
+        {"full_scale", "full_scale.toml", "first_year", 200},
         {"polygons", "gallery/mixed_sizes.toml", "", 20, {"shapes.kind=\"polygon\""}},
         {"without_end", "endless.toml", "", 60},
-        {"moored", "moored.toml", "", 120},
-        // 32 x 32 squares' worth of cells, 6.4 m along each side: a hull cuts its way into one floe.
+        {"moored", "moored_free.toml", "moored", 24},
+        // One floe of 32 elements along each side.
         {"large_floe",
          "smoke.toml",
          "E60",
@@ -59,6 +64,12 @@ inline std::vector<DefaultScene> default_scenes() {
          {"floe.length_m=6.4", "floe.breadth_m=6.4", "field.floes=1", "field.half_width_m=3.5",
           "field.concentration_percent=80.0"}},
     };
+}
+
+inline DefaultScene default_scene(const std::string& name) {
+    for (const DefaultScene& scene : default_scenes())
+        if (scene.name == name) return scene;
+    throw InputError("There is no scene " + name + " of the default.");
 }
 
 }  // namespace floes
