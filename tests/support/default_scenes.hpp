@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +46,8 @@ struct DefaultScene {
         while (simulation.time() < time) simulation.step();
         return simulation;
     }
+
+    friend void PrintTo(const DefaultScene& scene, std::ostream* out) { *out << scene.name; }  // for GoogleTest
 };
 
 inline std::vector<DefaultScene> default_scenes() {
