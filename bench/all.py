@@ -129,7 +129,8 @@ def main():
     times |= turns(program, MEMBERS, max(1, options.rounds // 3), 1)
     together = side_by_side.measure(os.path.join(options.folder, "floes_throughput"), max(1, options.rounds - 2), 200)
     tables["paper"] = (
-        f"{paper_table(times)}\n{options.rounds} rounds of 50 steps, {len(times[MEMBERS[0]])} of members; {machine(load)}.\n"
+        f"{paper_table(times)}\n{options.rounds} rounds of 50 steps, {len(times[MEMBERS[0]])} of members; "
+        f"{machine(load)}.\n"
         "Two threads over two processes, throughput: "
         + ", ".join(f"{what} {pair.ratio_text(values)}" for what, values in together.items()) + ".\n")
 

@@ -8,7 +8,8 @@
 Ratios are of CPU time, first over each of the others, within a round: what else the machine does in a round touches
 both. Each benchmark runs in a process of its own.
 
-With --scenes the others are builds, not benchmarks, and step the scenes of the default, all of them if none is named.
+With --scenes the others are builds, not benchmarks, and step the scenes of the default, all of them if none is named, in
+more rounds where these are short. The time is that of the fastest round, since all do the same work.
 Builds that round differently come to other moments of the same run; then compare several arrangements, and see in how
 far contacts and sweeps explain a ratio.
 """
@@ -20,6 +21,9 @@ import statistics
 import subprocess
 import sys
 import tempfile
+
+
+LEAST_MS = 3000  # of a scene and a build: short ones take more rounds
 
 
 def run(program, name, steps):
@@ -84,17 +88,19 @@ def compare_builds(programs, options):
         scenes = [[Scene(program, name, number) for number in options.arrangements] for program in programs]
         for scene in sum(scenes, []):
             scene.ready()
-        rounds = [[added([scene.step(options.steps) for scene in of]) for of in scenes] for _ in range(options.rounds)]
+        rounds = []
+        while len(rounds) < options.rounds or sum(one[0]["ms"] for one in rounds) * options.steps < LEAST_MS:
+            rounds.append([added([scene.step(options.steps) for scene in of]) for of in scenes])
         for scene in sum(scenes, []):
             scene.end()
         found[name] = rounds
         for at, program in enumerate(programs):
             of = rounds[-1][at]
+            least = min(one[at]["ms"] for one in rounds)
             ratio = "1" if at == 0 else ratio_text([one[0]["ms"] / one[at]["ms"] for one in rounds])
             same = "" if at == 0 or of["surge_N"] != rounds[-1][0]["surge_N"] else ", same load"
-            print(f"{name:12} {program}: {statistics.median(one[at]['ms'] for one in rounds):.4g} ms, "
-                  f"{of['elements']} elements, {of['contacts']} contacts, {of['sweeps']:.1f} sweeps; "
-                  f"ratio {ratio}{same}", flush=True)
+            print(f"{name:12} {program}: {least:.4g} ms, {of['elements']} elements, {of['contacts']} contacts, "
+                  f"{of['sweeps']:.1f} sweeps; {len(rounds)} rounds, ratio {ratio}{same}", flush=True)
     return found
 
 
