@@ -5,7 +5,8 @@ Usage:
     contact.py                    writes the tables
     contact.py --check            writes nothing; fails if a table differs from the data
     contact.py --collect FOLDER   first takes the members of the finished campaigns contact_choices.h5, resolution.h5,
-                                  friction_cone.h5 and friction_wall.h5 in FOLDER, made from configs/validation
+                                  friction_cone.h5, friction_wall.h5 and jam.h5 in FOLDER, made from configs/validation,
+                                  or of their parts (jam.part1.h5, …)
 """
 import pathlib
 import sys
@@ -22,10 +23,11 @@ DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "contact"
 COLUMNS = ["split_ratio", "mean_heave", "mean_sweeps"]
 CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution",
-             "friction_cone": "friction_cone", "friction_wall": "friction_wall"}
+             "friction_cone": "friction_cone", "friction_wall": "friction_wall", "jam": "jam"}
 QUANTITIES = {"mean_N": "mean, N", "maximum_0.1s_N": "largest over 0.1 s, N", "maximum_1s_N": "over 1 s, N",
               "broken_percent": "broken floes, %"}
 NUMERIC_QUANTITIES = QUANTITIES | {"cracked_percent": "cracked through, %", "heave_N": "heave, N"}
+JAM_QUANTITIES = QUANTITIES | {"heave_N": "heave, N"}
 CHOICES = {"default": "**default: friction cone, crushing at 145.6 kPa**", "pressure_halved": "crushing at 72.8 kPa",
            "pressure_x4": "crushing at 582.4 kPa", "pressure_x16": "crushing at 2330 kPa",
            "edges_act": "crushing, internal edges act", "rigid": "rigid, Γ 0.2",
@@ -38,6 +40,8 @@ NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s"
             "elements_0.3": "elements 0.3 m", "elements_0.15": "elements 0.15 m", "elements_0.1": "elements 0.1 m"}
 RIGID = {"rigid": "**0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "step 0.005 s",
          "rigid_0.0025": "step 0.0025 s"}
+JAM = {"tolerance_1": "**1 mm/s**", "tolerance_0.2": "0.2 mm/s", "tolerance_0.05": "0.05 mm/s"}
+UNBREAKABLE = {"unbreakable": "**1 mm/s, floes 162 times as strong**", "unbreakable_0.2": "0.2 mm/s"}
 FRICTION = {"constant": "**constant**", "ice_rate_and_state": "ice on ice by rate and state",
             "ice_power": "ice on ice by the power 0.35", "hull_power": "hull by the power 0.28"}
 
@@ -122,9 +126,11 @@ def friction(data):
 def main(arguments):
     if arguments[:1] == ["--collect"]:
         for campaign, name in CAMPAIGNS.items():
-            file = pathlib.Path(arguments[1]) / f"{campaign}.h5"
-            if file.exists():
-                collected(file, {"case": "joint.name"}, COLUMNS).round(6).to_csv(DATA / f"{name}.csv", index=False)
+            folder = pathlib.Path(arguments[1])
+            files = [*folder.glob(f"{campaign}.h5"), *sorted(folder.glob(f"{campaign}.part*.h5"))]
+            if files:
+                rows = pd.concat([collected(file, {"case": "joint.name"}, COLUMNS) for file in files])
+                rows.sort_values("arrangement", kind="stable").round(6).to_csv(DATA / f"{name}.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
     choices, resolution = members("choices"), members("resolution")
@@ -132,12 +138,19 @@ def main(arguments):
     def numerics(words, first):
         return beside(resolution, words, first, NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
+    def jam(words):
+        rows = members("jam")
+        pairs = rows.groupby("case").arrangement.count().rename("pairs")
+        return beside(rows.join(pairs, on="case"), words, "contacts solved to", JAM_QUANTITIES,
+                      {"mean_sweeps": "sweeps a step", "pairs": "arrangements"})
+
     fill_or_check({DOCS / "contact.md": {"choices": lambda: beside(choices, CHOICES, "contacts"),
                                          "paper": lambda: beside(choices, PAPER, "contacts"),
                                          "friction_cone": lambda: friction(members("friction_cone")),
                                          "friction_wall": lambda: friction(members("friction_wall"))},
                    DOCS / "convergence.md": {"numerics": lambda: numerics(NUMERICS, "computed with"),
-                                             "rigid": lambda: numerics(RIGID, "rigid contacts")}},
+                                             "rigid": lambda: numerics(RIGID, "rigid contacts"),
+                                             "jam": lambda: jam(JAM), "jam_unbreakable": lambda: jam(UNBREAKABLE)}},
                   arguments == ["--check"], "contact.py")
 
 
