@@ -50,23 +50,10 @@ Triple farthest(const PrismPlace& prism, const Triple& d) {
 }
 
 double face_offset(const PrismShape& shape, int face) {
-    return face < 2 ? shape.half_thickness : shape.ahead[static_cast<std::size_t>(face - 2)];
+    if (face < 2) return shape.half_thickness;
+    const auto k = static_cast<std::size_t>(face - 2);
+    return dot(shape.normals[k], shape.corners[k]);
 }
-
-/// A face of one of two prisms: 0 upper, 1 lower, 2 + k: edge k.
-struct PrismFace {
-    bool of_a = true;
-    int face = 0;
-};
-
-/// What a search found: an axis from a to b, of length 1, world.
-struct Best {
-    double gap = -std::numeric_limits<double>::infinity();
-    Triple axis{};
-    PrismFace face;
-    bool edges = false;
-    Triple along_a{}, along_b{};  // of the edges, world
-};
 
 double gap_along(const PrismPlace& one, const PrismPlace& other, int face) {
     const Triple own = own_normal(*one.shape, face);
@@ -74,6 +61,14 @@ double gap_along(const PrismPlace& one, const PrismPlace& other, int face) {
     const Triple between = centre_of(other) - centre_of(one);
     return dot(axis, between) + reach_along(*other.shape, into(other, axis)).low - face_offset(*one.shape, face);
 }
+
+/// What a search found: an axis from a to b, of length 1, world.
+struct Best {
+    double gap;
+    Triple axis;
+    int face;                     ///< of face_gap(); -1: of two edges
+    Triple along_a{}, along_b{};  ///< of these, world
+};
 
 // Most axes cannot win. What they would do at most is found first, from few products, in axes of the prisms and without
 // a square root; only gaps that may count are found themselves.
@@ -84,138 +79,94 @@ constexpr double slack = 1e-9;  // of bounds, m: rounding
 struct View {
     const PrismShape& shape;
     const PrismShape& other;
-    std::array<Triple, 3> axes;  ///< of the other
-    Triple between;              ///< centres, m
+    Triple x, y, z;  ///< axes of the other
+    Triple between;  ///< centres, m
 
     // Of each edge:
     std::array<double, most_corners> along;  ///< its normal times `between`, m
-    std::array<double, most_corners> lean;   ///< its normal times the other's upright axis
-    std::array<double, most_corners> climb;  ///< its direction times that
+    std::array<double, most_corners> lean;   ///< its normal times y
+    std::array<double, most_corners> climb;  ///< its direction times y
 
-    View(const PrismPlace& one, const PrismPlace& seen, const std::array<Triple, 3>& axes_of_seen)
-        : shape(*one.shape), other(*seen.shape), axes(axes_of_seen), between(to_own(one, centre_of(seen))) {
-        const Triple& up = axes[1];
+    View(const PrismPlace& one, const PrismPlace& seen)
+        : shape(*one.shape), other(*seen.shape), between(to_own(one, centre_of(seen))) {
+        const double* r = seen.rotation;
+        x = into(one, {r[0], r[3], r[6]});
+        y = into(one, {r[1], r[4], r[7]});
+        z = into(one, {r[2], r[5], r[8]});
         for (std::size_t k = 0; k < shape.normals.size(); ++k) {
             const Corner& n = shape.normals[k];
             along[k] = n.x * between[0] + n.z * between[2];
-            lean[k] = n.x * up[0] + n.z * up[2];
-            climb[k] = n.x * up[2] - n.z * up[0];
+            lean[k] = n.x * y[0] + n.z * y[2];
+            climb[k] = n.x * y[2] - n.z * y[0];
         }
     }
 
-    /// At least as large as gap_along(): the other reaches as far as a circle within it.
-    double most_gap(int face) const {
-        const auto k = static_cast<std::size_t>(std::max(face - 2, 0));
-        const double up = std::abs(face < 2 ? axes[1][1] : lean[k]);
-        const double at = face < 2 ? (face == 0 ? between[1] : -between[1]) : along[k];
-        return at - face_offset(shape, face) - other.inner_radius * (1 - up * up) - other.half_thickness * up + slack;
+    /// At least as large as the gap along a face's normal: the other reaches as far as a circle within it.
+    void most_gaps(double* gaps) const {
+        const auto reach = [&](double up) {
+            return other.inner_radius * (1 - up * up) + other.half_thickness * std::abs(up) - slack;
+        };
+        gaps[0] = between[1] - shape.half_thickness - reach(y[1]);
+        gaps[1] = -between[1] - shape.half_thickness - reach(y[1]);
+        for (std::size_t k = 0; k < shape.normals.size(); ++k)
+            gaps[2 + k] = along[k] - shape.half_widths[k] - shape.middles[k] - reach(lean[k]);
     }
 
-    /// Whether edge k and the thickness of the other may have a gap of more than -depth: by the circle, then by
+    /// Whether edge k and the thickness of the other may have a gap of more than -depth: by that circle, then by
     /// corners.
     bool edge_may_win(std::size_t k, double depth) const {
-        const double flat = std::abs(axes[1][1]);
-        const double rise = axes[1][1] < 0 ? lean[k] : -lean[k];
-        const double at = flat * along[k] + rise * between[1];
-        const double up = shape.half_thickness * std::abs(rise);
-        const double outward = at - flat * shape.ahead[k] - up;
-        const double inward = -at - flat * shape.back[k] - up;
-        const double least = other.inner_radius * (1 - climb[k] * climb[k]) - depth - slack;
-        if (std::max(outward, inward) < least) return false;
+        const double flat = std::abs(y[1]);
+        const double rise = y[1] < 0 ? lean[k] : -lean[k];
+        const double at = flat * (along[k] - shape.middles[k]) + rise * between[1];
+        const double reach = flat * shape.half_widths[k] + shape.half_thickness * std::abs(rise) - slack;
+        if (std::abs(at) - reach - other.inner_radius * (1 - climb[k] * climb[k]) + depth < 0) return false;
         const Corner& n = shape.normals[k];
-        const auto seen = [&](const Triple& axis) { return flat * (n.x * axis[0] + n.z * axis[2]) + rise * axis[1]; };
-        const Triple axis{seen(axes[0]), 0, seen(axes[2])};
-        const Reach reach = reach_along(other, axis);
-        return longer(std::max(outward + reach.low, inward - reach.high), depth, dot(axis, axis));
-    }
-
-    /// Whether a gap along an axis of this squared length, times its length, is a gap of more than -depth.
-    static bool longer(double gap, double depth, double squared) {
-        return gap >= 0 || gap * gap < (depth + slack) * (depth + slack) * squared;
+        const Triple axis{flat * (n.x * x[0] + n.z * x[2]) + rise * x[1], 0,
+                          flat * (n.x * z[0] + n.z * z[2]) + rise * z[1]};
+        const auto [low, high] = reach_along(other, axis);
+        const double gap = std::max(at + low, -at - high) - reach;
+        return gap * std::abs(gap) + depth * depth * dot(axis, axis) > 0;
     }
 };
 
-struct Views {
-    View from_a, from_b;
+/// Which axes of an edge of a with those of b may have a gap of more than -depth: positive where they may. Edge 0 is
+/// the thickness, 1 + k that of the polygon.
+using EdgeRow = std::array<double, 1 + most_corners>;
 
-    Views(const PrismPlace& a, const PrismPlace& b) : Views(a, b, axes_of_b(a, b)) {}
-
-  private:
-    using Axes = std::array<Triple, 3>;
-    static Axes axes_of_b(const PrismPlace& a, const PrismPlace& b) {
-        const double* r = b.rotation;
-        return {into(a, {r[0], r[3], r[6]}), into(a, {r[1], r[4], r[7]}), into(a, {r[2], r[5], r[8]})};
+/// The flat part of such an axis is a normal of the edge in each prism, along which its polygon's reach is known.
+void look_along_edge(const View& a, const View& b, std::size_t i, double depth, EdgeRow& may) {
+    const Corner& n = a.shape.normals[i];
+    const Corner normal{n.x * a.x[0] + n.z * a.x[2], n.x * a.z[0] + n.z * a.z[2]};  // of the edge, in the axes of b
+    const Corner along{n.x * a.x[2] - n.z * a.x[0], n.x * a.z[2] - n.z * a.z[0]};   // and its direction
+    const double middle = a.along[i] - a.shape.middles[i];
+    const double half_width = a.shape.half_widths[i];
+    const double height = a.between[1];
+    const double by_b = a.climb[i];
+    const double half_a = a.shape.half_thickness;
+    const double half_b = b.shape.half_thickness;
+    const std::size_t count = b.shape.normals.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const Corner& m = b.shape.normals[k];
+        const double up_a = cross(m, normal);
+        const double up_b = dot(m, along);
+        const double by_a = b.climb[k];
+        const double reach = std::abs(by_a) * half_width + std::abs(by_b) * b.shape.half_widths[k] +
+                             std::abs(up_a) * half_a + std::abs(up_b) * half_b;
+        const double gap = std::abs(up_a * height - by_a * middle + by_b * b.shape.middles[k]) - reach;
+        may[1 + k] = gap * std::abs(gap) + depth * depth * (up_a * up_a + by_a * by_a);
     }
-    Views(const PrismPlace& a, const PrismPlace& b, const Axes& r)
-        : from_a(a, b, r),
-          from_b(b, a, {{{r[0][0], r[1][0], r[2][0]}, {r[0][1], r[1][1], r[2][1]}, {r[0][2], r[1][2], r[2][2]}}}) {}
-};
+}
 
-/// Which axes of two edges may have a gap of more than -depth. Edge 0 is the thickness, 1 + k that of the polygon.
-class EdgePairs {
-  public:
-    explicit EdgePairs(const Views& seen) : a_(seen.from_a), b_(seen.from_b) {
-        const Triple& x = a_.axes[0];
-        const Triple& z = a_.axes[2];
-        for (std::size_t k = 0; k < b_.shape.normals.size(); ++k) {
-            const Corner& n = b_.shape.normals[k];
-            normal_x_[k] = x[0] * n.x + z[0] * n.z;
-            normal_z_[k] = x[2] * n.x + z[2] * n.z;
-            along_x_[k] = z[0] * n.x - x[0] * n.z;
-            along_z_[k] = z[2] * n.x - x[2] * n.z;
-            middle_[k] = 0.5 * (b_.shape.ahead[k] - b_.shape.back[k]);
-            half_[k] = 0.5 * (b_.shape.ahead[k] + b_.shape.back[k]);
-        }
+void look_along(const View& a, const View& b, std::size_t edge, double depth, EdgeRow& may) {
+    if (edge > 0) {
+        may[0] = a.edge_may_win(edge - 1, depth) ? 1 : -1;
+        return look_along_edge(a, b, edge - 1, depth, may);
     }
-
-    /// Of edge i of a with each of b: `may`.
-    void look(std::size_t i, double depth) {
-        if (i == 0) {
-            may[0] = thicknesses_may_win(depth) ? 1 : -1;
-            for (std::size_t k = 0; k < b_.shape.normals.size(); ++k) may[1 + k] = b_.edge_may_win(k, depth) ? 1 : -1;
-            return;
-        }
-        may[0] = a_.edge_may_win(i - 1, depth) ? 1 : -1;
-        look_at_edges(i - 1, depth);
-    }
-
-    std::array<double, 1 + most_corners> may;  ///< positive where it may
-
-  private:
-    bool thicknesses_may_win(double depth) const {
-        const Triple& up = a_.axes[1];
-        const double at = up[2] * a_.between[0] - up[0] * a_.between[2];
-        const double least = a_.shape.inner_radius + b_.shape.inner_radius - depth - slack;
-        return least < 0 || at * at > least * least * (up[0] * up[0] + up[2] * up[2]);
-    }
-
-    /// The flat part of such an axis is a normal of the edge in each prism, along which its polygon's reach is known.
-    void look_at_edges(std::size_t i, double depth) {
-        const Corner& n = a_.shape.normals[i];
-        const double middle = a_.along[i] - 0.5 * (a_.shape.ahead[i] - a_.shape.back[i]);
-        const double half = 0.5 * (a_.shape.ahead[i] + a_.shape.back[i]);
-        const double by_b = a_.climb[i];
-        const double height = a_.between[1];
-        const double half_a = a_.shape.half_thickness;
-        const double half_b = b_.shape.half_thickness;
-        const double bound = (depth + slack) * (depth + slack);
-        const std::size_t count = b_.shape.normals.size();
-        for (std::size_t k = 0; k < count; ++k) {
-            const double up = n.x * along_x_[k] + n.z * along_z_[k];
-            const double up_b = n.x * normal_z_[k] - n.z * normal_x_[k];
-            const double by_a = b_.climb[k];
-            const double gap = std::abs(up * height - by_a * middle + by_b * middle_[k]) - std::abs(by_a) * half -
-                               std::abs(by_b) * half_[k] - std::abs(up) * half_a - std::abs(up_b) * half_b;
-            may[1 + k] = gap * std::abs(gap) + bound * (up * up + by_a * by_a);
-        }
-    }
-
-    const View& a_;
-    const View& b_;
-
-    // Of each edge of b: in the axes of a, without what is upright there; then its polygon's reach along the normal.
-    std::array<double, most_corners> normal_x_, normal_z_, along_x_, along_z_, middle_, half_;
-};
+    const double at = a.y[2] * a.between[0] - a.y[0] * a.between[2];
+    const double least = std::max(a.shape.inner_radius + b.shape.inner_radius - depth, 0.0);
+    may[0] = at * at - least * least * (a.y[0] * a.y[0] + a.y[2] * a.y[2]);
+    for (std::size_t k = 0; k < b.shape.normals.size(); ++k) may[1 + k] = b.edge_may_win(k, depth) ? 1 : -1;
+}
 
 /// Direction of an edge: of the thickness, then along each edge of the polygon, world.
 Triple edge_direction(const PrismPlace& prism, std::size_t edge) {
@@ -225,15 +176,15 @@ Triple edge_direction(const PrismPlace& prism, std::size_t edge) {
 }
 
 /// False where an axis of two edges parts them.
-bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const Views& seen, Best& best) {
+bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const View& from_a, const View& from_b, Best& best) {
     const Triple tilt = cross(out_of(a, {0, 1, 0}), out_of(b, {0, 1, 0}));
     if (dot(tilt, tilt) < parallel * parallel) return true;  // flat on each other: edges say what faces say
-    EdgePairs pairs(seen);
+    EdgeRow may;
     const Triple between = centre_of(b) - centre_of(a);
     for (std::size_t i = 0; i <= a.shape->normals.size(); ++i) {
-        pairs.look(i, -best.gap / edges_over_faces);
+        look_along(from_a, from_b, i, slack - best.gap / edges_over_faces, may);
         for (std::size_t k = 0; k <= b.shape->normals.size(); ++k) {
-            if (!(pairs.may[k] > 0)) continue;
+            if (!(may[k] > 0)) continue;
             const Triple along_a = edge_direction(a, i);
             const Triple along_b = edge_direction(b, k);
             Triple axis = cross(along_a, along_b);
@@ -248,7 +199,7 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const Views& seen, 
             const double gap = std::max(onward, back);
             if (gap > 0) return false;
             if (!(gap * edges_over_faces > best.gap)) continue;
-            best = {gap, onward >= back ? axis : scaled(axis, -1), {}, true, along_a, along_b};
+            best = {gap, onward >= back ? axis : scaled(axis, -1), -1, along_a, along_b};
         }
     }
     return true;
@@ -352,9 +303,10 @@ std::array<int, 4> spread(const Points& points, std::span<const double> depth, c
 }
 
 void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, Overlap& found) {
-    const PrismPlace& one = best.face.of_a ? a : b;
-    const PrismPlace& other = best.face.of_a ? b : a;
-    const Triple out = best.face.of_a ? best.axis : scaled(best.axis, -1);
+    const bool of_a = best.face < face_axes(*a.shape);
+    const PrismPlace& one = of_a ? a : b;
+    const PrismPlace& other = of_a ? b : a;
+    const Triple out = of_a ? best.axis : scaled(best.axis, -1);
     const Triple seen = into(other, out);
     int incident = seen[1] > 0 ? 1 : 0;
     double against = -std::abs(seen[1]);
@@ -372,7 +324,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
         const Triple normal = out_of(one, own);
         if (cut(buffers[now], buffers[1 - now], normal, offset + dot(normal, centre))) now = 1 - now;
     };
-    const int face = best.face.face;
+    const int face = of_a ? best.face : best.face - face_axes(*a.shape);
     if (face < 2) {
         for (int k = 2; k < face_axes(*one.shape); ++k) cut_by(own_normal(*one.shape, k), face_offset(*one.shape, k));
     } else {
@@ -402,7 +354,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
         const auto from = static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)]);
         Overlap::Point& to = found.points[static_cast<std::size_t>(i)];
         to.depth = depth[from];
-        to.on_b = best.face.of_a ? points[from] : points[from] + scaled(out, depth[from]);
+        to.on_b = of_a ? points[from] : points[from] + scaled(out, depth[from]);
     }
 }
 
@@ -419,16 +371,12 @@ double face_gap(const PrismPlace& a, const PrismPlace& b, int axis) {
 
 namespace {
 
-FaceGap widest_gap(const PrismPlace& a, const PrismPlace& b, const Views& seen, int first, int end) {
-    const auto& [from_a, from_b] = seen;
-    const int of_a = face_axes(*a.shape);
-    std::array<double, 2 * (most_corners + 2)> most;
-    int likely = first;
-    for (int axis = first; axis < end; ++axis) {
-        const auto at = static_cast<std::size_t>(axis);
-        most[at] = axis < of_a ? from_a.most_gap(axis) : from_b.most_gap(axis - of_a);
-        if (most[at] > most[static_cast<std::size_t>(likely)]) likely = axis;
-    }
+FaceGap widest_gap(const PrismPlace& a, const PrismPlace& b, const View& from_a, const View& from_b, int first,
+                   int end) {
+    std::array<double, 2 * (2 + most_corners)> most;
+    from_a.most_gaps(most.data());
+    from_b.most_gaps(most.data() + face_axes(*a.shape));
+    const auto likely = static_cast<int>(std::max_element(most.begin() + first, most.begin() + end) - most.begin());
     FaceGap widest{face_gap(a, b, likely), likely};
     for (int axis = first; axis < end; ++axis) {
         if (axis == likely || most[static_cast<std::size_t>(axis)] < widest.gap) continue;
@@ -441,22 +389,24 @@ FaceGap widest_gap(const PrismPlace& a, const PrismPlace& b, const Views& seen, 
 }  // namespace
 
 FaceGap widest_face_gap(const PrismPlace& a, const PrismPlace& b, int first, int end) {
-    return widest_gap(a, b, Views(a, b), first, end);
+    return widest_gap(a, b, View(a, b), View(b, a), first, end);
 }
 
 void find_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found) {
     if (a.shape->is_box && b.shape->is_box) return find_box_overlap(a, b, found);
     found.count = 0;
-    const Views seen(a, b);
+    const View from_a(a, b);
+    const View from_b(b, a);
     const int of_a = face_axes(*a.shape);
-    const auto [gap, axis] = widest_gap(a, b, seen, 0, of_a + face_axes(*b.shape));
+    const auto [gap, face] = widest_gap(a, b, from_a, from_b, 0, of_a + face_axes(*b.shape));
     if (gap > 0) return;
-    Best best{.gap = gap, .face = {axis < of_a, axis < of_a ? axis : axis - of_a}};
-    best.axis = best.face.of_a ? out_of(a, own_normal(*a.shape, best.face.face))
-                               : scaled(out_of(b, own_normal(*b.shape, best.face.face)), -1);
-    if (!look_at_edges(a, b, seen, best)) return;
+    Best best{
+        gap,
+        face < of_a ? out_of(a, own_normal(*a.shape, face)) : scaled(out_of(b, own_normal(*b.shape, face - of_a)), -1),
+        face};
+    if (!look_at_edges(a, b, from_a, from_b, best)) return;
     found.normal = best.axis;
-    if (best.edges)
+    if (best.face < 0)
         touch_by_edges(a, b, best, found);
     else
         touch_by_face(a, b, best, found);

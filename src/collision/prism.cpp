@@ -15,13 +15,16 @@ constexpr double flattest = 1e-5;
 
 PrismShape::PrismShape(Outline of, double half)
     : corners(std::move(of)), half_thickness(half), half_extent{0, half, 0}, is_box(is_rectangle(corners)) {
+    inner_radius = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < corners.size(); ++k) {
         normals.push_back(outward(corners, k));
-        ahead.push_back(dot(normals[k], corners[k]));
-        back.push_back(-ahead[k]);
-        for (const Corner& one : corners) back[k] = std::max(back[k], -dot(normals[k], one));
+        const double ahead = dot(normals[k], corners[k]);
+        double back = -ahead;
+        for (const Corner& one : corners) back = std::max(back, -dot(normals[k], one));
+        half_widths.push_back(0.5 * (ahead + back));
+        middles.push_back(0.5 * (ahead - back));
+        inner_radius = std::min(inner_radius, std::max(ahead, 0.0));
     }
-    if (!empty()) inner_radius = std::max(0.0, *std::ranges::min_element(ahead));
     for (const Corner& one : corners) {
         half_extent[0] = std::max(half_extent[0], std::abs(one.x));
         half_extent[2] = std::max(half_extent[2], std::abs(one.z));

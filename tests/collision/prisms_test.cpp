@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "collision/overlap.hpp"
 #include "collision/random_boxes.hpp"
@@ -102,6 +103,68 @@ TEST(Prisms, PartWhereTheirOverlapEnds) {
         EXPECT_NEAR(deepest(swapped) / depth, 1, 0.06);  // as above
     }
     EXPECT_GT(touching, 700);
+}
+
+/// How far they are apart along an axis of any length other than 0, by all corners.
+double gap_by_corners(const PrismPlace& a, const PrismPlace& b, const Triple& axis) {
+    const auto reach = [&](const PrismPlace& prism, double sign) {
+        double most = -1e9;
+        for (const Corner& one : prism.shape->corners)
+            for (const double y : {-1.0, 1.0})
+                most =
+                    std::max(most, sign * dot(axis, to_world(prism, {one.x, y * prism.shape->half_thickness, one.z})));
+        return most;
+    };
+    return std::max(-reach(a, 1) - reach(b, -1), -reach(a, -1) - reach(b, 1)) / std::sqrt(dot(axis, axis));
+}
+
+std::vector<Triple> edges_of(const PrismPlace& prism) {
+    std::vector<Triple> edges{out_of(prism, {0, 1, 0})};
+    for (const Corner& n : prism.shape->normals) edges.push_back(out_of(prism, {-n.z, 0, n.x}));
+    return edges;
+}
+
+/// Axes that cannot win are passed over; here all are tried, in the same order.
+TEST(Prisms, OverlapAlongTheBestOfAllAxes) {
+    Dice dice(7);
+    int touching = 0;
+    int by_edges = 0;
+    for (int i = 0; i < 6000; ++i) {
+        Placed a{PrismShape(regular(3 + i % 6, 0.12), 0.0165)};
+        Placed b{PrismShape(regular(3 + i % 7, 0.1), i % 3 == 0 ? 0.1 : 0.02)};
+        const double tilt = std::pow(10.0, -i % 4);
+        put(a, dice, tilt);
+        put(b, dice, tilt);
+        const int count = face_axes(a.shape) + face_axes(b.shape);
+        double best = -1e9;
+        for (int axis = 0; axis < count; ++axis) best = std::max(best, face_gap(a.prism(), b.prism(), axis));
+        EXPECT_EQ(widest_face_gap(a.prism(), b.prism(), 0, count).gap, best);
+        Overlap found;
+        find_overlap(a.prism(), b.prism(), found);
+        if (best > 0) {
+            EXPECT_EQ(found.count, 0);
+            continue;
+        }
+        bool edges = false;
+        for (const Triple& one : edges_of(a.prism())) {
+            for (const Triple& other : edges_of(b.prism())) {
+                const Triple axis = cross(one, other);
+                if (dot(axis, axis) < 1e-8) continue;
+                const double gap = gap_by_corners(a.prism(), b.prism(), axis);
+                if (!(1.05 * gap > best)) continue;
+                best = gap;
+                edges = true;
+            }
+        }
+        EXPECT_EQ(found.count > 0, best <= 0) << i;
+        if (found.count == 0) continue;
+        ++touching;
+        by_edges += edges ? 1 : 0;
+        EXPECT_NEAR(-gap_by_corners(a.prism(), b.prism(), found.normal), -best, 1e-9) << i;
+    }
+    EXPECT_GT(touching, 2000);
+    EXPECT_GT(by_edges, 300);
+    EXPECT_GT(touching - by_edges, 300);
 }
 
 TEST(Prisms, LieOnEachOtherAtFourPoints) {
