@@ -20,7 +20,7 @@ constexpr double parallel = 1e-4;          // axes that differ by less make no a
 
 Triple own_normal(const PrismShape& shape, int face) {
     if (face < 2) return {0, face == 0 ? 1.0 : -1.0, 0};
-    const Corner& normal = shape.normals[static_cast<std::size_t>(face - 2)];
+    const Corner& normal = shape.edges[static_cast<std::size_t>(face - 2)].normal;
     return {normal.x, 0, normal.z};
 }
 
@@ -52,7 +52,7 @@ Triple farthest(const PrismPlace& prism, const Triple& d) {
 double face_offset(const PrismShape& shape, int face) {
     if (face < 2) return shape.half_thickness;
     const auto k = static_cast<std::size_t>(face - 2);
-    return dot(shape.normals[k], shape.corners[k]);
+    return dot(shape.edges[k].normal, shape.corners[k]);
 }
 
 double gap_along(const PrismPlace& one, const PrismPlace& other, int face) {
@@ -93,8 +93,8 @@ struct View {
         x = into(one, {r[0], r[3], r[6]});
         y = into(one, {r[1], r[4], r[7]});
         z = into(one, {r[2], r[5], r[8]});
-        for (std::size_t k = 0; k < shape.normals.size(); ++k) {
-            const Corner& n = shape.normals[k];
+        for (std::size_t k = 0; k < shape.edges.size(); ++k) {
+            const Corner& n = shape.edges[k].normal;
             along[k] = n.x * between[0] + n.z * between[2];
             lean[k] = n.x * y[0] + n.z * y[2];
             climb[k] = n.x * y[2] - n.z * y[0];
@@ -108,8 +108,8 @@ struct View {
         };
         gaps[0] = between[1] - shape.half_thickness - reach(y[1]);
         gaps[1] = -between[1] - shape.half_thickness - reach(y[1]);
-        for (std::size_t k = 0; k < shape.normals.size(); ++k)
-            gaps[2 + k] = along[k] - shape.half_widths[k] - shape.middles[k] - reach(lean[k]);
+        for (std::size_t k = 0; k < shape.edges.size(); ++k)
+            gaps[2 + k] = along[k] - shape.edges[k].half_width - shape.edges[k].middle - reach(lean[k]);
     }
 
     /// Whether edge k and the thickness of the other may have a gap of more than -depth: by that circle, then by
@@ -117,10 +117,10 @@ struct View {
     bool edge_may_win(std::size_t k, double depth) const {
         const double flat = std::abs(y[1]);
         const double rise = y[1] < 0 ? lean[k] : -lean[k];
-        const double at = flat * (along[k] - shape.middles[k]) + rise * between[1];
-        const double reach = flat * shape.half_widths[k] + shape.half_thickness * std::abs(rise) - slack;
+        const double at = flat * (along[k] - shape.edges[k].middle) + rise * between[1];
+        const double reach = flat * shape.edges[k].half_width + shape.half_thickness * std::abs(rise) - slack;
         if (std::abs(at) - reach - other.inner_radius * (1 - climb[k] * climb[k]) + depth < 0) return false;
-        const Corner& n = shape.normals[k];
+        const Corner& n = shape.edges[k].normal;
         const Triple axis{flat * (n.x * x[0] + n.z * x[2]) + rise * x[1], 0,
                           flat * (n.x * z[0] + n.z * z[2]) + rise * z[1]};
         const auto [low, high] = reach_along(other, axis);
@@ -135,24 +135,24 @@ using EdgeRow = std::array<double, 1 + most_corners>;
 
 /// The flat part of such an axis is a normal of the edge in each prism, along which its polygon's reach is known.
 void look_along_edge(const View& a, const View& b, std::size_t i, double depth, EdgeRow& may) {
-    const Corner& n = a.shape.normals[i];
+    const Corner& n = a.shape.edges[i].normal;
     const Corner normal{n.x * a.x[0] + n.z * a.x[2], n.x * a.z[0] + n.z * a.z[2]};  // of the edge, in the axes of b
     const Corner along{n.x * a.x[2] - n.z * a.x[0], n.x * a.z[2] - n.z * a.z[0]};   // and its direction
-    const double middle = a.along[i] - a.shape.middles[i];
-    const double half_width = a.shape.half_widths[i];
+    const double middle = a.along[i] - a.shape.edges[i].middle;
+    const double half_width = a.shape.edges[i].half_width;
     const double height = a.between[1];
     const double by_b = a.climb[i];
     const double half_a = a.shape.half_thickness;
     const double half_b = b.shape.half_thickness;
-    const std::size_t count = b.shape.normals.size();
+    const std::size_t count = b.shape.edges.size();
     for (std::size_t k = 0; k < count; ++k) {
-        const Corner& m = b.shape.normals[k];
+        const Corner& m = b.shape.edges[k].normal;
         const double up_a = cross(m, normal);
         const double up_b = dot(m, along);
         const double by_a = b.climb[k];
-        const double reach = std::abs(by_a) * half_width + std::abs(by_b) * b.shape.half_widths[k] +
+        const double reach = std::abs(by_a) * half_width + std::abs(by_b) * b.shape.edges[k].half_width +
                              std::abs(up_a) * half_a + std::abs(up_b) * half_b;
-        const double gap = std::abs(up_a * height - by_a * middle + by_b * b.shape.middles[k]) - reach;
+        const double gap = std::abs(up_a * height - by_a * middle + by_b * b.shape.edges[k].middle) - reach;
         may[1 + k] = gap * std::abs(gap) + depth * depth * (up_a * up_a + by_a * by_a);
     }
 }
@@ -165,13 +165,13 @@ void look_along(const View& a, const View& b, std::size_t edge, double depth, Ed
     const double at = a.y[2] * a.between[0] - a.y[0] * a.between[2];
     const double least = std::max(a.shape.inner_radius + b.shape.inner_radius - depth, 0.0);
     may[0] = at * at - least * least * (a.y[0] * a.y[0] + a.y[2] * a.y[2]);
-    for (std::size_t k = 0; k < b.shape.normals.size(); ++k) may[1 + k] = b.edge_may_win(k, depth) ? 1 : -1;
+    for (std::size_t k = 0; k < b.shape.edges.size(); ++k) may[1 + k] = b.edge_may_win(k, depth) ? 1 : -1;
 }
 
 /// Direction of an edge: of the thickness, then along each edge of the polygon, world.
 Triple edge_direction(const PrismPlace& prism, std::size_t edge) {
     if (edge == 0) return out_of(prism, {0, 1, 0});
-    const Corner& normal = prism.shape->normals[edge - 1];
+    const Corner& normal = prism.shape->edges[edge - 1].normal;
     return out_of(prism, {-normal.z, 0, normal.x});
 }
 
@@ -181,9 +181,9 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const View& from_a,
     if (dot(tilt, tilt) < parallel * parallel) return true;  // flat on each other: edges say what faces say
     EdgeRow may;
     const Triple between = centre_of(b) - centre_of(a);
-    for (std::size_t i = 0; i <= a.shape->normals.size(); ++i) {
+    for (std::size_t i = 0; i <= a.shape->edges.size(); ++i) {
         look_along(from_a, from_b, i, slack - best.gap / edges_over_faces, may);
-        for (std::size_t k = 0; k <= b.shape->normals.size(); ++k) {
+        for (std::size_t k = 0; k <= b.shape->edges.size(); ++k) {
             if (!(may[k] > 0)) continue;
             const Triple along_a = edge_direction(a, i);
             const Triple along_b = edge_direction(b, k);
@@ -310,8 +310,8 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
     const Triple seen = into(other, out);
     int incident = seen[1] > 0 ? 1 : 0;
     double against = -std::abs(seen[1]);
-    for (std::size_t k = 0; k < other.shape->normals.size(); ++k) {
-        const double along = other.shape->normals[k].x * seen[0] + other.shape->normals[k].z * seen[2];
+    for (std::size_t k = 0; k < other.shape->edges.size(); ++k) {
+        const double along = other.shape->edges[k].normal.x * seen[0] + other.shape->edges[k].normal.z * seen[2];
         if (along >= against) continue;
         against = along;
         incident = static_cast<int>(k) + 2;
@@ -329,7 +329,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
         for (int k = 2; k < face_axes(*one.shape); ++k) cut_by(own_normal(*one.shape, k), face_offset(*one.shape, k));
     } else {
         const auto k = static_cast<std::size_t>(face - 2);
-        const Corner& normal = one.shape->normals[k];
+        const Corner& normal = one.shape->edges[k].normal;
         const Corner along{-normal.z, normal.x};
         const double from = dot(along, one.shape->corners[k]);
         const double to = dot(along, after(one.shape->corners, k));

@@ -17,12 +17,11 @@ PrismShape::PrismShape(Outline of, double half)
     : corners(std::move(of)), half_thickness(half), half_extent{0, half, 0}, is_box(is_rectangle(corners)) {
     inner_radius = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < corners.size(); ++k) {
-        normals.push_back(outward(corners, k));
-        const double ahead = dot(normals[k], corners[k]);
+        const Corner normal = outward(corners, k);
+        const double ahead = dot(normal, corners[k]);
         double back = -ahead;
-        for (const Corner& one : corners) back = std::max(back, -dot(normals[k], one));
-        half_widths.push_back(0.5 * (ahead + back));
-        middles.push_back(0.5 * (ahead - back));
+        for (const Corner& one : corners) back = std::max(back, -dot(normal, one));
+        edges.push_back({normal, 0.5 * (ahead + back), 0.5 * (ahead - back)});
         inner_radius = std::min(inner_radius, std::max(ahead, 0.0));
     }
     for (const Corner& one : corners) {
@@ -95,8 +94,8 @@ PrismSection PrismSections::crushed(double depth) const {
 int edge_towards(const PrismShape& prism, const Triple& direction) {
     int edge = -1;
     double most = std::abs(direction[1]);
-    for (std::size_t k = 0; k < prism.normals.size(); ++k) {
-        const double along = prism.normals[k].x * direction[0] + prism.normals[k].z * direction[2];
+    for (std::size_t k = 0; k < prism.edges.size(); ++k) {
+        const double along = prism.edges[k].normal.x * direction[0] + prism.edges[k].normal.z * direction[2];
         if (along <= most) continue;
         most = along;
         edge = static_cast<int>(k);

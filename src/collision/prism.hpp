@@ -27,15 +27,19 @@ inline double dot(const Triple& a, const Triple& b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+struct PrismEdge {
+    Corner normal;      ///< outward
+    double half_width;  ///< of the polygon along it, m
+    double middle;      ///< of that width, from the centre of mass along the normal
+};
+
 struct PrismShape {
-    Outline corners;                  ///< m
-    Outline normals;                  ///< outward, of each edge
-    std::vector<double> half_widths;  ///< of the polygon along each normal, m
-    std::vector<double> middles;      ///< of that width, from the centre of mass along the normal
-    double inner_radius = 0;          ///< of the circle round the centre of mass that touches the nearest edge, m
-    double half_thickness = 0;        ///< m
-    Triple half_extent{};             ///< of the box about the centre of mass that holds it, m
-    bool is_box = false;              ///< it is that box
+    Outline corners;  ///< m
+    std::vector<PrismEdge> edges;
+    double inner_radius = 0;    ///< of the circle round the centre of mass that touches the nearest edge, m
+    double half_thickness = 0;  ///< m
+    Triple half_extent{};       ///< of the box about the centre of mass that holds it, m
+    bool is_box = false;        ///< it is that box
 
     PrismShape() = default;
     PrismShape(Outline of, double half_thickness);

@@ -120,7 +120,7 @@ double gap_by_corners(const PrismPlace& a, const PrismPlace& b, const Triple& ax
 
 std::vector<Triple> edges_of(const PrismPlace& prism) {
     std::vector<Triple> edges{out_of(prism, {0, 1, 0})};
-    for (const Corner& n : prism.shape->normals) edges.push_back(out_of(prism, {-n.z, 0, n.x}));
+    for (const auto& [n, half_width, middle] : prism.shape->edges) edges.push_back(out_of(prism, {-n.z, 0, n.x}));
     return edges;
 }
 
@@ -240,7 +240,7 @@ TEST(PrismSection, OfAJustTouchingEdgeIsNothingYet) {
 TEST(PrismSection, KnowsTheEdgeThatADirectionLeavesBy) {
     const PrismShape hexagon(regular(6, 0.1), 0.02);
     for (int k = 0; k < 6; ++k) {
-        const Corner& out = hexagon.normals[static_cast<std::size_t>(k)];
+        const Corner& out = hexagon.edges[static_cast<std::size_t>(k)].normal;
         EXPECT_EQ(edge_towards(hexagon, {out.x, 0.2, out.z}), k);
     }
     EXPECT_EQ(edge_towards(hexagon, {0.1, -1, 0.1}), -1);
