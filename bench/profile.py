@@ -22,7 +22,7 @@ SOURCES = pathlib.Path(__file__).resolve().parents[1] / "src"
 PARTS = [
     ("sweeps: rows", r"solve_all_|for_each_direct_row|::sweep"),
     ("sweeps: passed to pieces", r"add_velocity_changes|pass_to_piece|piece_motion"),
-    ("sweeps: momentum", r"Acceleration::"),
+    ("sweeps: momentum", r"Acceleration::|move_contacts_ahead|begin_sweeps"),
     ("ice against ice", r"^collision/"),
     ("hull against ice", r"^world/(hull_contacts|bullet)|^shapes/|libBullet|libLinearMath|\bbt[A-Z]|gjkepa"),
     ("contacts set up", r"LaneEngine::(read|write_contacts)\b|^solver/(contact_|direct_contacts|slip|kernels)"),

@@ -36,7 +36,6 @@ class ContactOrder {
 
     /// Places of a contact's rows: row * width + lane.
     std::uint32_t slot(std::size_t contact) const { return row_slots_[contact]; }
-    std::span<const std::uint32_t> slots() const { return row_slots_; }
 
   private:
     struct Pair {
