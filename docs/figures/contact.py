@@ -140,9 +140,9 @@ def main(arguments):
 
     def jam(words):
         rows = members("jam")
-        pairs = rows.groupby("case").arrangement.count().rename("pairs")
-        return beside(rows.join(pairs, on="case"), words, "contacts solved to", JAM_QUANTITIES,
-                      {"mean_sweeps": "sweeps a step", "pairs": "arrangements"})
+        counts = rows.case.value_counts()
+        return beside(rows, {case: f"{text} ({counts[case]})" for case, text in words.items()},
+                      "contacts solved to (arrangements)", JAM_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
     fill_or_check({DOCS / "contact.md": {"choices": lambda: beside(choices, CHOICES, "contacts"),
                                          "paper": lambda: beside(choices, PAPER, "contacts"),

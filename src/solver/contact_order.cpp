@@ -101,7 +101,8 @@ void ContactOrder::lay_out(std::span<const Contact> contacts, std::uint32_t spar
     for (std::size_t first = 0, end = 0; first < sorted_.size(); first = end) {
         while (end < sorted_.size() && end < first + most && sorted_[end].level == sorted_[first].level) ++end;
         add_pack(contacts, {&sorted_[first], end - first}, lanes, before);
-        before = end < sorted_.size() && sorted_[end].level == sorted_[first].level ? before + lanes : 0;
+        const bool goes_on = end < sorted_.size() && sorted_[end].level == sorted_[first].level;
+        before = goes_on ? before + static_cast<std::uint32_t>(end - first) : 0;
     }
 }
 
