@@ -204,10 +204,18 @@ Words swing_words(const Scenario& scenario) {
     const Moorings& moorings = scenario.moorings;
     const Mat6 water = scenario.water_stiffness();
     std::vector<Words> periods;
-    for (const NaturalMode& mode : natural_modes(moorings, water))
-        periods.push_back(Words::of("{:.4g} s in {}", mode.period, motion_names.at(at(mode.motion))));
+    bool turns = false;
+    for (const NaturalMode& mode : natural_modes(moorings, water)) {
+        if (weathervanes(moorings, mode))
+            turns = true;
+        else
+            periods.push_back(Words::of("{:.4g} s in {}", mode.period, motion_names.at(at(mode.motion))));
+    }
     Words words =
         Words::of("without damping the moored hull swings with natural periods of {}", Words::joined(periods, ", "));
+    if (turns)
+        words = words + Words::of("; it turns about its turret {:.4g} m ahead until it lies with the load",
+                                  moorings.turret.ahead);
     if (!moorings.floats()) return words;
     const double weight = moorings.mass * scenario.general.gravity;
     const auto metacentre = [&](Motion motion) {
@@ -328,9 +336,11 @@ Words motion_words(const Scenario& scenario) {
     if (moorings.surge + moorings.sway + moorings.yaw > 0)
         holds.push_back(Words::of("springs of {:.4g} kN/m in surge and {:.4g} in sway",
                                   moorings.surge / unit::kilonewton, moorings.sway / unit::kilonewton));
-    if (moorings.line_count() > 0)
-        holds.push_back(Words::counted(static_cast<std::ptrdiff_t>(moorings.line_count()), "line"));
-    if (!moorings.turret_curve.empty()) holds.emplace_back("a turret");
+    if (moorings.line_count() > 0) {
+        const Words lines = Words::counted(static_cast<std::ptrdiff_t>(moorings.line_count()), "line");
+        holds.push_back(moorings.turret.lines ? lines + Words(" of a turret") : lines);
+    }
+    if (!moorings.turret.curve.empty()) holds.emplace_back("a turret");
     if (moorings.thrusters.any()) holds.emplace_back("thrusters");
     return Words::of("{:.4g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
                      enumerated(free), Words::joined(holds, ", "), scenario.closing_speed());

@@ -1,7 +1,10 @@
 // Configurations: floes new, vary and config.
 
+#include <algorithm>
+#include <array>
 #include <iostream>
 #include <string_view>
+#include <vector>
 
 #include <tbb/info.h>
 
@@ -18,21 +21,30 @@ namespace floes {
 
 namespace {
 
+/// A configuration to begin with, other than the first one.
+struct Kind {
+    const char* flag;
+    const char* file;
+    const char* words;
+};
+
+constexpr std::array<Kind, 5> kinds{{
+    {"--full-scale", "full_scale.toml", "A floater of 70 m in floes of 20 m, instead of model ice"},
+    {"--moored", "moored.toml", "A moored hull that floats among floes of mixed shapes, at full scale"},
+    {"--turret", "turret.toml", "A turret ship that swings with the drift, in floes of two sizes, at full scale"},
+    {"--design", "design.toml", "A design over two keys: how the load depends on them"},
+    {"--paper", "paper.toml", "The paper's Table 3, with few arrangements"},
+}};
+
 struct NewOptions {
     std::string file;
-    bool full_scale = false;
-    bool moored = false;
-    bool design = false;
-    bool paper = false;
+    std::array<bool, kinds.size()> wanted{};
 };
 
 /// The text of the configuration `name`, which floes config --check accepts.
 std::string text_of(const NewOptions& options, const std::string& name) {
-    const char* file = options.full_scale ? "full_scale.toml"
-                       : options.moored   ? "moored.toml"
-                       : options.design   ? "design.toml"
-                       : options.paper    ? "paper.toml"
-                                          : "tank.toml";
+    const auto chosen = std::ranges::find(options.wanted, true) - options.wanted.begin();
+    const char* file = chosen == std::ssize(kinds) ? "tank.toml" : kinds.at(static_cast<std::size_t>(chosen)).file;
     std::string text{starter(file).value()};
     constexpr std::string_view placeholder = "CONFIG.toml";
     return text.replace(text.find(placeholder), placeholder.size(), name);
@@ -55,15 +67,12 @@ void add_new(CommandLine& line) {
     auto options = std::make_shared<NewOptions>();
     Verb verb = line.verb("new", "Write a configuration to begin with: the keys that everybody sets");
     verb.option("config", options->file, "The configuration to make (CONFIG.toml)").required();
-    Option full_scale =
-        verb.flag("--full-scale", options->full_scale, "A floater of 70 m in floes of 20 m, instead of model ice");
-    Option design = verb.flag("--design", options->design, "A design over two keys: how the load depends on them");
-    Option paper = verb.flag("--paper", options->paper, "The paper's Table 3, with few arrangements");
-    Option moored =
-        verb.flag("--moored", options->moored, "A moored hull that floats among floes of mixed shapes, at full scale");
-    design.excludes(full_scale);
-    paper.excludes(full_scale).excludes(design);
-    moored.excludes(full_scale).excludes(design).excludes(paper);
+    std::vector<Option> others;
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
+        Option flag = verb.flag(kinds.at(k).flag, options->wanted.at(k), kinds.at(k).words);
+        for (Option& other : others) flag.excludes(other);
+        others.push_back(flag);
+    }
     verb.runs([options] { return make(*options); });
 }
 

@@ -33,8 +33,8 @@ double resultant(const Moorings&, std::span<const double> of) {
 
 /// Of the turret, or of the structure's axis, from where it would be; surge offsets are against the tow.
 double horizontal_offset(const Moorings& moorings, std::span<const double> of) {
-    const Vec2 arm = turned({moorings.turret, 0}, of[2]);
-    return std::hypot(-of[0] + arm.x() - moorings.turret, of[1] + arm.y());
+    const Vec2 arm = turned({moorings.turret.ahead, 0}, of[2]);
+    return std::hypot(-of[0] + arm.x() - moorings.turret.ahead, of[1] + arm.y());
 }
 
 /// Of a structure that gives way; no history: there are no more.

@@ -62,9 +62,10 @@ double separation_of(const Analysis& analysis, const Moorings& moorings, double 
 /// s, of the mode that is mostly this motion, the longest where none is; 0 where the motion is held.
 double period_of(const Scenario& scenario, Motion motion) {
     if (!scenario.moorings.give_way() || !scenario.moorings.is_free(motion)) return 0;
-    if (!scenario.moorings.floats()) return scenario.moorings.period(motion);
+    if (!scenario.moorings.floats() && !scenario.moorings.turret.any()) return scenario.moorings.period(motion);
     double longest = 0;
     for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
+        if (weathervanes(scenario.moorings, mode)) continue;
         if (mode.motion == motion) return mode.period;
         longest = std::max(longest, mode.period);
     }

@@ -152,7 +152,11 @@ void check_lines(const Scenario& scenario, Contradictions& found) {
 }
 
 void check_turret(const Moorings& moorings, Contradictions& found) {
-    const std::vector<TensionPoint>& curve = moorings.turret_curve;
+    const std::vector<TensionPoint>& curve = moorings.turret.curve;
+    if (moorings.turret.lines && moorings.line_count() == 0)
+        refuse(found, {"moorings.turret", "moorings.hanging_lines"},
+               "moorings.turret = true is of moorings.hanging_lines or moorings.lines, and there are none; give lines "
+               "or moorings.turret_curve");
     if (curve.empty()) return;
     const auto wrong = [&](std::size_t row, const char* what) {
         refuse(found, {"moorings.turret_curve"}, fmt::format("moorings.turret_curve[{}] {}", row, what));
@@ -204,6 +208,12 @@ void check_periods(const Scenario& scenario, Contradictions& found) {
                    "over; take a lower centre, or a moorings.free without {}; a hull of a file that lies on its side "
                    "wants another hull.up",
                    word, word);
+        } else if (weathervanes(scenario.moorings, mode)) {
+            continue;
+        } else if (!std::isfinite(mode.period) && scenario.moorings.turret.any()) {
+            refuse(scenario, found, {"moorings.turret_m", "moorings.free"},
+                   "nothing rights the structure in yaw: ice turns it away from a turret at <moorings.turret_m>; take "
+                   "a turret ahead of the axis, thrusters that hold the heading, or a moorings.free without yaw");
         } else if (!std::isfinite(mode.period)) {
             refuse(
                 found, {"moorings.free", "moorings.lines"},

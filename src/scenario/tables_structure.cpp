@@ -205,17 +205,28 @@ RowsField curve_rows(std::vector<TensionPoint>& curve, const std::string& extens
                 {{tension, unit::kilonewton, at_least(0).at_most(1e6)}, &TensionPoint::tension}});
 }
 
-/// All lines of a mooring together, as its designers give them.
-void add_turret(Keys& keys, Moorings& moorings, const auto& held) {
+/// Lines about which the hull turns, or all of a mooring together, as its designers give them.
+void add_turret(Keys& keys, Turret& turret, const auto& held) {
+    const auto of_turret = [&](Key key) {
+        keys.push_back(held(only_with(
+            "moorings.turret or turret_curve", [&turret] { return turret.any(); }, std::move(key))));
+    };
+    keys.push_back(held(switch_key(
+        "moorings.turret", turret.lines, "lines turn with the hull",
+        "Whether moorings.lines and hanging_lines hang from a turret, about which the hull turns freely: their "
+        "fairleads are from its axis, and it keeps its heading. The ice then turns the hull until it lies with the "
+        "load.")));
     keys.push_back(held(
-        {"moorings.turret_curve", curve_rows(moorings.turret_curve, "offset_m", "force_kN"), "none",
+        {"moorings.turret_curve", curve_rows(turret.curve, "offset_m", "force_kN"), "none",
          "Force of a whole mooring over the horizontal offset from its place, from 0, 0, both rising: it pulls the "
          "turret back towards there, the same from all sides. In addition to springs and lines. Past its last row a "
          "member is set aside."}));
-    keys.push_back(held(only_with(
-        "moorings.turret_curve", [&moorings] { return !moorings.turret_curve.empty(); },
-        number_key("moorings.turret_m", moorings.turret, unit::one, at_least(-1000).at_most(1000), "none: on the axis",
-                   "Axis of the turret from the structure's, ahead: what is moored there may turn about it."))));
+    of_turret(number_key("moorings.turret_m", turret.ahead, unit::one, at_least(-1000).at_most(1000),
+                         "none: on the axis", "Axis of the turret from the structure's, ahead."));
+    of_turret(number_key("moorings.turret_friction_kN_m", turret.friction, unit::kilonewton, at_least(0).at_most(1e9),
+                         "none: its bearing turns freely",
+                         "Moment by which the turret's bearing resists the hull's turning, kN m, whatever the load; "
+                         "within it the hull keeps its heading."));
 }
 
 /// Dynamic positioning.
@@ -369,7 +380,7 @@ void add_moorings(Keys& keys, Moorings& moorings) {
     add_hull_mass(keys, moorings, held, number);
     add_springs(keys, moorings, held, number);
     add_lines(keys, moorings, held);
-    add_turret(keys, moorings, held);
+    add_turret(keys, moorings.turret, held);
     add_thrusters(keys, moorings.thrusters, held);
 }
 

@@ -210,22 +210,36 @@ Vec6 pulls_less(const auto& pull_at, double distance, int motion) {
     return -(pull_at(aside) - pull_at(-aside)) / (2 * aside[motion]);
 }
 
+/// A stiffness of what is moored to a turret, which holds the heading by the turret's arm alone: it goes aside as the
+/// bow turns.
+Mat6 by_turret(Mat6 stiffness, double ahead) {
+    constexpr auto sway_row = static_cast<int>(Motion::sway);
+    constexpr auto yaw_row = static_cast<int>(Motion::yaw);
+    stiffness.col(yaw_row) = -ahead * stiffness.col(sway_row);
+    stiffness.row(yaw_row) = -ahead * stiffness.row(sway_row);
+    return stiffness;
+}
+
 }  // namespace
 
 Mat6 Moorings::stiffness() const {
     Mat6 found = Mat6::Zero();
     found.diagonal().head<3>() << surge, sway, yaw;
+    Mat6 by_lines = Mat6::Zero();
     for (const MooringLine& line : lines)
         for (int k = 0; k < 3; ++k)
-            found(k, k) +=
+            by_lines(k, k) +=
                 pulls_less([&](const Vec6& offset) { return pull(*this, line, offset).force; }, line.distance, k)[k];
     for (const HangingLine& line : hanging)
         for (int k = 0; k < 6; ++k)
-            found.col(k) += pulls_less([&](const Vec6& offset) { return pull(line, offset).force; }, line.distance, k);
-    if (!turret_curve.empty()) {
-        const TensionPoint& first = turret_curve.at(1);
-        const double slope = first.tension / first.extension;
-        found.diagonal().head<3>() += Vec3(slope, slope, slope * turret * turret);
+            by_lines.col(k) +=
+                pulls_less([&](const Vec6& offset) { return pull(line, offset, turret).force; }, line.distance, k);
+    found += turret.lines ? by_turret(by_lines, turret.ahead) : by_lines;
+    if (!turret.curve.empty()) {
+        const double slope = turret.curve.at(1).tension / turret.curve.at(1).extension;
+        Mat6 plane = Mat6::Zero();
+        plane.diagonal().head<2>().setConstant(slope);
+        found += by_turret(plane, turret.ahead);
     }
     return found;
 }
@@ -258,11 +272,16 @@ std::vector<NaturalMode> natural_modes(const Moorings& moorings, const Mat6& wat
         const double square = solver.eigenvalues()[mode];
         // What rounding leaves of nothing holds nothing.
         const bool nothing = std::abs(square) <= 1e-12 * solver.eigenvalues().cwiseAbs().maxCoeff();
+        const bool turns = nothing && moorings.turret.any() && moorings.is_free(Motion::yaw);
         modes.push_back({nothing ? infinite : 2 * std::numbers::pi / std::sqrt(square),
-                         static_cast<Motion>(directions[static_cast<std::size_t>(most)])});
+                         turns ? Motion::yaw : static_cast<Motion>(directions[static_cast<std::size_t>(most)])});
     }
     std::ranges::stable_sort(modes, {}, &NaturalMode::motion);
     return modes;
+}
+
+bool weathervanes(const Moorings& moorings, const NaturalMode& mode) {
+    return std::isinf(mode.period) && mode.motion == Motion::yaw && moorings.turret.any() && moorings.turret.ahead > 0;
 }
 
 double tension(const Moorings& moorings, const MooringLine& line, double longer) {
@@ -292,17 +311,22 @@ Vec6 in_plane(const Vec3& of) {
     return found;
 }
 
-LinePull pull(const HangingLine& line, const Vec6& offset) {
+LinePull pull(const HangingLine& line, const Vec6& offset, const Turret& turret) {
     const StructurePose pose{
         .position = Vec3(offset[at(Motion::surge)], offset[at(Motion::heave)], offset[at(Motion::sway)]),
         .yaw = offset[at(Motion::yaw)],
         .pitch = offset[at(Motion::pitch)],
         .roll = offset[at(Motion::roll)]};
-    const Vec3 arm = pose.orientation() * line.fairlead;
+    const Vec3 axis(turret.lines ? turret.ahead : 0, 0, 0);
+    const Vec3 at_axis = pose.orientation() * axis;
+    // A turret heels and trims with the structure and keeps its heading.
+    const Quat table =
+        turret.lines ? pose.orientation() * turned_about_y(pose.yaw).conjugate() : Quat(pose.orientation());
+    const Vec3 arm = at_axis + table * line.fairlead;
     const Vec3 lead(std::cos(line.azimuth), 0, std::sin(line.azimuth));
     LinePull found;
     found.fairlead = pose.position + arm;
-    found.anchor = line.fairlead + line.distance * lead;
+    found.anchor = axis + line.fairlead + line.distance * lead;
     found.anchor.y() = -line.depth;
     const Vec2 way(found.anchor.x() - found.fairlead.x(), found.anchor.z() - found.fairlead.z());
     const double distance = way.norm();
@@ -312,15 +336,17 @@ LinePull pull(const HangingLine& line, const Vec6& offset) {
     found.tension = hangs.tension();
     const Vec2 along = distance > 0 ? Vec2(hangs.along / distance * way) : Vec2(Vec2::Zero());
     const Vec3 force(along.x(), -hangs.down, along.y());
-    const Vec3 moment = arm.cross(force);
+    Vec3 moment = arm.cross(force);
+    if (turret.lines) moment.y() = at_axis.cross(force).y();  // its bearing passes no moment about its axis on
     const Vec3 own = turned_about_y(pose.yaw).conjugate() * moment;
     found.force << force.x(), force.z(), moment.y(), force.y(), own.z(), own.x();
     return found;
 }
 
 LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset) {
-    return number < moorings.lines.size() ? pull(moorings, moorings.lines[number], offset)
-                                          : pull(moorings.hanging[number - moorings.lines.size()], offset);
+    return number < moorings.lines.size()
+               ? pull(moorings, moorings.lines[number], offset)
+               : pull(moorings.hanging[number - moorings.lines.size()], offset, moorings.turret);
 }
 
 std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec3& fairlead, const Vec3& anchor) {
@@ -339,19 +365,22 @@ std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec
 }
 
 Vec6 turret_pull(const Moorings& moorings, const Vec6& offset) {
-    if (moorings.turret_curve.empty()) return Vec6::Zero();
-    const Vec2 arm = turned({moorings.turret, 0}, offset[2]);
-    const Vec2 aside = Vec2(offset[0] - moorings.turret, offset[1]) + arm;
+    if (moorings.turret.curve.empty()) return Vec6::Zero();
+    const Vec2 arm = turned({moorings.turret.ahead, 0}, offset[2]);
+    const Vec2 aside = Vec2(offset[0] - moorings.turret.ahead, offset[1]) + arm;
     const double distance = aside.norm();
     if (distance == 0) return Vec6::Zero();
-    return at_the_water(-on_curve(moorings.turret_curve, distance, "moorings.turret_curve") / distance * aside, arm);
+    return at_the_water(-on_curve(moorings.turret.curve, distance, "moorings.turret_curve") / distance * aside, arm);
 }
 
 LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec6& offset) {
-    const Vec2 without(line.x, line.z);
-    const Vec2 arm = turned(without, offset[2]);
-    const Vec2 anchor = without + line.distance * Vec2(std::cos(line.azimuth), std::sin(line.azimuth));
-    const Vec2 fairlead = Vec2(offset[0], offset[1]) + arm;
+    const Turret& turret = moorings.turret;
+    const Vec2 axis(turret.ahead, 0);
+    const Vec2 on_it(line.x, line.z);
+    const Vec2 arm = turned(turret.lines ? axis : on_it, offset[2]);  // where the structure is pulled
+    const Vec2 fairlead = Vec2(offset[0], offset[1]) + (turret.lines ? arm + on_it : arm);
+    const Vec2 anchor =
+        (turret.lines ? axis + on_it : on_it) + line.distance * Vec2(std::cos(line.azimuth), std::sin(line.azimuth));
     LinePull found;
     found.anchor = {anchor.x(), 0, anchor.y()};
     found.fairlead = {fairlead.x(), 0, fairlead.y()};

@@ -101,8 +101,9 @@ double velocity_under_thrust(const ThrustLaw& law, double offset, double velocit
 //   T(s) = max(0, T_0 + k (s - s_0)),   or by a curve, on which T_0 says where the line begins
 //
 // so that lines also resist sway and yaw by turning (T/s abeam), as they do. A line above its break load is gone. A
-// turret's curve is of all lines together: towards where the turret would be, by the distance from there. Thrusters
-// stand above.
+// turret's curve is of all lines together: towards where the turret would be, by the distance from there. Lines of a
+// turret hang from a table that keeps its heading while the structure turns about it: they pull at the turret's axis,
+// and hold the heading by its arm alone. Thrusters stand above.
 
 enum class Motion { surge, sway, yaw, heave, pitch, roll };
 inline constexpr std::array<std::string_view, 6> motion_names{"surge", "sway", "yaw", "heave", "pitch", "roll"};
@@ -111,7 +112,7 @@ constexpr std::size_t at(Motion motion) {
 }
 
 struct MooringLine {
-    double x = 0;           ///< of the fairlead from the structure's axis, ahead, m
+    double x = 0;           ///< of the fairlead from the structure's axis, or from that of its turret, ahead, m
     double z = 0;           ///< likewise towards +z, m
     double azimuth = 0;     ///< towards which it leads, rad: 0 along +x, π/2 towards +z
     double distance = 0;    ///< s_0, horizontally from the fairlead to the anchor without an offset, m, > 0
@@ -124,7 +125,7 @@ struct MooringLine {
 
 /// A line with a weight, from a fairlead under or over the water to an anchor on the bottom: as above.
 struct HangingLine {
-    Vec3 fairlead = Vec3::Zero();  ///< in the structure's axes from the reference point, m
+    Vec3 fairlead = Vec3::Zero();  ///< in the structure's axes from the reference point, or the turret's axis, m
     double azimuth = 0;            ///< towards which it leads, rad: 0 along +x, π/2 towards +z
     double distance = 0;           ///< horizontally from the fairlead to the anchor without an offset, m, > 0
     double depth = 0;              ///< of the anchor below the calm water, m, below the fairlead
@@ -140,6 +141,18 @@ struct TensionPoint {
     double tension = 0;    ///< N
 
     friend auto operator<=>(const TensionPoint&, const TensionPoint&) = default;
+};
+
+/// About whose axis the structure turns freely while what is moored to it keeps its heading.
+struct Turret {
+    bool lines = false;                 ///< whether lines and hanging lines hang from it; else from the structure
+    std::vector<TensionPoint> curve{};  ///< of a whole mooring, from 0, 0, both rising; empty: there is none
+    double ahead = 0;                   ///< its axis from the structure's, m
+    double friction = 0;                ///< moment of its bearing against turning, N m
+
+    bool any() const { return lines || !curve.empty(); }
+
+    friend bool operator==(const Turret&, const Turret&) = default;
 };
 
 struct Moorings {
@@ -159,12 +172,11 @@ struct Moorings {
     double sway = 0;     ///< N/m
     double yaw = 0;      ///< N m/rad
     double damping = 0;  ///< linear, of the critical, in each direction, by the stiffness without an offset
-    std::array<double, 6> quadratic{};         ///< by Motion, N s²/m² and N m s²
-    std::vector<MooringLine> lines{};          ///< in addition to the springs
-    std::vector<HangingLine> hanging{};        ///< likewise
-    std::vector<TensionPoint> curve{};         ///< of each line, both rising; empty: by its stiffness
-    std::vector<TensionPoint> turret_curve{};  ///< from 0, 0, both rising; empty: there is none
-    double turret = 0;                         ///< of the turret's axis from the structure's, ahead, m
+    std::array<double, 6> quadratic{};   ///< by Motion, N s²/m² and N m s²
+    std::vector<MooringLine> lines{};    ///< in addition to the springs
+    std::vector<HangingLine> hanging{};  ///< likewise
+    std::vector<TensionPoint> curve{};   ///< of each line, both rising; empty: by its stiffness
+    Turret turret{};
     Thrusters thrusters{};
 
     bool give_way() const { return mass > 0; }
@@ -175,8 +187,8 @@ struct Moorings {
     Mat6 inertia() const;    ///< with the water about the reference point: kg, kg m, kg m²
     Mat6 radiation() const;  ///< damping by waves, floes' axes: kg/s, kg m/s, kg m²/s
     std::size_t line_count() const { return lines.size() + hanging.size(); }
-    /// Stiffness of springs, lines and turret without an offset: N/m, N, N m. Of all but hanging lines each direction
-    /// by itself.
+    /// Stiffness of springs, lines and turret without an offset: N/m, N, N m. Of lines that do not hang each
+    /// direction by itself.
     Mat6 stiffness() const;
     /// 2π √(m/k), s, of surge, sway or yaw by itself, with the thrusters' gain in k: without damping; infinite where
     /// nothing holds it.
@@ -201,7 +213,7 @@ struct LinePull {
 /// Pull of a line at an offset of the structure.
 LinePull pull(const Moorings& moorings, const MooringLine& line, const Vec6& offset);
 /// Throws MemberFailure where the fairlead is no longer above the anchor.
-LinePull pull(const HangingLine& line, const Vec6& offset);
+LinePull pull(const HangingLine& line, const Vec6& offset, const Turret& turret = {});
 /// Of all lines by their numbers, hanging ones last.
 LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset);
 
@@ -217,8 +229,12 @@ Vec6 turret_pull(const Moorings& moorings, const Vec6& offset);
 /// A way in which a floating structure swings by itself, without damping.
 struct NaturalMode {
     double period = 0;              ///< 2π √(m/k), s; infinite where nothing holds it, NaN where it turns over
-    Motion motion = Motion::surge;  ///< of which it has most energy
+    Motion motion = Motion::surge;  ///< of which it has most energy; yaw of what turns about a turret
 };
+
+/// Whether only the load itself holds that mode: the structure turns about a turret ahead of its axis until it lies
+/// with the load, as a weathervane.
+bool weathervanes(const Moorings& moorings, const NaturalMode& mode);
 
 /// All natural modes, one for each direction in which it gives way, by Motion. `water`: its stiffness
 /// (water_stiffness() in shapes/hydrostatics.hpp). The inertia is positive definite.

@@ -125,6 +125,12 @@ void LinearMotion::advance(MooredState& state, const Vec6& load) const {
     state.velocity(directions_) = after.tail(n);
 }
 
+double LinearMotion::acceleration(Motion motion, const Vec6& force) const {
+    const auto own = std::ranges::find(directions_, static_cast<int>(motion));
+    if (own == directions_.end()) return 0;
+    return inverse_.row(own - directions_.begin()).dot(force(directions_));
+}
+
 void LinearMotion::accelerate(MooredState& state, const Vec6& force, double time) const {
     if (alone_) {
         const int k = directions_.front();
@@ -180,17 +186,40 @@ std::vector<std::vector<int>> coupled(const std::vector<int>& directions, std::i
 
 }  // namespace
 
+namespace {
+
+/// A matrix of the hull's own axes in those of its moorings, from which it has yawed by `heading`, rad.
+Mat6 turned_by(const Mat6& own, double heading) {
+    const Vec2 ahead = turned({1, 0}, heading);
+    const Vec2 aside = turned({0, 1}, heading);
+    Mat6 turn = Mat6::Identity();
+    turn.topLeftCorner<2, 2>() << ahead.x(), aside.x(), ahead.y(), aside.y();
+    return turn * own * turn.transpose();
+}
+
+/// Whether a matrix is the same at all headings.
+bool is_round(const Mat6& own) {
+    return turned_by(own, 1.0).isApprox(own, 1e-12);
+}
+
+/// What is solved without error: of a hull that turns about a turret its springs alone, since where its lines would
+/// have the axis depends on the heading.
+Mat6 linear_stiffness(const Moorings& moorings) {
+    if (!moorings.turret.any()) return moorings.stiffness();
+    return in_plane({moorings.surge, moorings.sway, moorings.yaw}).asDiagonal();
+}
+
+}  // namespace
+
 MooredMotion::MooredMotion(const Moorings& moorings, const Mat6& water, double step)
     : moorings_(moorings),
       step_(step),
       inertia_(moorings.inertia().diagonal().head<3>()),
       springs_(moorings.surge, moorings.sway, moorings.yaw),
-      stiffness_(moorings.stiffness()) {
-    const Mat6 inertia = moorings.inertia();
-    const Mat6 radiation = moorings.radiation();
-    const Mat6 stiffness = water + stiffness_;
-    for (const std::vector<int>& group : coupled(moorings.directions(), {inertia, radiation, stiffness}))
-        linear_.emplace_back(group, inertia, radiation, stiffness, moorings.damping, step);
+      water_(water),
+      stiffness_(linear_stiffness(moorings)),
+      round_(is_round(moorings.inertia()) && is_round(moorings.radiation())) {
+    linear_.emplace(0, linear_at(0));
     for (int k = 0; k < 3; ++k)
         thrusters_.push_back(moorings.free.at(static_cast<std::size_t>(k))
                                  ? thrust_law(moorings.thrusters, k, inertia_[k])
@@ -203,6 +232,55 @@ MooredMotion::MooredMotion(const Moorings& moorings, const Mat6& water, double s
         Vec6& level = level_.emplace_back(at_rest.force);
         level.head<3>().setZero();
     }
+}
+
+std::vector<LinearMotion> MooredMotion::linear_at(double heading) const {
+    const Mat6 inertia = turned_by(moorings_.inertia(), heading);
+    Mat6 damping = turned_by(moorings_.radiation(), heading);
+    const Mat6 stiffness = water_ + stiffness_;
+    double critical = moorings_.damping;
+    if (moorings_.turret.any()) {  // of what holds it, lines too; nothing holds its heading
+        const Mat6 held = water_ + moorings_.stiffness();
+        for (int k = 0; k < 6; ++k)
+            if (k != static_cast<int>(Motion::yaw))
+                damping(k, k) += 2 * critical * std::sqrt(std::max(0.0, held(k, k)) * inertia(k, k));
+        critical = 0;
+    }
+    std::vector<LinearMotion> found;
+    for (const std::vector<int>& group : coupled(moorings_.directions(), {inertia, damping, stiffness}))
+        found.emplace_back(group, inertia, damping, stiffness, critical, step_);
+    return found;
+}
+
+/// Of the heading now: made once, since a hull comes to few headings.
+const std::vector<LinearMotion>& MooredMotion::at_this_heading() {
+    if (round_) return linear_.at(0);
+    const auto degrees = static_cast<int>(std::lround(state_.offset[at(Motion::yaw)] / unit::degree)) % 360;
+    auto known = linear_.find(degrees);
+    if (known == linear_.end()) known = linear_.emplace(degrees, linear_at(degrees * unit::degree)).first;
+    return known->second;
+}
+
+/// By the quadratic damping alone, along the hull's own axes.
+void MooredMotion::slow_down(double time) {
+    if (std::ranges::all_of(moorings_.quadratic, [](double by_speed) { return by_speed == 0; })) return;
+    state_.velocity.head<3>() = in_own_axes(state_.velocity.head<3>(), -1);
+    for (const LinearMotion& one : linear_.at(0)) one.slow_down(state_, moorings_.quadratic, time);
+    state_.velocity.head<3>() = in_own_axes(state_.velocity.head<3>(), 1);
+    hold();
+}
+
+/// Of the turret's bearing over the step that lines have begun: what stops the yaw by its end, as far as it can.
+Vec6 MooredMotion::friction(const Vec6& load) {
+    const double most = moorings_.turret.friction;
+    if (!(most > 0)) return Vec6::Zero();
+    double velocity = state_.velocity[at(Motion::yaw)];
+    double response = 0;
+    for (const LinearMotion& one : at_this_heading()) {
+        velocity += step_ * one.acceleration(Motion::yaw, load + 0.5 * beyond_);
+        response += one.acceleration(Motion::yaw, in_plane(Vec3::UnitZ()));
+    }
+    return response > 0 ? in_plane({0, 0, std::clamp(-velocity / (response * step_), -most, most)}) : Vec6::Zero();
 }
 
 void MooredMotion::place(const MooredState& state) {
@@ -240,6 +318,11 @@ void MooredMotion::push_back(double time) {
             velocity[i] = velocity_under_thrust(thrusters_[k], offset[i], velocity[i], inertia_[i], time);
     }
     state_.velocity.head<3>() = in_own_axes(velocity, 1);
+    hold();
+}
+
+/// Where it is held it has no velocity.
+void MooredMotion::hold() {
     for (int k = 0; k < 3; ++k)
         if (!moorings_.free.at(static_cast<std::size_t>(k))) state_.velocity[k] = 0;
 }
@@ -257,23 +340,24 @@ Vec3 MooredMotion::thrust() const {
 
 /// What lines and turret pull more than the stiffness without an offset says.
 void MooredMotion::pull_beyond_linear(double time) {
-    if (pulls_.empty() && moorings_.turret_curve.empty()) return;
+    if (pulls_.empty() && moorings_.turret.curve.empty()) return;
     Mat6 linear = stiffness_;
     linear.diagonal().head<3>() -= springs_;
-    const Vec6 force = pull_of_lines() + linear * state_.offset;
-    for (const LinearMotion& one : linear_) one.accelerate(state_, force, time);
+    beyond_ = pull_of_lines() + linear * state_.offset;
+    for (const LinearMotion& one : at_this_heading()) one.accelerate(state_, beyond_, time);
 }
 
 void MooredMotion::advance(const Vec6& load, double time) {
     const double half = 0.5 * step_;
-    for (const LinearMotion& one : linear_) one.slow_down(state_, moorings_.quadratic, half);
+    slow_down(half);
     push_back(half);
     pull_beyond_linear(half);
-    for (const LinearMotion& one : linear_) one.advance(state_, load);
+    const Vec6 rubbed = load + friction(load);
+    for (const LinearMotion& one : at_this_heading()) one.advance(state_, rubbed);
     look_at_lines();
     pull_beyond_linear(half);
     push_back(half);
-    for (const LinearMotion& one : linear_) one.slow_down(state_, moorings_.quadratic, half);
+    slow_down(half);
     break_lines(time);
 }
 

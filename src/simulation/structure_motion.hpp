@@ -9,8 +9,11 @@
 // before and after that (Strang's splitting, second order). So springs and water have no numerical damping and no limit
 // of stability; lines and thrusters have that of the leapfrog, period > π Δt, and checks ask for fifty steps.
 //
-// Turns are small in all but yaw: pitch and roll are about the structure's own axes, and what couples them with surge
-// and sway is taken without yaw. At rest the hull lies level at its draught, whatever hangs on it.
+// Turns are small in all but yaw: pitch and roll are about the structure's own axes. M, C and the quadratic damping
+// turn with the hull, by whole degrees; forces that depend on how fast they turn (Coriolis and Munk moments of the
+// added mass) are left out. At rest the hull lies level at its draught, whatever hangs on it.
+//
+// The bearing of a turret resists turning by a moment of constant size, which stops the hull and never turns it.
 //
 // What the splitting from the ice costs: a floe of mass m that strikes the structure, mass M, is stopped as by one that
 // does not give way, so the impulse is 1 + m/M times too large (checks ask for M >= 10 m of the heaviest floe). A floe
@@ -18,6 +21,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -49,6 +53,8 @@ class LinearMotion {
     void accelerate(MooredState& state, const Vec6& force, double time) const;
     /// By -b |v| v alone for a time, s: m v' = -b |v| v of one direction without error.
     void slow_down(MooredState& state, const std::array<double, 6>& quadratic, double time) const;
+    /// That of a direction under a force alone, m/s² or rad/s²; 0 of directions that are not of these.
+    double acceleration(Motion motion, const Vec6& force) const;
 
   private:
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 18, 18>;  // on the stack
@@ -88,6 +94,11 @@ class MooredMotion {
     const std::vector<double>& largest_tensions() const { return largest_; }
 
   private:
+    std::vector<LinearMotion> linear_at(double heading) const;
+    const std::vector<LinearMotion>& at_this_heading();
+    void slow_down(double time);
+    void hold();
+    Vec6 friction(const Vec6& load);
     void push_back(double time);
     Vec3 in_own_axes(const Vec3& plane, double sense) const;
     void pull_beyond_linear(double time);
@@ -98,10 +109,12 @@ class MooredMotion {
     Moorings moorings_;
     double step_;
     Vec3 inertia_, springs_;
-    Mat6 stiffness_;
-    std::vector<LinearMotion> linear_;
-    std::vector<ThrustLaw> thrusters_;  ///< of surge, sway and yaw, none where it is held
+    Mat6 water_, stiffness_;
+    bool round_;  ///< whether inertia and radiation damping are the same at all headings
+    std::map<int, std::vector<LinearMotion>> linear_;  ///< by heading in whole degrees
+    std::vector<ThrustLaw> thrusters_;                 ///< of surge, sway and yaw, none where it is held
     MooredState state_;
+    Vec6 beyond_ = Vec6::Zero();   ///< what lines and turret pulled beyond the linear stiffness when last asked
     std::vector<LinePull> pulls_;  ///< of all lines at the offset, broken ones too
     std::vector<Vec6> level_;      ///< what they pull down and turn at rest, against which the hull lies level
     std::vector<double> largest_;

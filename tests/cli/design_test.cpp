@@ -120,8 +120,8 @@ void publish_moored(const std::filesystem::path& file, double sideways = 0, doub
     if (turret != 0) {
         scenario.moorings.surge = scenario.moorings.sway = 0.9 * k;
         scenario.moorings.yaw = 0.144 * k;
-        scenario.moorings.turret_curve = {{0, 0}, {10, 1e-6 * k}};
-        scenario.moorings.turret = turret;
+        scenario.moorings.turret.curve = {{0, 0}, {10, 1e-6 * k}};
+        scenario.moorings.turret.ahead = turret;
     }
     std::vector<MemberRecord> records = synthetic::records(campaign);
     double swing = 0;

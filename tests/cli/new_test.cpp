@@ -43,6 +43,8 @@ TEST_F(New, WritesCampaignsThatAreAccepted) {
     EXPECT_GT(floater.cases.at(0).scenario.floe.length, 10);
     const Scenario moored = load_campaign(make("--moored"), {}).cases.at(0).scenario;
     EXPECT_TRUE(moored.moorings.floats() && moored.shapes.any() && moored.field.endless());
+    for (const Case& one : load_campaign(make("--turret"), {}).cases)
+        EXPECT_TRUE(one.scenario.moorings.turret.lines && one.scenario.path.any() && one.scenario.field.endless());
     const Campaign design = load_campaign(make("--design"), {});
     EXPECT_EQ(design.cases.size(), 6u);
 }
@@ -53,7 +55,7 @@ TEST_F(New, TheFirstCampaignNamesNeitherTheSolverNorItsNumbers) {
 
 TEST_F(New, SaysUnitAndRangeOfEveryKey) {
     const std::vector<KeyDescription> keys = reference();
-    for (const char* options : {"", "--full-scale", "--moored", "--design", "--paper"}) {
+    for (const char* options : {"", "--full-scale", "--moored", "--turret", "--design", "--paper"}) {
         std::istringstream text(file_text(make(options)));
         std::string table;
         std::string before;

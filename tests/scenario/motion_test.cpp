@@ -152,16 +152,26 @@ TEST(Motion, ThrustersAndTurretsThatCannotBeAreRefused) {
               }),
               "consistent")
         << "thrusters alone hold it";
-    EXPECT_EQ(sentence([](Scenario& s) { s.moorings.turret_curve = {{0, 0}, {0.1, 50}}; }), "consistent");
+    EXPECT_EQ(sentence([](Scenario& s) { s.moorings.turret.curve = {{0, 0}, {0.1, 50}}; }), "consistent");
+    const auto on_turret = [](double ahead) {
+        return [ahead](Scenario& s) {
+            s.moorings.surge = s.moorings.sway = s.moorings.yaw = 0;
+            s.moorings.turret = {.curve = {{0, 0}, {0.1, 50}}, .ahead = ahead};
+        };
+    };
+    EXPECT_EQ(sentence(on_turret(0.3)), "consistent") << "the load rights it";
+    for (const double ahead : {0.0, -0.3})
+        EXPECT_THAT(sentence(on_turret(ahead)), HasSubstr("nothing rights the structure in yaw")) << ahead;
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.turret.lines = true; }), HasSubstr("and there are none"));
     EXPECT_THAT(sentence([](Scenario& s) { s.moorings.thrusters.limit[1] = 50; }),
                 HasSubstr("moorings.dp_sway_limit_kN = 0.05 limits thrusters that moorings.dp_sway_kN_m = 0 leaves "
                           "out; give both or neither"));
     EXPECT_THAT(sentence([](Scenario& s) { s.moorings.thrusters.gain[0] = 1e9; }),
                 HasSubstr("natural period in surge"));
-    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.turret_curve = {{0, 0}}; }), HasSubstr("is the only row"));
-    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.turret_curve = {{0, 5}, {1, 50}}; }), HasSubstr("is not [0, 0]"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.turret.curve = {{0, 0}}; }), HasSubstr("is the only row"));
+    EXPECT_THAT(sentence([](Scenario& s) { s.moorings.turret.curve = {{0, 5}, {1, 50}}; }), HasSubstr("is not [0, 0]"));
     EXPECT_THAT(sentence([](Scenario& s) {
-                    s.moorings.turret_curve = {{0, 0}, {1, 50}, {2, 50}};
+                    s.moorings.turret.curve = {{0, 0}, {1, 50}, {2, 50}};
                 }),
                 HasSubstr("moorings.turret_curve[2] does not have more offset and more force"));
 }

@@ -87,12 +87,78 @@ TEST(Moorings, CurveBeginsAtThePretension) {
     EXPECT_THROW(tension(moorings, line, -20), MemberFailure);
 }
 
+/// Eight of 300 m from a turret 40 m ahead, which pull each other straight at rest; hanging ones in 100 m of water.
+Moorings turret_ship(bool hanging) {
+    Moorings moorings{.mass = 1e7, .gyration = 30};
+    moorings.turret = {.lines = true, .ahead = 40};
+    for (int k = 0; k < 8; ++k) {
+        const double azimuth = k * pi / 4;
+        const double x = 5 * std::cos(azimuth);
+        const double z = 5 * std::sin(azimuth);
+        if (hanging)
+            moorings.hanging.push_back({.fairlead = {x, -10, z},
+                                        .azimuth = azimuth,
+                                        .distance = 300,
+                                        .depth = 100,
+                                        .cable = {.length = 320, .weight = 1000, .stiffness = 5e8}});
+        else
+            moorings.lines.push_back(
+                {.x = x, .z = z, .azimuth = azimuth, .distance = 300, .pretension = 2e5, .stiffness = 4e4});
+    }
+    return moorings;
+}
+
+/// Of all lines.
+Vec6 pull_together(const Moorings& moorings, const Vec6& offset) {
+    Vec6 sum = Vec6::Zero();
+    for (std::size_t k = 0; k < moorings.line_count(); ++k) sum += pull(moorings, k, offset).force;
+    return sum;
+}
+
+// Its lines know where the turret is and not how the hull lies: about the turret alone nothing changes, and what they
+// pull acts at its axis.
+TEST(Moorings, LinesOfATurretDoNotTurnWithTheHull) {
+    for (const bool hanging : {false, true}) {
+        const Moorings moorings = turret_ship(hanging);
+        const Vec6 beside = pull_together(moorings, in_plane({3, -2, 0}));
+        for (const double yaw : {0.3, -1.2, pi / 2, 3.0}) {
+            const Vec2 arm = turned({40, 0}, yaw);
+            const Vec2 axis = Vec2(40, 0) - arm;  // of the structure, while its turret is in its place
+            const Vec6 about = pull_together(moorings, in_plane({axis.x() + 3, axis.y() - 2, yaw}));
+            EXPECT_NEAR(about[0], beside[0], 1e-9 * beside.norm()) << yaw;
+            EXPECT_NEAR(about[1], beside[1], 1e-9 * beside.norm()) << yaw;
+            EXPECT_NEAR(about[3], beside[3], 1e-9 * beside.norm()) << yaw;
+            EXPECT_NEAR(about[2], arm.y() * beside[0] - arm.x() * beside[1], 1e-7 * beside.norm()) << yaw;
+        }
+    }
+}
+
+// On a turret of stiffness k the hull swings with k/m in surge, with k (1/m + a²/I) in sway and yaw together, and turns
+// about the turret with nothing to hold it but the load.
+TEST(Moorings, AHullTurnsAboutItsTurretFreely) {
+    const Moorings moorings = turret_ship(false);
+    const double k = 4 * (4e4 + 2e5 / 300);
+    const std::vector<NaturalMode> modes = natural_modes(moorings, Mat6::Zero());
+    ASSERT_EQ(modes.size(), 3U);
+    EXPECT_NEAR(modes[0].period, 2 * pi * std::sqrt(1e7 / k), 1e-6);
+    std::vector<double> others{modes[1].period, modes[2].period};
+    std::ranges::sort(others);
+    EXPECT_NEAR(others[0], 2 * pi / std::sqrt(k * (1 / 1e7 + 1600 / 9e9)), 1e-6);
+    EXPECT_TRUE(std::isinf(others[1]));
+    EXPECT_EQ(std::ranges::count_if(modes, [&](const NaturalMode& mode) { return weathervanes(moorings, mode); }), 1);
+    Moorings astern = moorings;
+    astern.turret.ahead = -40;
+    for (const NaturalMode& mode : natural_modes(astern, Mat6::Zero())) EXPECT_FALSE(weathervanes(astern, mode));
+    for (const NaturalMode& mode : natural_modes(turret_ship(true), Mat6::Zero()))
+        EXPECT_EQ(std::isinf(mode.period), weathervanes(moorings, mode));
+}
+
 // Towards where the turret would be by the distance from there, whatever the structure's heading; and about the axis
 // by the turret's arm.
 TEST(Moorings, TurretPullsByItsCurve) {
     Moorings moorings{.mass = 1e7, .gyration = 20};
-    moorings.turret_curve = {{0, 0}, {10, 1e6}, {12, 3e6}};
-    moorings.turret = 40;
+    moorings.turret.curve = {{0, 0}, {10, 1e6}, {12, 3e6}};
+    moorings.turret.ahead = 40;
     EXPECT_EQ(turret_pull(moorings, Vec6::Zero()), Vec6::Zero());
     const Vec6 aside = turret_pull(moorings, in_plane({-3, 4, 0}));
     EXPECT_NEAR((aside - in_plane({3e5, -4e5, 40 * 4e5})).norm(), 0, 1e-6);

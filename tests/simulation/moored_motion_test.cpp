@@ -194,8 +194,8 @@ double turret_energy(double offset) {
 // The work of the load is the energy of motion and the mooring, to (ωΔt)², with sway and yaw by the turret's arm.
 TEST(MooredMotion, TurretKeepsEnergy) {
     Moorings moorings{.mass = 1000, .gyration = 2};
-    moorings.turret_curve = {{0, 0}, {0.5, 500}, {1, 2500}};
-    moorings.turret = 1.5;
+    moorings.turret.curve = {{0, 0}, {0.5, 500}, {1, 2500}};
+    moorings.turret.ahead = 1.5;
     MooredMotion motion(moorings, still_water, step);
     const auto energy_now = [&] {
         const MooredState& now = motion.state();
@@ -215,6 +215,94 @@ TEST(MooredMotion, TurretKeepsEnergy) {
     }
     EXPECT_LT(worst, 1e-3 * most);
     EXPECT_GT(most, turret_energy(0.6)) << "on both slopes";
+}
+
+/// A ship on a stiff turret 40 m ahead of its axis.
+Moorings turret_ship(double friction = 0) {
+    Moorings moorings{.mass = 1e7, .gyration = 30};
+    moorings.turret = {.curve = {{0, 0}, {1, 1e9}}, .ahead = 40, .friction = friction};
+    return moorings;
+}
+
+/// How a ship moves under a load that acts at a point of it this far ahead of its axis.
+class Weathervane {
+  public:
+    Weathervane(const Moorings& moorings, double yaw, double ahead)
+        : turret_(moorings.turret.ahead), ahead_(ahead), motion_(moorings, still_water, 0.02) {
+        const Vec2 arm = turned({turret_, 0}, yaw);
+        motion_.place({.offset = in_plane({turret_ - arm.x(), -arm.y(), yaw})});
+    }
+
+    void step(const Vec2& force) {
+        const Vec2 arm = turned({ahead_, 0}, yaw());
+        const double moment = arm.y() * force.x() - arm.x() * force.y();
+        time_ += 0.02;
+        motion_.advance(in_plane({force.x(), force.y(), moment}), time_);
+    }
+
+    double yaw() const { return motion_.state().offset[2]; }
+    double time() const { return time_; }
+
+  private:
+    double turret_, ahead_;
+    double time_ = 0;
+    MooredMotion motion_;
+};
+
+// It comes to lie with its turret upstream of where the load acts, wherever the load comes from.
+TEST(MooredMotion, AShipLiesWithTheLoad) {
+    Moorings moorings = turret_ship();
+    moorings.quadratic[at(Motion::yaw)] = 1e12;
+    moorings.quadratic[at(Motion::sway)] = 1e6;
+    moorings.radiation_damping.assign(6, std::vector<double>(6, 0.0));
+    moorings.radiation_damping[5][5] = 5e9;
+    for (const double from : {0.0, 0.7, -1.5, 2.8}) {  // towards which the load is against the bow
+        Weathervane ship(moorings, 0, -10);
+        for (int k = 0; k < 100000; ++k) ship.step(turned({-4e6, 0}, from));
+        EXPECT_NEAR(std::remainder(ship.yaw() - from, 2 * pi), 0, 2e-3) << from;
+    }
+}
+
+// A turn of the drift swings it as a pendulum of I + m a² about the turret: 4 √(I/(F l)) K(sin θ/2), at any angle θ.
+TEST(MooredMotion, AShipSwingsAfterATurnOfTheDrift) {
+    for (const double turn : {0.2, 1.0, 2.0}) {
+        Weathervane ship(turret_ship(), turn, -10);
+        while (ship.yaw() > -turn * 0.999 && ship.yaw() > 0) ship.step({-4e6, 0});
+        const double quarter =
+            std::sqrt((1e7 * 900 + 1e7 * 1600) / (4e6 * 50)) * std::comp_ellint_1(std::sin(turn / 2));
+        EXPECT_NEAR(ship.time(), quarter, 0.01 * quarter) << turn;
+    }
+}
+
+// A turret behind where the load acts lets the ship turn round; friction of the bearing holds it at angles below
+// asin(friction / (F l)), where a ship without it comes back.
+TEST(MooredMotion, AWeathervaneIsStableWithItsTurretAhead) {
+    Weathervane turned_away(turret_ship(), 0.01, 60);
+    for (int k = 0; k < 20000 && std::abs(turned_away.yaw()) < 2; ++k) turned_away.step({-4e6, 0});
+    EXPECT_GE(std::abs(turned_away.yaw()), 2);
+    const double held = std::asin(5e7 / (4e6 * 50));
+    for (const double yaw : {0.9 * held, 1.1 * held}) {
+        Weathervane ship(turret_ship(5e7), yaw, -10);
+        for (int k = 0; k < 20000; ++k) ship.step({-4e6 * std::min(1.0, k / 5000.0), 0});
+        if (yaw < held)
+            EXPECT_NEAR(ship.yaw(), yaw, 1e-3);
+        else
+            EXPECT_LT(std::abs(ship.yaw()), held);
+    }
+}
+
+// The water beside a ship moves with it across, however the ship lies.
+TEST(MooredMotion, AddedMassTurnsWithTheHull) {
+    Moorings moorings = springs();
+    moorings.added = {0, 3000, 0};
+    moorings.yaw = 1e-6;
+    for (const double yaw : {0.0, pi / 2, -pi}) {
+        MooredMotion motion(moorings, still_water, 1e-3);
+        motion.place({.offset = in_plane({0, 0, yaw})});
+        motion.advance(in_plane({100, 0, 0}), 1e-3);
+        const double mass = std::abs(std::cos(yaw)) > 0.5 ? 1000 : 4000;
+        EXPECT_NEAR(motion.state().velocity[0], 100 * 1e-3 / mass, 1e-9) << yaw;
+    }
 }
 
 TEST(MooredMotion, LineBreaksOnceAndForAll) {
