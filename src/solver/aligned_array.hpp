@@ -49,4 +49,10 @@ inline std::size_t place(std::uint32_t slot, int fields, int field, int width) {
     return (slot / w) * static_cast<std::size_t>(fields * width) + static_cast<std::size_t>(field * width) + slot % w;
 }
 
+/// Groups that hold as many slots.
+inline std::size_t groups_of(std::size_t slots, int width) {
+    const auto w = static_cast<std::size_t>(width);
+    return (slots + w - 1) / w;
+}
+
 }  // namespace floes

@@ -26,19 +26,27 @@ template <int stride = 1>
     }
 }
 
-/// at(lane): where the body of that lane begins.
-template <class At>
-[[gnu::always_inline]] inline Motion gather(const At& at) {
-    Pack places[8];
-#pragma GCC unroll 8
-    for (int part = 0; part < 8; part += lanes) {
+/// at(lane): where that lane's numbers begin, together in memory; as many as whole packs hold are read.
+template <int count, class At>
+[[gnu::always_inline]] inline void gather(const At& at, Pack (&to)[count]) {
+#pragma GCC unroll 12
+    for (int part = 0; part < count; part += lanes) {
         Pack rows[lanes];
 #pragma GCC unroll 8
         for (int lane = 0; lane < lanes; ++lane) rows[lane] = *reinterpret_cast<const Pack*>(at(lane) + part);
         transpose(rows);
 #pragma GCC unroll 8
-        for (int i = 0; i < lanes; ++i) places[part + i] = rows[i];
+        for (int i = 0; i < lanes; ++i) {
+            if (part + i < count) to[part + i] = rows[i];
+        }
     }
+}
+
+/// at(lane): where the body of that lane begins.
+template <class At>
+[[gnu::always_inline]] inline Motion gather(const At& at) {
+    Pack places[8];
+    gather(at, places);
     return {{places[0], places[1], places[2]}, places[3], {places[4], places[5], places[6]}};
 }
 
@@ -59,8 +67,8 @@ template <class At>
 
 void to_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        const double* from = arrays.sweep + static_cast<std::size_t>(groups[i]) * (sweep_field::count * lanes);
-        double* to = arrays.delta + static_cast<std::size_t>(groups[i]) * (8 * lanes);
+        const double* from = group_of(arrays.sweep, sweep_field::count, groups[i]);
+        double* to = group_of(arrays.delta, 8, groups[i]);
         scatter([to](int lane) { return to + 8 * lane; },
                 {load3(from, sweep_field::velocity), load(from, sweep_field::inverse_mass),
                  load3(from, sweep_field::angular_velocity)});
@@ -69,8 +77,8 @@ void to_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::siz
 
 void from_contacts(const LaneArrays& arrays, const std::uint32_t* groups, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-        const double* from = arrays.delta + static_cast<std::size_t>(groups[i]) * (8 * lanes);
-        double* to = arrays.sweep + static_cast<std::size_t>(groups[i]) * (sweep_field::count * lanes);
+        const double* from = group_of(arrays.delta, 8, groups[i]);
+        double* to = group_of(arrays.sweep, sweep_field::count, groups[i]);
         const Motion motion = gather([from](int lane) { return from + 8 * lane; });
         store3(to, sweep_field::velocity, motion.velocity);
         store3(to, sweep_field::angular_velocity, motion.angular_velocity);
@@ -113,8 +121,8 @@ inline Motion forces_on(const LaneArrays& arrays, std::size_t group) {
 
 void prepare_bodies(const LaneArrays& arrays, std::size_t groups, double time_step) {
     for (std::size_t i = 0; i < groups; ++i) {
-        double* body = arrays.body + i * static_cast<std::size_t>(body_field::count * lanes);
-        double* sweeping = arrays.sweep + i * static_cast<std::size_t>(sweep_field::count * lanes);
+        double* body = group_of(arrays.body, body_field::count, i);
+        double* sweeping = group_of(arrays.sweep, sweep_field::count, i);
         const M3 turn = load_matrix(body, body_field::rotation);
         const V3 inverse = load3(body, body_field::inverse_inertia);
         const Pack inverse_mass = load(sweeping, sweep_field::inverse_mass);
@@ -243,8 +251,8 @@ inline void write_motion(const LaneArrays& arrays, std::size_t group, const doub
 
 void advance_bodies(const LaneArrays& arrays, std::size_t groups, double time_step) {
     for (std::size_t i = 0; i < groups; ++i) {
-        double* body = arrays.body + i * static_cast<std::size_t>(body_field::count * lanes);
-        const double* sweeping = arrays.sweep + i * static_cast<std::size_t>(sweep_field::count * lanes);
+        double* body = group_of(arrays.body, body_field::count, i);
+        const double* sweeping = group_of(arrays.sweep, sweep_field::count, i);
         const V3 velocity = load3(body, body_field::start_velocity) + load3(sweeping, sweep_field::velocity);
         const V3 angular_velocity =
             load3(body, body_field::start_angular_velocity) + load3(sweeping, sweep_field::angular_velocity);
@@ -268,8 +276,8 @@ void advance_bodies(const LaneArrays& arrays, std::size_t groups, double time_st
 
 void carry_water(const LaneArrays& arrays, const double* carried, std::size_t groups, double time_step) {
     for (std::size_t i = 0; i < groups; ++i) {
-        double* body = arrays.body + i * static_cast<std::size_t>(body_field::count * lanes);
-        const double* water = carried + i * static_cast<std::size_t>(carried_field::count * lanes);
+        double* body = group_of(arrays.body, body_field::count, i);
+        const double* water = group_of(carried, carried_field::count, i);
         const M3 turn = load_matrix(body, body_field::rotation);
         const V3 v = transposed_times(turn, load3(body, body_field::velocity));
         const V3 w = transposed_times(turn, load3(body, body_field::angular_velocity));

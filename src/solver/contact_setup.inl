@@ -7,30 +7,27 @@ struct Touching {
     Pack inverse_mass;
 };
 
-/// `count` neighbouring fields of the slots of an array, whose groups have `width` lanes.
+/// `count` neighbouring fields of the slots of an array.
 template <int count>
-inline void pick(const double* array, std::uint32_t width, int fields, int first, const std::uint32_t* slots,
-                 Pack (&to)[count]) {
+inline void pick(const double* array, int fields, int first, const std::uint32_t* slots, Pack (&to)[count]) {
     alignas(Pack) double values[count][lanes];
-    const int by_width = __builtin_ctz(width);
     for (int lane = 0; lane < lanes; ++lane) {
-        const std::size_t group = static_cast<std::size_t>(slots[lane] >> by_width) * static_cast<std::size_t>(fields);
-        const double* from = array + ((group + static_cast<std::size_t>(first)) << by_width) + (slots[lane] & (width - 1));
-        for (int i = 0; i < count; ++i) values[i][lane] = from[static_cast<std::size_t>(i) << by_width];
+        const double* from = group_of(array, fields, slots[lane] / lanes) + first * lanes + slots[lane] % lanes;
+        for (int i = 0; i < count; ++i) values[i][lane] = from[i * lanes];
     }
     for (int i = 0; i < count; ++i) to[i] = load(values[i], 0);
 }
 
 inline V3 pick3(const LaneArrays& arrays, int first, const std::uint32_t* slots) {
     Pack v[3];
-    pick(arrays.body, arrays.width, body_field::count, first, slots, v);
+    pick(arrays.body, body_field::count, first, slots, v);
     return {v[0], v[1], v[2]};
 }
 
 inline Touching touching(const LaneArrays& arrays, const std::uint32_t* slots) {
     Pack m[7];
     static_assert(sweep_field::inverse_mass == sweep_field::inverse_inertia + 6);
-    pick(arrays.sweep, arrays.width, sweep_field::count, sweep_field::inverse_inertia, slots, m);
+    pick(arrays.sweep, sweep_field::count, sweep_field::inverse_inertia, slots, m);
     return {pick3(arrays, body_field::position, slots),
             pick3(arrays, body_field::start_velocity, slots),
             pick3(arrays, body_field::start_angular_velocity, slots),
@@ -241,15 +238,15 @@ struct Box {
 /// Crushing pressure of the weaker of two bodies, Pa. `of_law`: that of bodies without a pressure of their own.
 inline Pack crushing_pressure(const LaneArrays& arrays, const std::uint32_t* slots, double of_law) {
     Pack a[1], b[1];
-    pick(arrays.body, arrays.width, body_field::count, body_field::crushing_pressure, slots, a);
-    pick(arrays.body, arrays.width, body_field::count, body_field::crushing_pressure, slots + lanes, b);
+    pick(arrays.body, body_field::count, body_field::crushing_pressure, slots, a);
+    pick(arrays.body, body_field::count, body_field::crushing_pressure, slots + lanes, b);
     const Pack law = Pack{} + of_law;
     return least(a[0] > 0.0 ? a[0] : law, b[0] > 0.0 ? b[0] : law);
 }
 
 inline Box box_of(const LaneArrays& arrays, const std::uint32_t* slots) {
     Pack r[9];
-    pick(arrays.body, arrays.width, body_field::count, body_field::rotation, slots, r);
+    pick(arrays.body, body_field::count, body_field::rotation, slots, r);
     return {pick3(arrays, body_field::half_extent, slots),
             pick3(arrays, body_field::covered, slots),
             pick3(arrays, body_field::covered + 3, slots),

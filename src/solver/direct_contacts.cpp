@@ -35,17 +35,15 @@ DirectRowArrays DirectContacts::rows() {
             {scale_[0].data(), scale_[1].data()}};
 }
 
-void DirectContacts::prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
-                             std::size_t body_slots, const LaneArrays& all, DirectFloes& floes,
+void DirectContacts::prepare(std::span<const SolverContact> contacts, const LaneArrays& all, DirectFloes& floes,
                              const LaneKernels& kernels, const ContactLaw& law, double time_step) {
     width_ = kernels.width;
     to_order_.clear();
     for (const SolverContact& contact : contacts) {
-        to_order_.push_back({slot_of_body[contact.a], slot_of_body[contact.b], floes.piece(contact.a),
-                             floes.piece(contact.b), floes.moves(contact.a), floes.moves(contact.b),
-                             contact.impulse > 0});
+        to_order_.push_back({contact.a, contact.b, floes.piece(contact.a), floes.piece(contact.b),
+                             floes.moves(contact.a), floes.moves(contact.b), contact.impulse > 0});
     }
-    order_.lay_out(to_order_, static_cast<std::uint32_t>(body_slots), width_, 1, ContactOrder::Order::any);
+    order_.lay_out(to_order_, floes.spare(), width_, 1, ContactOrder::Order::any);
     fill_points(points_, contacts, order_, width_);
     fill_friction_start(friction_start_, contacts, order_, width_);
     const std::size_t slots = order_.rows() * static_cast<std::size_t>(width_);
@@ -78,9 +76,9 @@ int DirectContacts::solve(const LaneArrays& all, DirectFloes& floes, const LaneK
     const auto* columns = floes.columns();
     kernels.direct.start_contacts(all.delta, columns, order_.packs(), rows());
     const LimitArrays limits = limited_ ? LimitArrays{yield_.data(), give_.data()} : LimitArrays{};
-    const std::span<const std::uint32_t> slots = floes.touched_slots();
-    ended_delta_.reserve(8 * slots.size());
-    const MovedAhead moved{all.delta, ended_delta_.data(), slots.data(), slots.size(),
+    const std::span<const std::uint32_t> bodies = floes.touched_bodies();
+    ended_delta_.reserve(8 * bodies.size());
+    const MovedAhead moved{all.delta, ended_delta_.data(), bodies.data(), bodies.size(),
                            order_.rows() * static_cast<std::size_t>(width_)};
     begin_sweeps(moved);
     Acceleration acceleration;

@@ -39,9 +39,8 @@ class DirectContacts {
   public:
     /// Rows of the contacts, ordered such that the result is that of the given order. To be called after
     /// floes.touch().
-    void prepare(std::span<const SolverContact> contacts, std::span<const std::uint32_t> slot_of_body,
-                 std::size_t body_slots, const LaneArrays& all, DirectFloes& floes, const LaneKernels& kernels,
-                 const ContactLaw& law, double time_step);
+    void prepare(std::span<const SolverContact> contacts, const LaneArrays& all, DirectFloes& floes,
+                 const LaneKernels& kernels, const ContactLaw& law, double time_step);
 
     /// The impulses that contacts bring along, then sweeps, until none changes the velocity at a contact by more than
     /// the tolerance. Returns their number; none where nothing touches.

@@ -39,9 +39,7 @@ inline CompliantBody compliant_body(const LaneArrays& arrays, const DirectArrays
     body.position = pick3(arrays, body_field::position, slots);
     body.start_velocity = pick3(arrays, body_field::start_velocity, slots);
     body.start_angular_velocity = pick3(arrays, body_field::start_angular_velocity, slots);
-    Pack frame[9];
-    pick(direct.local, arrays.width, local_field::count, local_field::frame, slots, frame);
-    body.frame = {{frame[0], frame[3], frame[6]}, {frame[1], frame[4], frame[7]}, {frame[2], frame[5], frame[8]}};
+    body.frame = gather_frame(direct, slots);
     alignas(64) static constexpr double none[compliance_block]{};
     Flat column[3];
     for (int k = 0; k < 3; ++k) {
@@ -323,20 +321,6 @@ void move_contacts_ahead(const MovedAhead& moved, const DirectRowArrays& all, do
     }
 }
 
-/// Adds the impulse in each lane to that of the lane's body.
-inline void add_to_bodies(double* impulse, const ComplianceColumn* columns, const std::uint32_t* slots,
-                          const Flat& on) {
-    alignas(64) double by_lane[lanes][8];
-    scatter_flat([&](int lane) { return by_lane[lane]; }, on);
-    for (int lane = 0; lane < lanes; ++lane) {
-        if (columns[slots[lane]].blocks == nullptr) continue;
-        double* total = impulse + static_cast<std::size_t>(slots[lane]) * 8;
-#pragma GCC unroll 8
-        for (int part = 0; part < 8; part += lanes)
-            store(total + part, 0, load(total + part, 0) + load(by_lane[lane] + part, 0));
-    }
-}
-
 void sum_direct_contacts(double* impulse, const ComplianceColumn* columns, const ContactPacks& packs,
                          const DirectRowArrays& all) {
     const std::uint32_t* slots = packs.slots;
@@ -350,7 +334,6 @@ void sum_direct_contacts(double* impulse, const ComplianceColumn* columns, const
                 on_b = on_b - load_flat(row, direct_field::on_b + 6 * j) * pressed;
             }
         }
-        add_to_bodies(impulse, columns, slots, on_a);
-        add_to_bodies(impulse, columns, slots + lanes, on_b);
+        add_to_bodies(impulse, slots, on_a, on_b, [=](std::uint32_t body) { return columns[body].blocks != nullptr; });
     }
 }

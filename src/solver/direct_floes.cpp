@@ -11,6 +11,8 @@ namespace floes {
 
 namespace {
 
+using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
 /// Pieces up to this size keep their whole compliance, all columns of it.
 constexpr std::size_t most_bodies_with_columns = 64;
 
@@ -24,28 +26,28 @@ Mat3 nearest_rotation(Mat3 mean) {
 }  // namespace
 
 DirectFloes::DirectFloes(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints,
-                         const LaneSlots& slots, const LaneKernels& kernels, const LaneKernels& widest)
+                         const LaneKernels& kernels)
     : kernels_(&kernels),
-      widest_(&widest),
-      slots_(slots),
+      body_groups_(groups_of(bodies.size(), kernels.width)),
+      joint_groups_(groups_of(joints.size(), kernels.width)),
       bodies_(bodies.begin(), bodies.end()),
       joints_(joints.begin(), joints.end()),
-      piece_of_body_(bodies.size()),
       within_piece_(bodies.size()),
       is_touched_(bodies.size()) {
     const auto lanes = static_cast<std::size_t>(kernels.width);
-    local_ = AlignedArray<double>(slots.body_groups * lanes * local_field::count);
-    spring_ = AlignedArray<double>(slots.joint_groups * lanes * spring_field::count);
-    impulse_ = AlignedArray<double>((slots.body_groups * lanes + 1) * 8);
-    columns_.resize(slots.body_groups * lanes + 1);
-    for (std::size_t slot = 0; slot < slots.body_groups * lanes; ++slot) {  // bodies of no piece, and empty lanes
-        for (int i = 0; i < 9; i += 4) {
-            local_[place(static_cast<std::uint32_t>(slot), local_field::count, local_field::frame + i, kernels.width)] =
-                1;
-        }
+    piece_of_body_.resize(bodies.size() + 1);                     // with the spare body of empty lanes
+    frame_ = AlignedArray<double>(bodies.size() * frame_stride);  // there are no more pieces than bodies
+    spring_ = AlignedArray<double>(joint_groups_ * lanes * spring_field::count);
+    start_ = AlignedArray<double>(body_groups_ * lanes * 8);
+    impulse_ = AlignedArray<double>(body_groups_ * lanes * 8);
+    columns_.resize(body_groups_ * lanes + 1);
+    joined_.resize(2 * joint_groups_ * lanes);
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        std::uint32_t* const pair = &joined_[i / lanes * 2 * lanes + i % lanes];
+        pair[0] = joints[i].a;
+        pair[lanes] = joints[i].b;
     }
     touched_bodies_.reserve(bodies_.size());
-    touched_slots_.reserve(bodies_.size());
     touched_pieces_.reserve(bodies_.size());
     // One piece of all bodies, which is then split by its joints.
     Piece all;
@@ -82,7 +84,7 @@ void DirectFloes::set_water(std::size_t body, const CarriedWater& water) {
         store_water(body);
         return;
     }
-    carried_ = AlignedArray<double>(slots_.body_groups * static_cast<std::size_t>(kernels_->width) *
+    carried_ = AlignedArray<double>(body_groups_ * static_cast<std::size_t>(kernels_->width) *
                                     static_cast<std::size_t>(carried_field::count));
     for (std::size_t i = 0; i < bodies_.size(); ++i) store_water(i);
 }
@@ -91,7 +93,7 @@ void DirectFloes::store_water(std::size_t body) {
     const SolverBody& of = bodies_[body];
     if (!(of.inverse_mass > 0)) return;
     const auto put = [&](int field, double value) {
-        carried_[place(slots_.body[body], carried_field::count, field, kernels_->width)] = value;
+        carried_[place(static_cast<std::uint32_t>(body), carried_field::count, field, kernels_->width)] = value;
     };
     PieceBody free = body_of(of, Mat3::Identity());
     free.rail = -1;  // what acts on a body on a rail from outside is along it
@@ -116,25 +118,19 @@ void DirectFloes::store_water(std::size_t body) {
 }
 
 void DirectFloes::turn_frames(const LaneArrays& all) {
-    const int width = kernels_->width;
-    for (const Piece& piece : pieces_) {
+    for (std::size_t k = 0; k < pieces_.size(); ++k) {
+        const Piece& piece = pieces_[k];
         Mat3 sum = Mat3::Zero();
         for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
-            const double* from = all.body + place(piece.slots[i], body_field::count, body_field::rotation, width);
-            Mat3 turn;
-            for (int k = 0; k < 9; ++k) turn(k / 3, k % 3) = from[k * width];
+            const Mat3 turn = Eigen::Map<const Rows3>(all.motion[piece.bodies[i]].rotation);
             sum += turn * piece.at_rest[i].transpose();
         }
-        const Mat3 frame =
-            piece.bodies.size() == 1 ? sum : nearest_rotation(sum / static_cast<double>(piece.bodies.size()));
-        for (const std::uint32_t slot : piece.slots) {
-            double* to = local_.data() + place(slot, local_field::count, local_field::frame, width);
-            for (int k = 0; k < 9; ++k) to[k * width] = frame(k / 3, k % 3);
-        }
+        Eigen::Map<Rows3> frame(&frame_[k * frame_stride]);
+        frame = piece.bodies.size() == 1 ? sum : nearest_rotation(sum / static_cast<double>(piece.bodies.size()));
     }
 }
 
-void DirectFloes::prepare(const LaneArrays& all, std::span<const LaneBlock> blocks, double time_step) {
+void DirectFloes::prepare(const LaneArrays& all, double time_step) {
     if (stale_ || time_step != time_step_) {
         const bool all_anew = time_step != time_step_;
         time_step_ = time_step;
@@ -148,43 +144,43 @@ void DirectFloes::prepare(const LaneArrays& all, std::span<const LaneBlock> bloc
         std::erase_if(compliances_, [](const auto& compliance) { return compliance.use_count() == 1; });
         stale_ = false;
     }
-    if (carried_.size() > 0) kernels_->direct.carry_water(all, carried_.data(), slots_.body_groups, time_step);
+    if (carried_.size() > 0) kernels_->direct.carry_water(all, carried_.data(), body_groups_, time_step);
     turn_frames(all);
-    kernels_->direct.begin(all, arrays(), slots_.body_groups);
-    for (const LaneBlock& block : blocks) kernels_->direct.press(all, arrays(), block, time_step);
-    kernels_->direct.to_pieces(all, arrays(), slots_.body_groups);
+    kernels_->direct.begin(all, arrays(), body_groups_);
+    kernels_->direct.press(all, arrays(), joint_groups_, time_step);
 }
 
 void DirectFloes::apply_whole_compliance(Piece& piece, double* delta) {
     piece_impulse_.resize(8 * piece.bodies.size());
     piece_change_.resize(8 * piece.bodies.size());
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
-        std::copy_n(impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]), 8, &piece_impulse_[8 * i]);
+        std::copy_n(impulse_.data() + 8 * static_cast<std::size_t>(piece.bodies[i]), 8, &piece_impulse_[8 * i]);
     }
     piece.compliance->velocity_changes(piece_impulse_.data(), piece_change_.data());
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
-        std::copy_n(&piece_change_[8 * i], 8, delta + 8 * static_cast<std::size_t>(piece.slots[i]));
+        std::copy_n(&piece_change_[8 * i], 8, delta + 8 * static_cast<std::size_t>(piece.bodies[i]));
     }
 }
 
-void DirectFloes::apply_compliance(Piece& piece, const std::vector<std::uint32_t>& slots,
+void DirectFloes::apply_compliance(Piece& piece, const std::vector<std::uint32_t>& bodies,
                                    const std::vector<std::uint32_t>& within, double* delta) {
     if (piece.bodies.size() > most_bodies_with_columns) {
         apply_whole_compliance(piece, delta);
         return;
     }
-    for (const std::uint32_t slot : slots) std::fill_n(delta + 8 * static_cast<std::size_t>(slot), 8, 0.0);
+    for (const std::uint32_t body : bodies) std::fill_n(delta + 8 * static_cast<std::size_t>(body), 8, 0.0);
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
-        const ComplianceColumn column{piece.compliance->column(i), nullptr, slots.data(), within.data(), slots.size()};
-        widest_->direct.add_velocity_changes(delta, column,
-                                             impulse_.data() + 8 * static_cast<std::size_t>(piece.slots[i]));
+        const ComplianceColumn column{piece.compliance->column(i), nullptr, bodies.data(), within.data(),
+                                      bodies.size()};
+        kernels_->direct.add_velocity_changes(delta, column,
+                                              impulse_.data() + 8 * static_cast<std::size_t>(piece.bodies[i]));
     }
 }
 
 void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> contacts) {
     for (const std::uint32_t body : touched_bodies_) {
         is_touched_[body] = 0;
-        columns_[slots_.body[body]] = {};
+        columns_[body] = {};
     }
     touched_bodies_.clear();
     for (const SolverContact& contact : contacts) {
@@ -196,41 +192,37 @@ void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> co
     }
     std::ranges::sort(touched_bodies_);
     for (const std::uint32_t piece : touched_pieces_) {
-        pieces_[piece].touched_slots.clear();
+        pieces_[piece].touched.clear();
         pieces_[piece].touched_within.clear();
     }
     touched_pieces_.clear();
-    touched_slots_.clear();
     for (const std::uint32_t body : touched_bodies_) {
-        touched_slots_.push_back(slots_.body[body]);
         Piece& piece = pieces_[piece_of_body_[body]];
-        if (piece.touched_slots.empty()) touched_pieces_.push_back(piece_of_body_[body]);
-        piece.touched_slots.push_back(slots_.body[body]);
+        if (piece.touched.empty()) touched_pieces_.push_back(piece_of_body_[body]);
+        piece.touched.push_back(body);
         piece.touched_within.push_back(within_piece_[body]);
     }
     for (const std::uint32_t i : touched_pieces_) {
         Piece& piece = pieces_[i];
-        apply_compliance(piece, piece.touched_slots, piece.touched_within, all.delta);
-        for (std::size_t k = 0; k < piece.touched_slots.size(); ++k) {
+        apply_compliance(piece, piece.touched, piece.touched_within, all.delta);
+        for (std::size_t k = 0; k < piece.touched.size(); ++k) {
             const std::uint32_t within = piece.touched_within[k];
             const double* blocks = piece.compliance->column(within);
-            columns_[piece.touched_slots[k]] = {blocks, blocks + within * compliance_block, piece.touched_slots.data(),
-                                                piece.touched_within.data(), piece.touched_slots.size()};
+            columns_[piece.touched[k]] = {blocks, blocks + within * compliance_block, piece.touched.data(),
+                                          piece.touched_within.data(), piece.touched.size()};
         }
     }
 }
 
-void DirectFloes::finish(const LaneArrays& all, std::span<const LaneBlock> blocks) {
-    for (Piece& piece : pieces_) apply_compliance(piece, piece.slots, piece.within, all.delta);
-    kernels_->direct.from_pieces(all, arrays(), slots_.body_groups);
-    for (const LaneBlock& block : blocks) kernels_->direct.reactions(all, arrays(), block, time_step_);
+void DirectFloes::finish(const LaneArrays& all) {
+    for (Piece& piece : pieces_) apply_compliance(piece, piece.bodies, piece.within, all.delta);
+    kernels_->direct.from_pieces(all, arrays(), body_groups_);
+    kernels_->direct.reactions(all, arrays(), joint_groups_, time_step_);
 }
 
 // The connected pieces of floes that are solved exactly: how they are split, and their compliance.
 
 namespace {
-
-using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 Mat3 matrix_of(const SolverFrame& frame) {
     return Eigen::Map<const Rows3>(frame.rotation.data());
@@ -266,7 +258,6 @@ void DirectFloes::split(std::size_t piece) {
         within_piece_[body] = static_cast<std::uint32_t>(part.bodies.size());
         part.within.push_back(within_piece_[body]);
         part.bodies.push_back(body);
-        part.slots.push_back(slots_.body[body]);
     }
     for (const std::uint32_t joint : whole.joints) {
         pieces_[piece_of_body_[joints_[joint].a]].joints.push_back(joint);
@@ -275,7 +266,7 @@ void DirectFloes::split(std::size_t piece) {
 
 void DirectFloes::store_spring(std::size_t joint, const PieceJoint& at_rest, const std::array<double, 6>& stiffness) {
     const auto put = [&](int field, double value) {
-        spring_[place(slots_.joint[joint], spring_field::count, field, kernels_->width)] = value;
+        spring_[place(static_cast<std::uint32_t>(joint), spring_field::count, field, kernels_->width)] = value;
     };
     for (int i = 0; i < 3; ++i) {
         for (int k = 0; k < 3; ++k) put(spring_field::axes + 3 * i + k, at_rest.axes(i, k));
@@ -351,7 +342,7 @@ void DirectFloes::make_compliance(Piece& piece) {
         store_spring(joint, joints.back(), stiffness);
     }
     find_compliance(piece, std::move(bodies), std::move(joints));
-    piece.touched_slots.reserve(piece.bodies.size());  // so that steps need not
+    piece.touched.reserve(piece.bodies.size());  // so that steps need not
     piece.touched_within.reserve(piece.bodies.size());
 }
 

@@ -15,19 +15,10 @@
 
 namespace floes {
 
-/// Where the bodies and joints of a system lie in its lanes.
-struct LaneSlots {
-    std::span<const std::uint32_t> body;
-    std::span<const std::uint32_t> joint;
-    std::size_t body_groups;
-    std::size_t joint_groups;
-};
-
 class DirectFloes {
   public:
-    /// `kernels`: of the slots' width; `widest`: for what bodies do one by one.
-    DirectFloes(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, const LaneSlots& slots,
-                const LaneKernels& kernels, const LaneKernels& widest);
+    /// Bodies and joints lie in the lanes by their numbers.
+    DirectFloes(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, const LaneKernels& kernels);
 
     /// Takes effect in the next step.
     void remove_joint(std::size_t joint);
@@ -39,21 +30,24 @@ class DirectFloes {
     void set_water(std::size_t body, const CarriedWater& water);
 
     /// Applies the joints as they act without contacts, from the bodies' start velocities.
-    void prepare(const LaneArrays& all, std::span<const LaneBlock> blocks, double time_step);
+    void prepare(const LaneArrays& all, double time_step);
 
     /// Prepares impulses on the bodies in these contacts: fills `delta` of all bodies that they may move.
     void touch(const LaneArrays& all, std::span<const SolverContact> contacts);
 
     /// Velocity changes of the pieces by all impulses, and the reactions of the joints.
-    void finish(const LaneArrays& all, std::span<const LaneBlock> blocks);
+    void finish(const LaneArrays& all);
 
-    DirectArrays arrays() { return {local_.data(), spring_.data(), impulse_.data()}; }
+    DirectArrays arrays() {
+        return {frame_.data(), piece_of_body_.data(), spring_.data(), joined_.data(), start_.data(), impulse_.data()};
+    }
 
-    /// By slot of a body, and for the spare slot after them; valid from touch() on.
+    /// Of each body, and of the spare slot after all groups of them; valid from touch() on.
     const ComplianceColumn* columns() const { return columns_.data(); }
+    std::uint32_t spare() const { return static_cast<std::uint32_t>(columns_.size() - 1); }
 
-    /// Of the bodies in contacts whose velocities impulses change; valid from touch() on.
-    std::span<const std::uint32_t> touched_slots() const { return touched_slots_; }
+    /// Bodies in contacts, rising, whose velocities impulses change; valid from touch() on.
+    std::span<const std::uint32_t> touched_bodies() const { return touched_bodies_; }
 
     /// The piece of a body: two of one piece move together.
     std::uint32_t piece(std::size_t body) const { return piece_of_body_[body]; }
@@ -62,12 +56,12 @@ class DirectFloes {
 
   private:
     struct Piece {
-        std::vector<std::uint32_t> bodies;         ///< rising
-        std::vector<std::uint32_t> joints;         ///< alive, rising
-        std::vector<std::uint32_t> slots, within;  ///< of the bodies, and 0, 1, 2, …
-        std::vector<Mat3> at_rest;                 ///< body -> piece, unstrained
+        std::vector<std::uint32_t> bodies;  ///< rising
+        std::vector<std::uint32_t> within;  ///< 0, 1, 2, …
+        std::vector<std::uint32_t> joints;  ///< alive, rising
+        std::vector<Mat3> at_rest;          ///< body -> piece, unstrained
         std::shared_ptr<PieceCompliance> compliance;
-        std::vector<std::uint32_t> touched_slots, touched_within;
+        std::vector<std::uint32_t> touched, touched_within;
         bool broken = false;  ///< joints were removed since it was found
     };
 
@@ -79,13 +73,12 @@ class DirectFloes {
                        std::array<double, 6>& stiffness) const;
     void store_spring(std::size_t joint, const PieceJoint& at_rest, const std::array<double, 6>& stiffness);
     void turn_frames(const LaneArrays& all);
-    void apply_compliance(Piece& piece, const std::vector<std::uint32_t>& slots,
+    void apply_compliance(Piece& piece, const std::vector<std::uint32_t>& bodies,
                           const std::vector<std::uint32_t>& within, double* delta);
     void apply_whole_compliance(Piece& piece, double* delta);
 
     const LaneKernels* kernels_;
-    const LaneKernels* widest_;
-    LaneSlots slots_;
+    std::size_t body_groups_, joint_groups_;
     std::vector<SolverBody> bodies_;
     std::vector<SolverJoint> joints_;
     std::vector<Piece> pieces_;
@@ -93,10 +86,11 @@ class DirectFloes {
     std::vector<std::shared_ptr<PieceCompliance>> compliances_;  ///< shared by the pieces of one form
     bool stale_ = true;
     double time_step_ = 0;
-    AlignedArray<double> local_, spring_, impulse_;
+    AlignedArray<double> frame_, spring_, start_, impulse_;
+    std::vector<std::uint32_t> joined_;
     AlignedArray<double> carried_;  ///< empty as long as no body carries water
     std::vector<ComplianceColumn> columns_;
-    std::vector<std::uint32_t> touched_pieces_, touched_bodies_, touched_slots_;
+    std::vector<std::uint32_t> touched_pieces_, touched_bodies_;
     std::vector<std::uint8_t> is_touched_;  ///< by body
     std::vector<double> piece_impulse_, piece_change_;
 };

@@ -31,24 +31,36 @@ template <class At>
     scatter(at, {f.within, Pack{}, f.out});
 }
 
-inline double* body_group(double* array, int fields, std::size_t group) {
-    return array + group * static_cast<std::size_t>(fields * lanes);
+/// Of row-by-row numbers.
+inline M3 matrix(const Pack* m) {
+    return {{m[0], m[3], m[6]}, {m[1], m[4], m[7]}, {m[2], m[5], m[8]}};
 }
 
-inline const double* body_group(const double* array, int fields, std::size_t group) {
-    return array + group * static_cast<std::size_t>(fields * lanes);
+/// Axes of the pieces of the bodies in a pack.
+[[gnu::always_inline]] inline M3 gather_frame(const DirectArrays& direct, const std::uint32_t* bodies) {
+    Pack frame[9];
+    gather([&](int lane) { return direct.frame + direct.piece[bodies[lane]] * frame_stride; }, frame);
+    return matrix(frame);
 }
 
 void begin_local(const LaneArrays& arrays, const DirectArrays& direct, std::size_t groups) {
     for (std::size_t i = 0; i < groups; ++i) {
-        const double* body = body_group(arrays.body, body_field::count, i);
-        double* local = body_group(direct.local, local_field::count, i);
-        const M3 frame = load_matrix(local, local_field::frame);
-        store3(local, local_field::velocity, transposed_times(frame, load3(body, body_field::start_velocity)));
-        store3(local, local_field::angular_velocity,
-               transposed_times(frame, load3(body, body_field::start_angular_velocity)));
-        store3(local, local_field::impulse, V3{});
-        store3(local, local_field::impulse + 3, V3{});
+        const double* body = group_of(arrays.body, body_field::count, i);
+        const M3 frame = gather_frame(direct, arrays.body_of_slot + i * lanes);
+        scatter_flat([&](int lane) { return group_of(direct.start, 8, i) + 8 * lane; },
+                     flat(transposed_times(frame, load3(body, body_field::start_velocity)),
+                          transposed_times(frame, load3(body, body_field::start_angular_velocity))));
+        for (int part = 0; part < 8; ++part) store(group_of(direct.impulse, 8, i), part, Pack{});
+    }
+}
+
+void from_pieces(const LaneArrays& arrays, const DirectArrays& direct, std::size_t groups) {
+    for (std::size_t i = 0; i < groups; ++i) {
+        double* to = group_of(arrays.sweep, sweep_field::count, i);
+        const Flat change = gather_flat([&](int lane) { return group_of(arrays.delta, 8, i) + 8 * lane; });
+        const M3 frame = gather_frame(direct, arrays.body_of_slot + i * lanes);
+        store3(to, sweep_field::velocity, frame * linear(change));
+        store3(to, sweep_field::angular_velocity, frame * angular(change));
     }
 }
 
@@ -61,27 +73,49 @@ struct JointMotion {
     V3 sliding, turning;
 };
 
-inline JointMotion joint_motion(const double* spring, const double* a, const double* b) {
+/// velocities: 8 numbers of each body.
+[[gnu::always_inline]] inline JointMotion joint_motion(const double* spring, const double* velocities,
+                                                       const std::uint32_t* joined) {
     const M3 axes = load_matrix(spring, spring_field::axes);
-    const V3 angular_change_a = load3(a, local_field::angular_velocity);
-    const V3 angular_change_b = load3(b, local_field::angular_velocity);
-    const V3 sliding = (load3(a, local_field::velocity) - load3(b, local_field::velocity)) +
-                       (cross(angular_change_a, load3(spring, spring_field::lever_a)) -
-                        cross(angular_change_b, load3(spring, spring_field::lever_b)));
-    return {transposed_times(axes, sliding), transposed_times(axes, angular_change_a - angular_change_b)};
+    const auto of = [=](int i) { return velocities + 8 * static_cast<std::size_t>(joined[i]); };
+    const Flat a = gather_flat(of);
+    const Flat b = gather_flat([=](int lane) { return of(lanes + lane); });
+    const V3 sliding = (linear(a) - linear(b)) + (cross(angular(a), load3(spring, spring_field::lever_a)) -
+                                                  cross(angular(b), load3(spring, spring_field::lever_b)));
+    return {transposed_times(axes, sliding), transposed_times(axes, angular(a) - angular(b))};
 }
 
-inline void add3(double* group, int field, const V3& v) {
-    store3(group, field, load3(group, field) + v);
+/// Adds the impulses in each lane to those of the lane's bodies a and b where moves(body): lane by lane, so that those on
+/// a body are summed in their order at every width.
+template <class Moves>
+[[gnu::always_inline]] inline void add_to_bodies(double* impulse, const std::uint32_t* bodies, const Flat& on_a,
+                                                 const Flat& on_b, const Moves& moves) {
+    alignas(64) double by_lane[2 * lanes][8];
+    scatter_flat([&](int lane) { return by_lane[lane]; }, on_a);
+    scatter_flat([&](int lane) { return by_lane[lanes + lane]; }, on_b);
+    for (int i = 0; i < 2 * lanes; ++i) {
+        const int at = i / 2 + i % 2 * lanes;
+        if (!moves(bodies[at])) continue;
+        double* total = impulse + static_cast<std::size_t>(bodies[at]) * 8;
+#pragma GCC unroll 8
+        for (int part = 0; part < 8; part += lanes)
+            store(total + part, 0, load(total + part, 0) + load(by_lane[at] + part, 0));
+    }
 }
 
-inline void press_joint(const double* frame, double* spring, const double* reaction, const double* body_a,
-                        const double* body_b, double* a, double* b, double time_step) {
-    const JointGeometry g = joint_geometry(frame, body_a, body_b);
+inline void press_group(const LaneArrays& arrays, const DirectArrays& direct, std::size_t i, double time_step) {
+    double* spring = group_of(direct.spring, spring_field::count, i);
+    const std::uint32_t* joined = direct.joined + i * (2 * lanes);
+    Pack a[12], b[12];  // position and rotation
+    gather([=](int lane) { return arrays.motion[joined[lane]].position; }, a);
+    gather([=](int lane) { return arrays.motion[joined[lanes + lane]].position; }, b);
+    const V3 between = V3{b[0], b[1], b[2]} - V3{a[0], a[1], a[2]};
+    const JointGeometry g =
+        joint_geometry(group_of(arrays.frame, frame_field::count, i), matrix(a + 3), matrix(b + 3), between);
     const M3 axes = load_matrix(spring, spring_field::axes);
     const V3 lever_a = load3(spring, spring_field::lever_a);
     const V3 lever_b = load3(spring, spring_field::lever_b);
-    const JointMotion motion = joint_motion(spring, a, b);
+    const JointMotion motion = joint_motion(spring, direct.start, joined);
     // The angles are those by which a is turned ahead of b, the gap that by which b is ahead of a.
     const V3 pull =
         times(load3(spring, spring_field::stiffness), g.gap) - times(load3(spring, spring_field::hold), motion.sliding);
@@ -96,61 +130,25 @@ inline void press_joint(const double* frame, double* spring, const double* react
     // The levers are those of the unstrained piece. In a strained one the two pivots differ slightly, so that equal and
     // opposite forces would leave a couple. It is computed from the last step's reaction, and each body gets half of
     // its opposite.
-    const V3 apart = transposed_times(load_matrix(a, local_field::frame),
-                                      load3(body_b, body_field::position) - load3(body_a, body_field::position)) +
-                     (lever_b - lever_a);
-    const V3 couple = cross(apart, axes * load3(reaction, reaction_field::force)) * (Pack{} + 0.5 * time_step);
-    add3(a, local_field::impulse, force);
-    add3(a, local_field::impulse + 3, (cross(lever_a, force) + moment) + couple);
-    add3(b, local_field::impulse, force * (Pack{} - 1.0));
-    add3(b, local_field::impulse + 3, couple - (cross(lever_b, force) + moment));
+    const M3 frame = gather_frame(direct, joined);
+    const V3 apart = transposed_times(frame, between) + (lever_b - lever_a);
+    const V3 reaction = load3(group_of(arrays.reaction, reaction_field::count, i), reaction_field::force);
+    const V3 couple = cross(apart, axes * reaction) * (Pack{} + 0.5 * time_step);
+    add_to_bodies(direct.impulse, joined, flat(force, (cross(lever_a, force) + moment) + couple),
+                  flat(force * (Pack{} - 1.0), couple - (cross(lever_b, force) + moment)),
+                  [](std::uint32_t) { return true; });
 }
 
-void press_joints(const LaneArrays& arrays, const DirectArrays& direct, const LaneBlock& block, double time_step) {
-    for (std::int32_t j = 0; j < block.joints; ++j) {
-        const std::int32_t a = block.pairs[2 * j];
-        const std::int32_t b = block.pairs[2 * j + 1];
-        press_joint(joint_group(arrays.frame, frame_field::count, block, j),
-                    joint_group(direct.spring, spring_field::count, block, j),
-                    joint_group(arrays.reaction, reaction_field::count, block, j),
-                    body_group(arrays.body, body_field::count, block, a),
-                    body_group(arrays.body, body_field::count, block, b),
-                    body_group(direct.local, local_field::count, block, a),
-                    body_group(direct.local, local_field::count, block, b), time_step);
-    }
+void press_joints(const LaneArrays& arrays, const DirectArrays& direct, std::size_t groups, double time_step) {
+    for (std::size_t i = 0; i < groups; ++i) press_group(arrays, direct, i, time_step);
 }
 
-void to_pieces(const LaneArrays&, const DirectArrays& direct, std::size_t groups) {
-    for (std::size_t i = 0; i < groups; ++i) {
-        const double* local = body_group(direct.local, local_field::count, i);
-        double* to = direct.impulse + i * static_cast<std::size_t>(8 * lanes);
-        scatter_flat([to](int lane) { return to + 8 * lane; },
-                     flat(load3(local, local_field::impulse), load3(local, local_field::impulse + 3)));
-    }
-}
-
-void from_pieces(const LaneArrays& arrays, const DirectArrays& direct, std::size_t groups) {
-    for (std::size_t i = 0; i < groups; ++i) {
-        const double* from = arrays.delta + i * static_cast<std::size_t>(8 * lanes);
-        double* local = body_group(direct.local, local_field::count, i);
-        double* to = body_group(arrays.sweep, sweep_field::count, i);
-        const Flat change = gather_flat([from](int lane) { return from + 8 * lane; });
-        const M3 frame = load_matrix(local, local_field::frame);
-        store3(local, local_field::velocity, linear(change));
-        store3(local, local_field::angular_velocity, angular(change));
-        store3(to, sweep_field::velocity, frame * linear(change));
-        store3(to, sweep_field::angular_velocity, frame * angular(change));
-    }
-}
-
-void direct_reactions(const LaneArrays& arrays, const DirectArrays& direct, const LaneBlock& block, double time_step) {
+void direct_reactions(const LaneArrays& arrays, const DirectArrays& direct, std::size_t groups, double time_step) {
     const Pack per_step = Pack{} + 1.0 / time_step;
-    for (std::int32_t j = 0; j < block.joints; ++j) {
-        const double* spring = joint_group(direct.spring, spring_field::count, block, j);
-        double* reaction = joint_group(arrays.reaction, reaction_field::count, block, j);
-        const JointMotion change =
-            joint_motion(spring, body_group(direct.local, local_field::count, block, block.pairs[2 * j]),
-                         body_group(direct.local, local_field::count, block, block.pairs[2 * j + 1]));
+    for (std::size_t i = 0; i < groups; ++i) {
+        const double* spring = group_of(direct.spring, spring_field::count, i);
+        double* reaction = group_of(arrays.reaction, reaction_field::count, i);
+        const JointMotion change = joint_motion(spring, arrays.delta, direct.joined + i * (2 * lanes));
         const V3 pull = load3(spring, spring_field::impulse) - times(load3(spring, spring_field::hold), change.sliding);
         const V3 twist =
             load3(spring, spring_field::impulse + 3) - times(load3(spring, spring_field::hold + 3), change.turning);

@@ -55,17 +55,15 @@ struct JointGeometry {
     V3 lever_a, lever_b;
 };
 
-inline JointGeometry joint_geometry(const double* frame, const double* a, const double* b) {
-    const M3 turn_a = load_matrix(a, body_field::rotation);
-    const M3 turn_b = load_matrix(b, body_field::rotation);
+/// `apart`: from the centre of a to that of b.
+inline JointGeometry joint_geometry(const double* frame, const M3& turn_a, const M3& turn_b, const V3& apart) {
     const M3 in_a = turn_a * load_matrix(frame, frame_field::rotation_a);
     const M3 in_b = turn_b * load_matrix(frame, frame_field::rotation_b);
     JointGeometry g;
     g.lever_a = turn_a * load3(frame, frame_field::origin_a);
     g.lever_b = turn_b * load3(frame, frame_field::origin_b);
     // The difference of the centres first: it is small and exact where the positions are large.
-    const V3 apart = (load3(b, body_field::position) - load3(a, body_field::position)) + (g.lever_b - g.lever_a);
-    g.gap = transposed_times(in_a, apart);
+    g.gap = transposed_times(in_a, apart + (g.lever_b - g.lever_a));
     g.angle = {arc_tangent(-dot(in_a.z, in_b.y), dot(in_a.z, in_b.z)), arc_sine(dot(in_a.z, in_b.x)),
                arc_tangent(-dot(in_a.y, in_b.x), dot(in_a.x, in_b.x))};
     const V3 node = cross(in_a.z, in_b.x);
@@ -87,7 +85,9 @@ inline Pack row_scale(Pack a, Pack alive) {
 
 inline void prepare_joint(const double* frame, double* row, double* reaction, const double* a, const double* b,
                           const double* sweep_a, const double* sweep_b, double inverse_step) {
-    const JointGeometry g = joint_geometry(frame, a, b);
+    const JointGeometry g =
+        joint_geometry(frame, load_matrix(a, body_field::rotation), load_matrix(b, body_field::rotation),
+                       load3(b, body_field::position) - load3(a, body_field::position));
     const Pack alive = load(frame, frame_field::alive);
     const Pack correction = load(frame, frame_field::erp) * inverse_step;
     const S3 inertia_a = load_symmetric(sweep_a, sweep_field::inverse_inertia);
@@ -138,12 +138,11 @@ inline void prepare_joint(const double* frame, double* row, double* reaction, co
 }
 
 inline double* body_group(double* array, int fields, const LaneBlock& block, std::int32_t body) {
-    return array + (block.first_body_group + static_cast<std::size_t>(body)) * static_cast<std::size_t>(fields * lanes);
+    return group_of(array, fields, block.first_body_group + static_cast<std::size_t>(body));
 }
 
 inline double* joint_group(double* array, int fields, const LaneBlock& block, std::int32_t joint) {
-    return array +
-           (block.first_joint_group + static_cast<std::size_t>(joint)) * static_cast<std::size_t>(fields * lanes);
+    return group_of(array, fields, block.first_joint_group + static_cast<std::size_t>(joint));
 }
 
 void prepare_joints(const LaneArrays& arrays, const LaneBlock& block, double time_step) {

@@ -40,7 +40,7 @@ const LaneKernels FLOES_KERNELS{
     solve_normals,
     solve_frictions,
     solve_cones,
-    {carry_water, begin_local, press_joints, to_pieces, from_pieces, direct_reactions, add_velocity_changes,
+    {carry_water, begin_local, press_joints, from_pieces, direct_reactions, add_velocity_changes,
      prepare_direct_contacts, start_direct_contacts, solve_direct_contacts, move_contacts_ahead, sum_direct_contacts}};
 
 }  // namespace floes

@@ -1,6 +1,7 @@
 #pragma once
-// Where the kernels find things. Bodies and joints lie in groups of `width` lanes, one floe a lane; a field of a group
-// is `width` doubles side by side, so a kernel loads it as one vector. Plain constants, numbers and pointers only: this
+// Where the kernels find things. Bodies and joints lie in groups of `width` lanes; a field of a group is `width`
+// doubles side by side, so a kernel loads it as one vector. Where joints are swept a lane is a floe; where they are
+// solved directly, bodies and joints fill the lanes by their numbers. Plain constants, numbers and pointers only: this
 // header is compiled under every instruction set, and nothing inline may leak from one of those to another.
 
 #include <cstddef>
@@ -189,25 +190,18 @@ struct LaneArrays {
     double* force;  ///< by number of a body; a spare one for empty lanes
     BodyMotion* motion;                 ///< likewise
     const std::uint32_t* body_of_slot;  ///< its number
-    std::uint32_t width;  ///< of the groups of bodies and joints: a power of two; rows of contacts may be wider
 };
 
-// Where the kernels of the direct solver find things. A piece has axes of its own that turn with
-// it; "local" is along these.
+// Where the kernels of the direct solver find things. A piece has axes of its own that turn with it; "local" is along
+// these. A body's slot is its number, and likewise a joint's.
 
 /// What an impulse on one body does to another, by three columns of 8 numbers, for an impulse {x, z, about y; y, about
 /// x, about z}: of its first parts the changes of {x, z, about y, 0}, of its last those of {y, about x, about z, 0}.
 /// The two halves do not mix.
 inline constexpr std::size_t compliance_block = 24;
 
-/// Fields of a body beside those of body_field.
-namespace local_field {
-inline constexpr int frame = 0;              ///< local -> world of its piece, row by row
-inline constexpr int velocity = 9;           ///< start velocity, local; after the solve the change of it
-inline constexpr int angular_velocity = 12;  ///< likewise
-inline constexpr int impulse = 15;           ///< by its joints, local; then angular
-inline constexpr int count = 21;
-}  // namespace local_field
+/// Numbers from one piece's frame to the next one's.
+inline constexpr std::size_t frame_stride = 16;
 
 /// Fields of a joint in an unstrained piece, local.
 namespace spring_field {
@@ -221,10 +215,13 @@ inline constexpr int count = 33;
 }  // namespace spring_field
 
 struct DirectArrays {
-    double* local;
+    const double* frame;         ///< local -> world, row by row, of each piece
+    const std::uint32_t* piece;  ///< of each body
     double* spring;
-    double* impulse;  ///< on each body, by slot {x, z, about y, 0, y, about x, about z, 0}, local: of joints and
-                      ///< contacts together; with this solver `delta` has the same order
+    const std::uint32_t* joined;  ///< by group of joints: bodies a of its lanes, then b; body 0 in an empty lane
+    double* start;                ///< start velocity of each body {x, z, about y, 0, y, about x, about z, 0}, local;
+                                  ///< with this solver `delta` has the same order
+    double* impulse;              ///< on each body likewise: of joints and contacts together
 };
 
 /// Bodies of a piece that an impulse on one of them moves.
@@ -287,12 +284,12 @@ struct DirectKernels {
     void (*carry_water)(const LaneArrays&, const double* carried, std::size_t groups, double time_step);
     /// body groups [0, groups): start velocities, local; impulses set to zero.
     void (*begin)(const LaneArrays&, const DirectArrays&, std::size_t groups);
-    /// What the joints of a block exert before velocities change, summed up by body.
-    void (*press)(const LaneArrays&, const DirectArrays&, const LaneBlock&, double time_step);
-    /// body groups [0, groups): impulses into `impulse`; changes of velocity out of `delta`, in world axes.
-    void (*to_pieces)(const LaneArrays&, const DirectArrays&, std::size_t groups);
+    /// joint groups [0, groups): what they exert before velocities change, summed up by body in the order of joints.
+    void (*press)(const LaneArrays&, const DirectArrays&, std::size_t groups, double time_step);
+    /// body groups [0, groups): changes of velocity out of `delta`, in world axes.
     void (*from_pieces)(const LaneArrays&, const DirectArrays&, std::size_t groups);
-    void (*reactions)(const LaneArrays&, const DirectArrays&, const LaneBlock&, double time_step);
+    /// joint groups [0, groups)
+    void (*reactions)(const LaneArrays&, const DirectArrays&, std::size_t groups, double time_step);
     /// Adds to `delta` what an impulse, 8 numbers as above, does.
     void (*add_velocity_changes)(double* delta, const ComplianceColumn&, const double* impulse);
     void (*prepare_contacts)(const LaneArrays&, const DirectArrays&, const ComplianceColumn*, const ContactPacks&,

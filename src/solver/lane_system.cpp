@@ -1,8 +1,10 @@
 #include "solver/lane_system.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -30,8 +32,8 @@ void get(const double* lane, int width, int field, std::array<double, count>& va
 }  // namespace
 
 LaneArrays LaneSystem::arrays() {
-    return {body_.data(),  sweep_.data(), frame_.data(),  row_.data(),          reaction_.data(),
-            delta_.data(), force_.data(), motion_.data(), body_of_slot_.data(), static_cast<std::uint32_t>(width())};
+    return {body_.data(),  sweep_.data(), frame_.data(),  row_.data(),         reaction_.data(),
+            delta_.data(), force_.data(), motion_.data(), body_of_slot_.data()};
 }
 
 void LaneSystem::remove_joint(std::size_t joint) {
@@ -130,7 +132,7 @@ void LaneSystem::prepare(double time_step) {
     time_step_ = time_step;
     kernels_->prepare_bodies(arrays(), body_groups_, time_step);
     if (direct_) {
-        direct_->prepare(arrays(), blocks_, time_step);
+        direct_->prepare(arrays(), time_step);
         return;
     }
     for (const LaneBlock& block : blocks_) kernels_->prepare_joints(arrays(), block, time_step);
@@ -198,10 +200,9 @@ int LaneSystem::solve(std::span<SolverContact> contacts, const ContactLaw& law, 
 int LaneSystem::solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps) {
     const LaneArrays all = arrays();
     direct_->touch(all, contacts);
-    direct_contacts_.prepare(contacts, slot_of_body_, body_groups_ * static_cast<std::size_t>(width()), all, *direct_,
-                             *of_contacts_, law, time_step_);
-    const int used = direct_contacts_.solve(all, *direct_, *of_contacts_, sweeps);
-    direct_->finish(all, blocks_);
+    direct_contacts_.prepare(contacts, all, *direct_, *kernels_, law, time_step_);
+    const int used = direct_contacts_.solve(all, *direct_, *kernels_, sweeps);
+    direct_->finish(all);
     direct_contacts_.finish(contacts);
     return used;
 }
@@ -224,38 +225,41 @@ struct LaneSystem::Floe {
     std::vector<std::int32_t> pairs;  ///< bodies a, b of each joint, counted within the floe
 };
 
-namespace {
-
-/// No more lanes than it takes to hold the largest set of equal floes.
-int useful_width(std::size_t most_floes, int width) {
-    int useful = 1;
-    while (useful < width && static_cast<std::size_t>(useful) < most_floes) useful *= 2;
-    return useful;
-}
-
-}  // namespace
-
 LaneSystem::LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width,
                        SolverKind solver)
-    : slot_of_body_(bodies.size()), slot_of_joint_(joints.size()), block_of_body_(bodies.size()) {
+    : kernels_(&lane_kernels(width)),
+      slot_of_body_(bodies.size()),
+      slot_of_joint_(joints.size()),
+      block_of_body_(bodies.size()) {
+    const bool direct = solver == SolverKind::direct;
+    make_arrays(direct ? place_by_number() : place_floes(find_floes(bodies, joints)));
+    fill(bodies, joints);
+    if (direct) direct_.emplace(bodies, joints, *kernels_);
+}
+
+std::size_t LaneSystem::place_by_number() {
+    std::iota(slot_of_body_.begin(), slot_of_body_.end(), 0U);
+    std::iota(slot_of_joint_.begin(), slot_of_joint_.end(), 0U);
+    body_groups_ = groups_of(slot_of_body_.size(), width());
+    return groups_of(slot_of_joint_.size(), width());
+}
+
+std::size_t LaneSystem::place_floes(std::vector<Floe> floes) {
     std::map<std::pair<std::size_t, std::vector<std::int32_t>>, std::size_t> kind_of;
     std::vector<std::vector<Floe>> kinds;  // floes with the same bodies and joints, in order of appearance
     std::size_t most_floes = 1;
-    for (Floe& floe : find_floes(bodies, joints)) {
+    for (Floe& floe : floes) {
         const auto [found, added] = kind_of.try_emplace({floe.bodies.size(), floe.pairs}, kinds.size());
         if (added) kinds.emplace_back();
         std::vector<Floe>& kind = kinds[found->second];
         kind.push_back(std::move(floe));
         if (!kind.back().joints.empty()) most_floes = std::max(most_floes, kind.size());
     }
-    kernels_ = &lane_kernels(useful_width(most_floes, width));
-    of_contacts_ = &lane_kernels(width);
-    const std::size_t joint_groups = place_blocks(kinds);
-    make_arrays(joint_groups);
-    fill(bodies, joints);
-    if (solver == SolverKind::lanes) return;
-    direct_.emplace(bodies, joints, LaneSlots{slot_of_body_, slot_of_joint_, body_groups_, joint_groups}, *kernels_,
-                    *of_contacts_);
+    // No more lanes than it takes to hold the largest set of equal floes.
+    kernels_ = &lane_kernels(std::min(width(), static_cast<int>(std::bit_ceil(most_floes))));
+    std::size_t joint_groups = 0;
+    for (std::vector<Floe>& kind : kinds) joint_groups = place_equal(kind, joint_groups);
+    return joint_groups;
 }
 
 std::vector<LaneSystem::Floe> LaneSystem::find_floes(std::span<const SolverBody> bodies,
@@ -284,33 +288,26 @@ std::vector<LaneSystem::Floe> LaneSystem::find_floes(std::span<const SolverBody>
     return floes;
 }
 
-std::size_t LaneSystem::place_blocks(const std::vector<std::vector<Floe>>& kinds) {
+std::size_t LaneSystem::place_equal(std::vector<Floe>& floes, std::size_t joint_groups) {
     const auto lanes = static_cast<std::size_t>(width());
-    std::size_t joint_groups = 0;
-    std::vector<std::size_t> pairs_at;
-    for (const std::vector<Floe>& kind : kinds) {
-        const std::size_t pairs = pairs_.size();
-        pairs_.insert(pairs_.end(), kind.front().pairs.begin(), kind.front().pairs.end());
-        for (std::size_t first = 0; first < kind.size(); first += lanes) {
-            const LaneBlock block{nullptr, static_cast<std::int32_t>(kind.front().joints.size()),
-                                  static_cast<std::int32_t>(kind.front().bodies.size()), body_groups_, joint_groups};
-            for (std::size_t lane = 0; lane < lanes && first + lane < kind.size(); ++lane) {
-                const Floe& floe = kind[first + lane];
-                for (std::size_t i = 0; i < floe.bodies.size(); ++i) {
-                    slot_of_body_[floe.bodies[i]] = static_cast<std::uint32_t>((body_groups_ + i) * lanes + lane);
-                    block_of_body_[floe.bodies[i]] = static_cast<std::uint32_t>(blocks_.size());
-                }
-                for (std::size_t i = 0; i < floe.joints.size(); ++i) {
-                    slot_of_joint_[floe.joints[i]] = static_cast<std::uint32_t>((joint_groups + i) * lanes + lane);
-                }
+    const std::size_t bodies = floes.front().bodies.size();
+    const std::size_t joints = floes.front().joints.size();
+    const std::int32_t* pairs = pairs_.emplace_back(std::move(floes.front().pairs)).data();
+    for (std::size_t first = 0; first < floes.size(); first += lanes) {
+        for (std::size_t lane = 0; lane < lanes && first + lane < floes.size(); ++lane) {
+            const Floe& floe = floes[first + lane];
+            for (std::size_t i = 0; i < bodies; ++i) {
+                slot_of_body_[floe.bodies[i]] = static_cast<std::uint32_t>((body_groups_ + i) * lanes + lane);
+                block_of_body_[floe.bodies[i]] = static_cast<std::uint32_t>(blocks_.size());
             }
-            blocks_.push_back(block);
-            pairs_at.push_back(pairs);
-            body_groups_ += kind.front().bodies.size();
-            joint_groups += kind.front().joints.size();
+            for (std::size_t i = 0; i < joints; ++i)
+                slot_of_joint_[floe.joints[i]] = static_cast<std::uint32_t>((joint_groups + i) * lanes + lane);
         }
+        blocks_.push_back(
+            {pairs, static_cast<std::int32_t>(joints), static_cast<std::int32_t>(bodies), body_groups_, joint_groups});
+        body_groups_ += bodies;
+        joint_groups += joints;
     }
-    for (std::size_t i = 0; i < blocks_.size(); ++i) blocks_[i].pairs = pairs_.data() + pairs_at[i];
     return joint_groups;
 }
 

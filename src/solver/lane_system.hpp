@@ -10,8 +10,10 @@
 //   system.advance();
 //   system.state(body); system.reaction(joint);
 //
-// A floe is a set of bodies connected by joints. Floes with the same pattern of joints go into the lanes of a block.
-// A removed joint stays in its lane and does nothing. Everything is the same, to the bit, at every lane width.
+// A floe is a set of bodies connected by joints. Where joints are swept, floes with the same pattern of joints go into
+// the lanes of a block; where they are solved directly, bodies and joints fill the lanes by their numbers, whatever
+// floes they are of. A removed joint stays in its lane and does nothing. Everything is the same, to the bit, at every
+// lane width.
 
 #include <array>
 #include <cstdint>
@@ -32,8 +34,7 @@ namespace floes {
 
 class LaneSystem {
   public:
-    /// width: one of lane_widths(), an upper bound: no more lanes are used than there are equal floes. solver: lanes
-    /// or direct.
+    /// width: one of lane_widths(); `lanes` uses no more than there are equal floes. solver: lanes or direct.
     LaneSystem(std::span<const SolverBody> bodies, std::span<const SolverJoint> joints, int width,
                SolverKind solver = SolverKind::lanes);
 
@@ -82,8 +83,10 @@ class LaneSystem {
   private:
     struct Floe;
     std::vector<Floe> find_floes(std::span<const SolverBody>, std::span<const SolverJoint>) const;
-    /// Floes into the lanes of blocks. Returns the number of groups of joints.
-    std::size_t place_blocks(const std::vector<std::vector<Floe>>& kinds);
+    // Each returns the number of groups of joints so far.
+    std::size_t place_by_number();
+    std::size_t place_floes(std::vector<Floe> floes);
+    std::size_t place_equal(std::vector<Floe>& floes, std::size_t joint_groups);
     void make_arrays(std::size_t joint_groups);
     void fill(std::span<const SolverBody>, std::span<const SolverJoint>);
     void fill(std::size_t slot, const SolverJoint& joint);
@@ -94,8 +97,7 @@ class LaneSystem {
     int solve_directly(std::span<SolverContact> contacts, const ContactLaw& law, const Sweeps& sweeps);
 
     const LaneKernels* kernels_;
-    const LaneKernels* of_contacts_;  ///< with the solver direct, whose contacts need no equal floes
-    std::vector<std::int32_t> pairs_;
+    std::vector<std::vector<std::int32_t>> pairs_;  ///< of the blocks
     std::vector<LaneBlock> blocks_;
     std::vector<std::uint32_t> slot_of_body_;  ///< group * width + lane
     std::vector<std::uint32_t> slot_of_joint_;

@@ -1,5 +1,5 @@
 #pragma once
-// How many floes go side by side on this processor.
+// How many lanes this processor has, and their kernels.
 
 #include <vector>
 

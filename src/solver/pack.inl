@@ -71,6 +71,12 @@ inline Pack most(Pack x, Pack y) {
     return x > y ? x : y;
 }
 
+/// Where a group begins in an array of `fields` a group.
+template <class Number>
+inline Number* group_of(Number* array, int fields, std::size_t group) {
+    return array + group * static_cast<std::size_t>(fields * lanes);
+}
+
 struct V3 {
     Pack x, y, z;
 };

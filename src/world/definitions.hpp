@@ -26,7 +26,7 @@ struct WorldDefinition {
     /// m, above 0: Bullet's margins and tolerances, fixed for elements as in the paper's tank, grow with it. A scene
     /// scaled by Froude (lengths by this, times by its root) is the same scene again.
     double length_unit = 1;
-    int lanes = 0;  ///< floes side by side at most: 0 for what the processor has, 1, 2, 4 or 8; never shows in a result
+    int lanes = 0;  ///< side by side at most: 0 for what the processor has, 1, 2, 4 or 8; never shows in a result
 };
 
 /// Bodies of the same piece (>= 0) never collide with each other; bodies of no piece collide with all.

@@ -195,6 +195,18 @@ TEST(LaneWidths, NoMoreLanesThanEqualFloes) {
     EXPECT_EQ(BulletScene({.floes = 2}).lane_system(2).width(), 2);
 }
 
+TEST(LaneWidths, WhereJointsAreSolvedDirectlyUnequalFloesFillAllLanes) {
+    const int all = lane_widths().back();
+    const std::vector<SolverBody> bodies(5, {.inverse_mass = 1, .inverse_inertia = {6, 6, 6}});
+    std::vector<SolverJoint> joints(3);  // of two bodies, and of three
+    for (const std::uint32_t i : {0U, 1U, 2U}) {
+        joints[i].a = i > 0 ? i + 1 : 0;
+        joints[i].b = joints[i].a + 1;
+    }
+    EXPECT_EQ(LaneSystem(bodies, joints, all, SolverKind::lanes).width(), 1);
+    EXPECT_EQ(LaneSystem(bodies, joints, all, SolverKind::direct).width(), all);
+}
+
 TEST(LaneWidths, UnknownWidthIsRefused) {
     EXPECT_THROW(lane_kernels(3), RunError);
 }
