@@ -48,6 +48,8 @@ IceShape::IceShape(const Outline& corners, double half_thickness) {
         hull_.emplace(corners, half_thickness);
         prism_ = PrismShape(corners, half_thickness);
     }
+    const double margin = convex().getMargin();
+    core_ = {eroded(prism_.corners, margin), prism_.half_thickness - margin, margin};
 }
 
 namespace {
@@ -68,7 +70,7 @@ Plane wall_facing(const Vec3& point, const Frustum& round) {
 
 }  // namespace
 
-SolidShape::SolidShape(const ConvexSolid& solid) : core_(solid.inside(margin)) {
+SolidShape::SolidShape(const ConvexSolid& solid) : core_(solid.inside(margin)), bare_(core_) {
     m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;
     setMargin(margin);
     for (int i = 0; i < 3; ++i) {

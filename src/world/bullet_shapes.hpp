@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "collision/prism.hpp"
+#include "collision/solid_gap.hpp"
 #include "core/vector.hpp"
 #include "shapes/convex_solid.hpp"
 
@@ -84,6 +85,9 @@ class IceShape {
     /// The same for the narrow phase of ice on ice. A box is as long as Bullet's, which rounds.
     const PrismShape& prism() const { return prism_; }
 
+    /// The same without its margin, for the narrow phase of ice on the structure.
+    const PrismCore& core() const { return core_; }
+
     /// A point of contact lasts while its halves are nearer than this, m.
     double reach() const { return convex().getContactBreakingThreshold(gContactBreakingThreshold); }
 
@@ -98,6 +102,7 @@ class IceShape {
     std::optional<btBoxShape> box_;
     std::optional<PrismHull> hull_;
     PrismShape prism_;
+    PrismCore core_;
 };
 
 // A convex solid of the structure as a smooth shape for collision.
@@ -140,6 +145,11 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
         return high_;
     }
 
+    /// Without its margin, for the narrow phase of ice on the structure.
+    const SolidCore& core() const {
+        return bare_;
+    }
+
     btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
     void batchedUnitVectorGetSupportingVertexWithoutMargin(const btVector3* directions, btVector3* vertices, int count)
         const override;
@@ -151,6 +161,7 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
 
   private:
     ConvexSolid core_;
+    SolidCore bare_;
     Vec3 low_;
     Vec3 high_;
 };

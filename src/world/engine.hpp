@@ -80,7 +80,7 @@ inline constexpr int sheet_piece = std::numeric_limits<int>::max();
 /// Bullet's own world, whole: its joints, contacts and solver.
 std::unique_ptr<Engine> make_bullet_engine(const WorldDefinition& definition);
 
-/// Ours: floes side by side (solver/lane_system.hpp), with Bullet's points where ice meets the structure.
+/// Ours: floes side by side (solver/lane_system.hpp).
 std::unique_ptr<Engine> make_lane_engine(const WorldDefinition& definition);
 
 }  // namespace floes

@@ -1,7 +1,5 @@
 #include "world/hull_contacts.hpp"
 
-#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,28 +38,15 @@ bool bounds_meet(const SolidShape& solid, const btConvexShape& element, const bt
            (from_bullet(high).array() >= solid.low().array()).all();
 }
 
+Triple triple(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
 BoxBeside box_beside(const btTransform& place, const Triple& half_extent) {
     return {from_bullet(place.getOrigin()),
             from_bullet(place.getBasis()),
             {half_extent[0], half_extent[1], half_extent[2]}};
 }
-
-/// Takes up what Bullet finds, as btManifoldResult does.
-struct PointTaker final : btDiscreteCollisionDetectorInterface::Result {
-    PointTaker(TouchingPoints& into, const PrismPlace& of_a, const PrismPlace& of_b, double how_near)
-        : points(into), a(of_a), b(of_b), reach(how_near) {}
-
-    void setShapeIdentifiersA(int, int) override {}
-    void setShapeIdentifiersB(int, int) override {}
-    void addContactPoint(const btVector3& normal, const btVector3& on_b, btScalar distance) override {
-        if (distance > reach) return;
-        points.add(a, b, {on_b.x(), on_b.y(), on_b.z()}, {normal.x(), normal.y(), normal.z()}, distance, reach);
-    }
-
-    TouchingPoints& points;
-    const PrismPlace &a, &b;
-    double reach;
-};
 
 }  // namespace
 
@@ -71,6 +56,7 @@ void HullContacts::set_structure(std::uint32_t number, std::span<const ConvexSol
         SolidShape& shape = solids_.emplace_back(solid);
         whole_.addChildShape(shape.place(), &shape);
     }
+    reach_ = whole_.getContactBreakingThreshold(gContactBreakingThreshold);
     pairs_.assign(shapes_.size() * solids_.size(), {});
 }
 
@@ -89,12 +75,14 @@ void HullContacts::put_in(std::uint32_t element, const IceShape* shape, ContactS
     move(element, store);
 }
 
+void HullContacts::drop(Pair& pair, ContactStore& store) {
+    if (pair.points >= 0) store.give_back(pair.points);
+    pair.points = -1;
+}
+
 void HullContacts::move(std::uint32_t element, ContactStore& store) {
     distrust(element);
-    for (Pair& pair : pairs_of(element)) {
-        if (pair.points >= 0) store.give_back(pair.points);
-        pair.points = -1;
-    }
+    for (Pair& pair : pairs_of(element)) drop(pair, store);
     std::erase_if(touching_, [&](const Touching& one) { return one.b == element; });
 }
 
@@ -136,37 +124,41 @@ void HullContacts::look_round(std::uint32_t element, const BodyMotion& motion, c
             const btTransform place(beside.getBasis(), beside.getOrigin() - solids_[i].place().getOrigin());
             const double gap = solids_[i].gap_to(box_beside(place, shape.prism().half_extent)) - reach;
             pair.due = way_[element] + gap;
-            if (gap <= 0 && bounds_meet(solids_[i], shape.convex(), place)) {
-                if (pair.points < 0) pair.points = store.take();
-                touch(store[pair.points], i, element, motion, structure);
-            } else if (pair.points >= 0) {
-                store.give_back(pair.points);
-                pair.points = -1;
-            }
+            if (gap <= 0 && bounds_meet(solids_[i], shape.convex(), place))
+                pair.due = way_[element] + touch(pair, solids_[i], element, place, motion, structure, store);
+            else
+                drop(pair, store);
         }
-        if (pair.points >= 0 && store[pair.points].count() > 0)
-            touching_.push_back({structure_, element, static_cast<std::int32_t>(i), pair.points});
+        if (pair.points >= 0) touching_.push_back({structure_, element, static_cast<std::int32_t>(i), pair.points});
         due_[element] = std::min(due_[element], pair.due);
     }
 }
 
-/// As btCompoundCollisionAlgorithm and btConvexConvexAlgorithm do with one child.
-void HullContacts::touch(TouchingPoints& points, std::size_t solid, std::uint32_t element, const BodyMotion& motion,
-                         const BodyMotion& structure) {
+/// Takes up the point at which they are nearest or overlap most, as btConvexConvexAlgorithm does. `beside`: of the
+/// element, in the solid's axes. Returns how much nearer they must come until there may be a point; 0 if there is one.
+double HullContacts::touch(Pair& pair, const SolidShape& solid, std::uint32_t element, const btTransform& beside,
+                           const BodyMotion& motion, const BodyMotion& structure, ContactStore& store) {
     const IceShape& shape = *shapes_[element];
-    const double reach = std::min(whole_.getContactBreakingThreshold(gContactBreakingThreshold), shape.reach());
+    const double reach = std::min(reach_, shape.reach());
+    const double margins = solid.getMargin() + shape.core().margin;
+    const PrismCorners prism(shape.core(), from_bullet(beside.getOrigin()), from_bullet(beside.getBasis()));
+    const SolidGap found = gap_between(solid.core(), prism, margins + reach);
+    const double distance = found.gap - margins;
+    if (pair.points < 0) {
+        if (distance > reach) return std::max(0.0, distance - reach - length_rounding);
+        pair.points = store.take();
+    }
+    TouchingPoints& points = store[pair.points];
     const PrismPlace a{nullptr, structure.position, structure.rotation};
     const PrismPlace b{nullptr, motion.position, motion.rotation};
     points.refresh(a, b, reach);
-    btGjkPairDetector::ClosestPointInput input;
-    input.m_transformA = place_of(structure) * solids_[solid].place();
-    input.m_transformB = place_of(motion);
-    const double farthest = solids_[solid].getMargin() + shape.convex().getMargin() + reach;
-    input.m_maximumDistanceSquared = farthest * farthest;
-    btGjkPairDetector detector(&solids_[solid], &shape.convex(), &simplex_, &depths_);
-    PointTaker taker(points, a, b, reach);
-    detector.getClosestPoints(input, taker, nullptr);
-    points.refresh(a, b, reach);
+    if (distance <= reach) {
+        const Vec3 on_b = found.on_prism - found.normal * shape.core().margin + from_bullet(solid.place().getOrigin());
+        points.add(a, b, to_world(a, triple(on_b)), out_of(a, triple(-found.normal)), distance, reach);
+        points.refresh(a, b, reach);
+    }
+    if (points.count() == 0) drop(pair, store);
+    return 0;
 }
 
 }  // namespace floes

@@ -1,10 +1,8 @@
 #pragma once
 // Contacts of ice with the structure from step to step: for each of its solids and the elements near that, the point
-// that Bullet's GJK finds, gathered as its manifolds do. Only for files inside this module.
+// at which they are nearest or overlap most, gathered as Bullet's manifolds do. Only for files inside this module.
 
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
-#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
-#include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 
 #include <cstdint>
 #include <deque>
@@ -50,13 +48,15 @@ class HullContacts {
     std::span<Pair> pairs_of(std::uint32_t element) {
         return {pairs_.data() + element * solids_.size(), solids_.size()};
     }
+    static void drop(Pair& pair, ContactStore& store);
     double way_of_structure(const BodyMotion& motion);
     void look_round(std::uint32_t element, const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
-    void touch(TouchingPoints& points, std::size_t solid, std::uint32_t element, const BodyMotion& motion,
-               const BodyMotion& structure);
+    double touch(Pair& pair, const SolidShape& solid, std::uint32_t element, const btTransform& beside,
+                 const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
 
     std::deque<SolidShape> solids_;  ///< Bullet holds their addresses
     btCompoundShape whole_;          ///< of these
+    double reach_ = 0;               ///< of points on the structure, m
     std::uint32_t structure_ = 0;
     std::vector<const IceShape*> shapes_;
     std::vector<double> radius_;
@@ -65,8 +65,6 @@ class HullContacts {
     std::vector<Pair> pairs_;  ///< by element, then solid
     btTransform last_ = btTransform::getIdentity();  ///< of the structure in the last find()
     std::vector<Touching> touching_;
-    btVoronoiSimplexSolver simplex_;
-    btGjkEpaPenetrationDepthSolver depths_;
 };
 
 }  // namespace floes

@@ -1,6 +1,5 @@
-// Our own world: ice meets ice (collision/ice_contacts.hpp), Bullet finds where ice meets the structure
-// (world/hull_contacts.hpp), and our solver does the rest (solver/lane_system.hpp), which alone knows where bodies are
-// and how they move.
+// Our own world: ice meets ice (collision/ice_contacts.hpp) and the structure (world/hull_contacts.hpp), and our solver
+// does the rest (solver/lane_system.hpp), which alone knows where bodies are and how they move.
 
 #include <BulletDynamics/ConstraintSolver/btContactSolverInfo.h>
 #include <LinearMath/btTransformUtil.h>

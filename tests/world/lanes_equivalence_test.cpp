@@ -36,6 +36,11 @@ Eigen::Vector<double, 6> vector_of(const JointReaction& r) {
     return {r.axial, r.shear_vertical, r.shear_in_plane, r.torsion, r.in_plane_bending, r.bending};
 }
 
+// Bullet's points on a cone are micrometres from where they should be, ours are not (world/solid_gap_test.cpp); on the
+// faces of a pyramid they agree.
+constexpr int floes = 11;
+constexpr int sides = 16;
+
 void expect_close(const LanesScene& a, const LanesScene& b, double tolerance) {
     Deviation position, rotation, velocity, angular_velocity, reaction, load;
     for (std::size_t i = 0; i < a.elements.size(); ++i) {
@@ -70,8 +75,8 @@ TEST(LanesEquivalence, FirstStepsAreBulletsOwn) {
 }
 
 TEST(LanesEquivalence, PackedIceMovesAsInBullet) {
-    LanesScene lanes(solved_by(SolverKind::lanes));
-    LanesScene stock(solved_by(SolverKind::stock));
+    LanesScene lanes(solved_by(SolverKind::lanes), floes, sides);
+    LanesScene stock(solved_by(SolverKind::stock), floes, sides);
     for (int i = 0; i < 40; ++i) {
         lanes.step();
         stock.step();
@@ -88,10 +93,10 @@ TEST(LanesEquivalence, AnotherContactLawActsAsInBullet) {
                      .ice_structure_friction = 0.5,
                      .split_impulse = true,
                      .split_impulse_depth = 1e-4};
-    LanesScene usual(solved_by(SolverKind::lanes));
-    LanesScene lanes(other);
+    LanesScene usual(solved_by(SolverKind::lanes), floes, sides);
+    LanesScene lanes(other, floes, sides);
     other.solver = SolverKind::stock;
-    LanesScene stock(other);
+    LanesScene stock(other, floes, sides);
     for (int i = 0; i < 40; ++i) {
         for (LanesScene* scene : {&usual, &lanes, &stock}) scene->step();
     }

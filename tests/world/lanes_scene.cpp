@@ -9,7 +9,7 @@ const Vec3 cone_start(-1.05, 0, 0);
 
 }  // namespace
 
-LanesScene::LanesScene(const WorldDefinition& definition, int floes)
+LanesScene::LanesScene(const WorldDefinition& definition, int floes, int sides)
     : world(definition), time_step_(definition.time_step) {
     for (int i = 0; i < floes; ++i) {
         const Vec3 centre(spacing * i, 0.004 * (i % 3), 0.05 * (i % 2));
@@ -19,8 +19,9 @@ LanesScene::LanesScene(const WorldDefinition& definition, int floes)
     sheet.half_extents = Vec3(0.3, 0.1, 2);
     sheet.pose.position = Vec3(spacing * floes + 0.1, 0, 0);
     world.add_fixed_box(sheet);
-    const std::vector<ConvexSolid> frusta{Frustum{-0.4, 0.2, 0.2, 0.8}};
-    cone = world.add_structure(frusta, {cone_start});
+    ConvexSolid solid(Frustum{-0.4, 0.2, 0.2, 0.8});
+    if (sides > 0) solid = ConvexSolid(convex_hull(solid.corners(sides)));
+    cone = world.add_structure(std::vector<ConvexSolid>{solid}, {cone_start});
 }
 
 void LanesScene::add_floe(const Pose& pose, int piece) {

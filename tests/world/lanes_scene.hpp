@@ -9,7 +9,8 @@ namespace floes::test {
 
 class LanesScene {
   public:
-    explicit LanesScene(const WorldDefinition& definition, int floes = 11);
+    /// sides: of a pyramid in place of the cone; 0: the cone itself.
+    explicit LanesScene(const WorldDefinition& definition, int floes = 11, int sides = 0);
 
     /// One step with the cone moving at `speed` m/s and a linear float and drag on every element.
     void step();
