@@ -221,12 +221,13 @@ void KeyEffects::note(const Keys& keys, const Origins& origins) {
     }
 }
 
-void KeyEffects::refuse_without() const {
-    for (const auto& [path, given] : idle_) {
-        if (effective_.contains(path)) continue;
-        throw InputError(
-            fmt::format("{} has no effect: it needs {}. Add that, or leave {} out.", given.first, given.second, path));
-    }
+std::vector<std::string> KeyEffects::without() const {
+    std::vector<std::string> sentences;
+    for (const auto& [path, given] : idle_)
+        if (!effective_.contains(path))
+            sentences.push_back(fmt::format("{} has no effect: it needs {}. Add that, or leave {} out.", given.first,
+                                            given.second, path));
+    return sentences;
 }
 
 }  // namespace floes

@@ -153,8 +153,8 @@ class KeyEffects {
     /// and those that have none though they are set to an unusual value.
     void note(const Keys& keys, const Origins& origins);
 
-    /// Throws InputError for a key without effect in any case.
-    void refuse_without() const;
+    /// A sentence for each key without effect in any case.
+    std::vector<std::string> without() const;
 
   private:
     std::map<std::string, std::pair<std::string, std::string>> idle_;  ///< by path: where and what, what it needs

@@ -447,6 +447,44 @@ bool is_case_path(const std::string& path) {
     return path == "case" || path.starts_with(case_prefix);
 }
 
+/// All that is wrong with a configuration, each once, in the order in which it was found.
+class Refusals {
+  public:
+    bool any() const { return !sentences_.empty(); }
+
+    void add(std::string sentence) { add("", "", std::move(sentence)); }
+
+    /// Of one case; what is wrong with several stands once.
+    void add(const std::string& where, const std::string& label, std::string sentence) {
+        if (!known_.insert(where + sentence).second) return;
+        sentences_.push_back(where + label + sentence);
+    }
+
+    /// Keeps what `act` refuses.
+    template <class Act>
+    void gather(const Act& act) {
+        try {
+            act();
+        } catch (const InputError& refused) {
+            add(refused.what());
+        }
+    }
+
+    /// Throws InputError where there is any, with a line for each.
+    void refuse() const {
+        constexpr std::size_t most = 20;
+        if (!any()) return;
+        std::string text(
+            fmt::format("{}", fmt::join(std::span(sentences_).first(std::min(most, sentences_.size())), "\n")));
+        if (sentences_.size() > most) text += fmt::format("\nand {} more", sentences_.size() - most);
+        throw InputError(text);
+    }
+
+  private:
+    std::vector<std::string> sentences_;
+    std::set<std::string> known_;  ///< without the case
+};
+
 class CampaignReader {
   public:
     CampaignReader(const CampaignSource& source, LoadFile load_file)
@@ -458,7 +496,16 @@ class CampaignReader {
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
 
+    /// Throws InputError with all that is wrong: first with keys, each by itself, then with what they say together.
     Campaign read() {
+        std::optional<Campaign> campaign;
+        refusals_.gather([&] { campaign = read_all(); });
+        refusals_.refuse();
+        return *std::move(campaign);
+    }
+
+  private:
+    Campaign read_all() {
         read_tables();
         if (source_.without_design) leave_design_out();
         read_points_file();
@@ -482,11 +529,14 @@ class CampaignReader {
         const Keys keys = describe(one);  // only once, because it takes longer than the rest of a case
         HeldNumbers held(source_.file);
         for (const CaseBlock& block : blocks) {
-            read_case(block, blocks.size() > 1, one, keys);
+            refusals_.gather([&] { read_case(block, blocks.size() > 1, one, keys); });
+            if (refusals_.any()) continue;
             held.add(one.scenario);
             campaign.cases.push_back(one);
         }
-        effects_.refuse_without();
+        if (!wrong_keys_)
+            for (std::string& sentence : effects_.without()) refusals_.add(std::move(sentence));
+        if (refusals_.any()) return campaign;
         check_points(campaign, source_.file);
         if (const auto fault = stop_quantity_fault(campaign))
             throw InputError(
@@ -498,22 +548,21 @@ class CampaignReader {
         return campaign;
     }
 
-  private:
     /// The tables and the overrides that are not for one case.
     void read_tables() {
         const Keys keys = describe_all(head_, design_, stop_, rules_, base_);
         for (const Entry& entry : in_order_of_reading(keys, document_.entries)) {
             if (is_case_path(entry.path)) {
-                throw InputError(
+                refuse_key(
                     fmt::format("{}: {} = {} is not in a case; begin each case with [[case]], in double brackets",
                                 entry.where, entry.path, to_text(entry.value)));
-            }
-            if (entry.path.starts_with(axis_prefix)) {
-                throw InputError(fmt::format(
+            } else if (entry.path.starts_with(axis_prefix)) {
+                refuse_key(fmt::format(
                     "{}: {} = {} is not in an axis; begin each axis with [[design.axis]], in double brackets",
                     entry.where, entry.path, to_text(entry.value)));
+            } else {
+                set(keys, entry, origins_);
             }
-            set(keys, entry, origins_);
         }
         for (const Entry& entry : in_order_of_reading(keys, overrides_)) {
             if (!is_case_path(entry.path)) set(keys, entry, origins_);
@@ -588,9 +637,18 @@ class CampaignReader {
                                      origins_.at("run.base_case"), text_literal(rules_.base_case), name_list(names)));
     }
 
-    void set(const Keys& keys, const Entry& entry, Origins& origins) const {
-        const std::string path = assign_known(keys, entry);
-        if (!path.empty()) origins[full_path(path)] = entry.where;
+    void refuse_key(std::string sentence) {
+        wrong_keys_ = true;
+        refusals_.add(std::move(sentence));
+    }
+
+    void set(const Keys& keys, const Entry& entry, Origins& origins) {
+        try {
+            const std::string path = assign_known(keys, entry);
+            if (!path.empty()) origins[full_path(path)] = entry.where;
+        } catch (const InputError& refused) {
+            refuse_key(refused.what());
+        }
     }
 
     /// Refuses an override that would have no effect because a case or an axis sets the same key.
@@ -699,6 +757,7 @@ class CampaignReader {
             one.base = block.base;
             one.point = block.point;
         }
+        if (wrong_keys_) return;                       // what the others say together is not what was meant
         own.insert(origins_.begin(), origins_.end());  // what the case does not set comes from the tables
         one.pairing = pairing(one.scenario, own);
         if (source_.from_user) effects_.note(keys, own);
@@ -707,7 +766,7 @@ class CampaignReader {
         files_.resolve_hull(one.scenario, own, label);
         files_.resolve_outlines(one.scenario, own, label);
         refuse_contradictions(one.scenario, own, label);
-        if (source_.from_user) files_.refuse_faults(one.scenario, file, own, label);
+        if (source_.from_user && !refusals_.any()) files_.refuse_faults(one.scenario, file, own, label);
     }
 
     /// For joints that follow Σ. Stored texts leave out what is to be found; where they have both, both are settled.
@@ -727,13 +786,13 @@ class CampaignReader {
     }
 
     /// The message begins with the place of the first key involved that the text sets.
-    void refuse_contradictions(const Scenario& scenario, const Origins& origins, const std::string& label) const {
-        const std::vector<Contradiction> found = find_contradictions(scenario);
-        if (found.empty()) return;
-        const auto& keys = found.front().keys;
-        const auto set_key = std::ranges::find_if(keys, [&](const std::string& key) { return origins.contains(key); });
-        const std::string& where = set_key == keys.end() ? source_.file : origins.at(*set_key);
-        throw InputError(fmt::format("{}: {}{}", where, label, found.front().sentence));
+    void refuse_contradictions(const Scenario& scenario, const Origins& origins, const std::string& label) {
+        for (const auto& [keys, sentence] : find_contradictions(scenario)) {
+            const auto is_set = [&](const std::string& key) { return origins.contains(key); };
+            const auto set_key = std::ranges::find_if(keys, is_set);
+            const std::string& where = set_key == keys.end() ? source_.file : origins.at(*set_key);
+            refusals_.add(where + ": ", label, sentence);
+        }
     }
 
     const CampaignSource& source_;
@@ -752,6 +811,8 @@ class CampaignReader {
     std::vector<std::pair<std::size_t, Entry>> case_overrides_;  ///< for which [[case]], as if it stood there
     GivenFiles files_;
     KeyEffects effects_;
+    Refusals refusals_;
+    bool wrong_keys_ = false;  ///< whether a key by itself was refused
 };
 
 }  // namespace

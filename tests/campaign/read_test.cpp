@@ -270,6 +270,26 @@ TEST(ReadCampaign, EveryMessageIsOneSentence) {
     for (const auto& [text, expected] : table) EXPECT_EQ(message(text), expected) << text;
 }
 
+TEST(ReadCampaign, AllThatIsWrongIsToldAtOnce) {
+    EXPECT_EQ(message("[ice]\nthicknes_m = 0.03\n[floe]\nlength_m = 2000.0\n[field]\nfloes = 0.5\n[[case]]\nname = "
+                      "\"a\"\nfloe.element = 1\n"),
+              "configs/a.toml:2: ice.thicknes_m = 0.03 is not a key; did you mean ice.thickness_m?\n"
+              "configs/a.toml:4: floe.length_m = 2000.0 is out of range; allowed: above 0 and at most 1000\n"
+              "configs/a.toml:6: field.floes = 0.5 is not a whole number; allowed: a whole number from 1 to 1000000\n"
+              "configs/a.toml:9: floe.element = 1 is not a key; did you mean floe.element_m?")
+        << "keys, each by itself";
+    EXPECT_EQ(
+        message("[floe]\nelement_m = 0.25\n[analysis]\nexceedance_levels_N = [2.0, 1.0]\nwindow_s = 100.01\n[field]\n"
+                "ahead_m = 4.0\n[[case]]\nname = \"a\"\n[[case]]\nname = \"b\"\nice.thickness_m = 0.02\n"),
+        "configs/a.toml:5: case a: analysis.window_s = 100.01 is not a whole number of steps of "
+        "general.time_step_s = 0.02; the nearest that is: 100.02\n"
+        "configs/a.toml:4: case a: analysis.exceedance_levels_N = [2.0, 1.0] does not rise from each to the "
+        "next\n"
+        "configs/a.toml:7: field.ahead_m = 4.0 has no effect: it needs field.far_end = \"never\". Add that, or "
+        "leave field.ahead_m out.")
+        << "what they say together, of several cases once";
+}
+
 TEST(ReadCampaign, EveryMessageAboutOverridesIsOneSentence) {
     const std::pair<const char*, const char*> table[] = {
         {"iterations", "--set iterations: this is not key=value; write --set general.iterations=50"},
