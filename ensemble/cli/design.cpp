@@ -386,7 +386,7 @@ void add_design(CommandLine& line) {
                             "mooring_force, the horizontal resultant of springs, lines and turret, and its parts "
                             "along the tow and across it, surge_mooring and sway_mooring; offset, horizontally, of the "
                             "turret, or of the hull's axis without one; surge_offset and sway_offset of the axis; "
-                            "heave and angles");
+                            "heave and angles; line_tension, of the line nearest to its break load, over that");
     of.one_of(words_of()).shows_default().excludes(mooring);
     add_year(verb, *options, exposure, quantile, mooring);
     add_window(verb, options->window);

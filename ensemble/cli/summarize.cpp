@@ -25,7 +25,7 @@ std::string sheet_name(std::string_view part) {
 }
 
 /// Parts in the order of their sheets, and what a sheet holds.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kinds{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kinds{{
     {"cases",
      "a line for each case: means over arrangements with their 95 % intervals: _low and _high by "
      "Student's t, _prediction_ of one further run"},
@@ -39,6 +39,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kinds{{
     {"exceedance", "how often maxima exceed a load"},
     {"fatigue", "rainflow cycles, equivalent ranges, and time above levels"},
     {"moored", "a hull on moorings: offset, mooring force and amplification, and these over its natural period"},
+    {"lines", "the largest tension of each mooring line, over its break load"},
     {"steady", "when the load became steady"},
     {"energy", "where the work of the tow goes, over the distance towed"},
     {"parts", "loads on the parts of the hull"},
@@ -220,12 +221,12 @@ void add_summarize(CommandLine& line) {
                 "Write a file instead, by its ending: .txt a table, .csv, .json, or .xlsx, a workbook")
         .file_ending({".txt", ".csv", ".json", ".xlsx"});
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
-    Option parts =
-        verb.option("--parts", options->parts,
-                    "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
-                    "model (of floes vary), extremes, exceedance, fatigue, moored, steady, energy, control, design, "
-                    "members and long "
-                    "(CSV and xlsx only)");
+    Option parts = verb.option(
+        "--parts", options->parts,
+        "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
+        "model (of floes vary), extremes, exceedance, fatigue, moored, lines, steady, energy, control, design, "
+        "members and long "
+        "(CSV and xlsx only)");
     parts.comma_separated().one_of(part_names());
     verb.flag("--long", options->long_lines,
               "With --format csv: a line for each value of each simulation: case, arrangement, quantity, unit, value")

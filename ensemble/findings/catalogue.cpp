@@ -40,6 +40,12 @@ constexpr auto with_moorings = [](const Campaign& campaign) {
     return std::ranges::any_of(campaign.cases, [](const Case& one) { return one.scenario.moorings.give_way(); });
 };
 
+constexpr auto with_lines = [](const Campaign& campaign) {
+    return std::ranges::any_of(campaign.cases, [](const Case& one) {
+        return one.scenario.moorings.give_way() && one.scenario.moorings.line_count() > 0;
+    });
+};
+
 /// A finding of one section, which `section` makes of the evidence.
 template <auto section>
 std::vector<Section> one(Evidence& evidence) {
@@ -76,6 +82,11 @@ Section levels(Evidence& evidence) {
 /// The exceedance curve of the maxima and the time above the levels that members counted.
 std::vector<Section> exceedance(Evidence& evidence) {
     return {exceedance_section(evidence.summary, extremes_of(evidence)), levels(evidence)};
+}
+
+std::vector<Section> lines(Evidence& evidence) {
+    if (std::optional<Section> found = mooring_lines_section(evidence)) return {std::move(*found)};
+    return {{.missing = "Mooring lines: there are none in structures that give way.\n"}};
 }
 
 /// As `floes design` has it by default.
@@ -115,6 +126,7 @@ constexpr std::array all{
     Finding{"", one<levels>, never, "Extremes", with_levels},
     Finding{"exceedance", exceedance, never},
     Finding{"fatigue", fatigue_sections, never},
+    Finding{"lines", lines, with_lines},
     Finding{"moored", moored_sections, with_moorings, "On moorings", in_detail},
     Finding{"steady", one<[](Evidence& e) { return steady_section(e.summary, e.table, steady_of(e)); }>, never},
     Finding{"control", one<control_section>, never},

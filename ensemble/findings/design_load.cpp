@@ -17,6 +17,17 @@
 
 namespace floes {
 
+double break_load(const Moorings& moorings, std::size_t line) {
+    const std::size_t weightless = moorings.lines.size();
+    return line < weightless ? moorings.lines[line].break_load : moorings.hanging.at(line - weightless).break_load;
+}
+
+bool has_lines_that_break(const Moorings& moorings) {
+    for (std::size_t line = 0; line < moorings.line_count(); ++line)
+        if (break_load(moorings, line) > 0) return true;
+    return false;
+}
+
 namespace {
 
 double as_it_is(const Moorings&, std::span<const double> of) {
@@ -37,11 +48,27 @@ double horizontal_offset(const Moorings& moorings, std::span<const double> of) {
     return std::hypot(-of[0] + arm.x() - moorings.turret.ahead, of[1] + arm.y());
 }
 
+/// Tension over break load of the line that is nearest to its own; lines that never break are left out.
+double most_loaded_line(const Moorings& moorings, std::span<const double> of) {
+    Vec6 offset = Vec6::Zero();
+    offset[at(Motion::surge)] = -of[0];
+    for (const auto& [motion, place] :
+         {std::pair{Motion::sway, 1U}, std::pair{Motion::yaw, 2U}, std::pair{Motion::heave, 3U},
+          std::pair{Motion::pitch, 4U}, std::pair{Motion::roll, 5U}})
+        offset[at(motion)] = of[place];
+    double most = 0;
+    for (std::size_t line = 0; line < moorings.line_count(); ++line)
+        if (const double strength = break_load(moorings, line); strength > 0)
+            most = std::max(most, pull(moorings, line, offset).tension / strength);
+    return most;
+}
+
 /// Of a structure that gives way; no history: there are no more.
 consteval DesignOf simulated(std::string_view word, std::string_view title, std::string_view largest,
-                             std::string_view noun, std::string_view unit, std::array<const char*, 3> histories,
-                             decltype(DesignOf::value) value, std::array<Motion, 2> motions, bool part = false) {
-    DesignOf made{word, title, largest, noun, unit, {}, value, motions, part};
+                             std::string_view noun, std::string_view unit, std::array<const char*, 6> histories,
+                             decltype(DesignOf::value) value, std::array<Motion, 2> motions, bool part = false,
+                             decltype(DesignOf::has) has = nullptr) {
+    DesignOf made{word, title, largest, noun, unit, {}, value, motions, part, has};
     for (std::size_t k = 0; k < histories.size(); ++k)
         if (histories[k] != nullptr) made.histories[k] = &array_output(histories[k]);
     return made;
@@ -53,7 +80,7 @@ constexpr std::array horizontally{Motion::surge, Motion::sway};
 
 }  // namespace
 
-constinit const std::array<DesignOf, 11> design_ofs{
+constinit const std::array<DesignOf, 12> design_ofs{
     DesignOf{"load", "Design load", "load", "load", "N", {}, nullptr, in_surge},
     simulated("mooring_force", "Design mooring force", "horizontal resultant of springs, lines and turret", "force",
               "N", {"history/surge_mooring", "history/sway_mooring"}, resultant, horizontally),
@@ -77,6 +104,11 @@ constinit const std::array<DesignOf, 11> design_ofs{
               {Motion::pitch, Motion::pitch}),
     simulated("roll", "Design roll", "roll either way", "roll", "rad", {"history/roll"}, either_way,
               {Motion::roll, Motion::roll}),
+    simulated("line_tension", "Design tension of a line over its break load",
+              "tension of a line over its break load, of any line", "ratio", "1",
+              {"history/surge_offset", "history/sway_offset", "history/structure_yaw", "history/heave_offset",
+               "history/pitch", "history/roll"},
+              most_loaded_line, horizontally, false, has_lines_that_break),
 };
 
 constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", {}, nullptr, in_surge};
@@ -192,8 +224,8 @@ std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const 
     for (std::size_t index = 0; index < table.cases.size(); ++index) {
         CaseDesignLoad one;
         one.case_index = index;
-        one.trend = joint_trend(table, index);
         const CasePeaks& found = peaks.at(index);
+        one.trend = found.trends.empty() ? joint_trend(table, index) : joint_trend(found.trends, request.of.noun);
         one.separation = found.measured.separation;
         one.arrangements = found.arrangements;
         one.members = found.members;
@@ -221,7 +253,7 @@ namespace {
 struct Paired {
     const CaseDesignLoad* first;
     const CaseDesignLoad* second;
-    LoadFigure difference;  ///< second - first
+    Estimate difference;  ///< second - first
 };
 
 /// The interval of resampled differences about the estimate, wider by Student's t of the arrangements over that of very
@@ -236,37 +268,47 @@ LoadFigure widened(double estimate, std::vector<double> resampled, double arrang
     return {estimate, {estimate + wider * (limits.low - middle), estimate + wider * (limits.high - middle)}};
 }
 
-std::vector<Paired> pairs_of(const std::vector<CaseDesignLoad>& designs) {
-    std::vector<Paired> pairs;
-    for (std::size_t a = 0; a < designs.size(); ++a) {
-        for (std::size_t b = a + 1; b < designs.size(); ++b) {
-            const CaseDesignLoad& one = designs[a];
-            const CaseDesignLoad& other = designs[b];
-            if (!one.load.valid() || !other.load.valid() || !one.of_one_kind() || !other.of_one_kind() ||
-                one.arrangements != other.arrangements)
-                continue;
-            std::vector<double> differences;
-            for (std::size_t k = 0; k < std::min(one.load.draws.size(), other.load.draws.size()); ++k)
-                differences.push_back(other.load.draws[k].front() - one.load.draws[k].front());
-            std::erase_if(differences, [](double difference) { return !std::isfinite(difference); });
-            const auto value = [](const CaseDesignLoad& of) {
-                return of.load.estimates.front().quantiles.front().value;
-            };
-            pairs.push_back({&one, &other,
-                             widened(value(other) - value(one), std::move(differences),
-                                     static_cast<double>(one.arrangements.size()))});
-        }
-    }
-    return pairs;
-}
-
 Estimate shown_figure(const LoadFigure& figure, double factor, bool said) {
     return {factor * figure.value, factor * figure.interval.low, factor * figure.interval.high, said};
 }
 
+}  // namespace
+
+std::optional<DesignDifference> difference_of(const CaseDesignLoad& first, const CaseDesignLoad& second,
+                                              const DesignLoadRequest& request) {
+    const DesignLoad& one = first.load;
+    const DesignLoad& other = second.load;
+    if (!one.valid() || !other.valid() || !first.of_one_kind() || !second.of_one_kind()) return {};
+    const bool paired = first.arrangements == second.arrangements;
+    // Draws of one number resample arrangements alike; half of them apart they have nothing in common.
+    const std::size_t count = std::min(one.draws.size(), other.draws.size());
+    const std::size_t shift = paired ? 0 : count / 2;
+    std::vector<double> differences;
+    for (std::size_t k = 0; k < count; ++k)
+        differences.push_back(other.draws[k].front() - one.draws[(k + shift) % count].front());
+    std::erase_if(differences, [](double difference) { return !std::isfinite(difference); });
+    const auto value = [](const DesignLoad& of) { return of.estimates.front().quantiles.front().value; };
+    const std::size_t fewest = std::min(first.arrangements.size(), second.arrangements.size());
+    const LoadFigure found = widened(value(other) - value(one), std::move(differences), static_cast<double>(fewest));
+    return DesignDifference{shown_figure(found, request.factor() * request.of.shown_factor(),
+                                         static_cast<int>(fewest) >= fewest_for_interval),
+                            paired};
+}
+
+namespace {
+
+std::vector<Paired> pairs_of(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request) {
+    std::vector<Paired> pairs;
+    for (std::size_t a = 0; a < designs.size(); ++a)
+        for (std::size_t b = a + 1; b < designs.size(); ++b)
+            if (const auto found = difference_of(designs[a], designs[b], request); found && found->paired)
+                pairs.push_back({&designs[a], &designs[b], found->difference});
+    return pairs;
+}
+
 Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                       const DesignLoadRequest& request) {
-    const std::vector<Paired> pairs = pairs_of(designs);
+    const std::vector<Paired> pairs = pairs_of(designs, request);
     if (pairs.empty()) return {};
     Results results{.place = "design/pairs", .columns = {{.words = "pair"}, {"first"}, {"second"}}, .in_csv = false};
     results.columns.push_back(estimates("difference", "difference", std::string(request.of.shown_unit())));
@@ -274,9 +316,7 @@ Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>&
         const std::size_t first = pair.first->case_index;
         const std::size_t second = pair.second->case_index;
         results.add({fmt::format("{} - {}", summary.label_of(second), summary.label_of(first)), summary.name_of(first),
-                     summary.name_of(second),
-                     shown_figure(pair.difference, request.factor() * request.of.shown_factor(),
-                                  pair.first->load.arrangements >= fewest_for_interval)});
+                     summary.name_of(second), pair.difference});
     }
     return {.results = {std::move(results)},
             .after = fmt::format("\nDifferences of the {} exceeded with {:.3g} %, by both tails, over the same "
@@ -405,14 +445,22 @@ std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
                            load.arrangements, fewest_members);
     if (load.peaks >= fewest_peaks)
         return fmt::format("its {} peaks give no tail, or reach down to its mean; take fewer (--peaks).", load.peaks);
-    const double more =
-        load.peaks > 0
-            ? std::ceil(static_cast<double>(fewest_peaks * load.arrangements) / static_cast<double>(load.peaks))
-            : 0;
+    const int more = more_arrangements(one);
     return fmt::format("too few peaks ({} of {}) to fit; {}.", load.peaks, fewest_peaks,
-                       more > static_cast<double>(load.arrangements)
-                           ? fmt::format("about {:.0f} arrangements would do", more)
+                       more > 0
+                           ? fmt::format("about {} arrangements would do", static_cast<int>(load.arrangements) + more)
                            : std::string{"run more arrangements"});
+}
+
+int more_arrangements(const CaseDesignLoad& one) {
+    constexpr std::size_t beginning = 8;
+    const std::size_t runs = one.load.arrangements;
+    if (one.refused) return 0;
+    if (one.load.valid()) return static_cast<int>(3 * runs);
+    if (runs < fewest_members) return static_cast<int>(beginning - runs);
+    if (one.load.peaks == 0 || one.load.peaks >= fewest_peaks) return 0;
+    const double needed = std::ceil(static_cast<double>(fewest_peaks * runs) / static_cast<double>(one.load.peaks));
+    return static_cast<int>(needed) - static_cast<int>(runs);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,8 +22,9 @@ namespace floes {
 
 struct CasePeaks {
     std::vector<PeakRow> rows;
-    std::vector<int> arrangements;  ///< of the rows, in their order
-    std::vector<int> members;       ///< the same
+    std::vector<int> arrangements;         ///< of the rows, in their order
+    std::vector<int> members;              ///< the same
+    std::vector<MemberTrend> trends = {};  ///< the same; empty: as the load's
     Measured measured;
 
     /// A row of a member whose load has this mean; average() then makes the mean of all.
@@ -47,12 +49,14 @@ struct DesignOf {
     std::string_view largest;  ///< "offset along the surge load"
     std::string_view noun;     ///< of one value: "offset"
     std::string_view unit;     ///< SI
-    /// That it follows from, null where there are no more; all null: of other loads.
-    std::array<const ArrayOutput*, 3> histories;
+    /// That it follows from, null where there are no more; all null: of other loads. Those past the third are of hulls
+    /// that heave, pitch and roll, and 0 of others.
+    std::array<const ArrayOutput*, 6> histories;
     double (*value)(const Moorings& moorings, std::span<const double> of_histories);  ///< of one moment; null likewise
     /// It is of structures that give way in one of them, and its peaks are their longest natural period apart.
     std::array<Motion, 2> motions;
     bool part = false;  ///< along one axis, of what another is the whole of: told where it is asked for
+    bool (*has)(const Moorings& moorings) = nullptr;  ///< whether a structure has it; null: each has
 
     /// Of the scale, by Froude.
     int power() const { return unit == "N" ? 3 : unit == "m" ? 1 : 0; }
@@ -61,8 +65,12 @@ struct DesignOf {
     double shown_factor() const { return unit == "rad" ? 1 / unit::degree : 1; }
 };
 
+/// N, of the line of that number, hanging ones last; 0: it never breaks.
+double break_load(const Moorings& moorings, std::size_t line);
+bool has_lines_that_break(const Moorings& moorings);
+
 /// The first one is the load.
-extern const std::array<DesignOf, 11> design_ofs;
+extern const std::array<DesignOf, 12> design_ofs;
 
 /// The mooring force k x that stored loads of a fixed hull make.
 extern const DesignOf design_of_k_x;
@@ -91,12 +99,26 @@ struct CaseDesignLoad {
     std::vector<double> peaks;      ///< of all rows, falling, N
     DesignLoad load;                ///< at the scale of the campaign; not valid if refused
     JointTrend trend;
-    bool refused = false;  ///< the load rises, and nobody asked for it to be extrapolated
+    bool refused = false;  ///< it rises, and nobody asked for it to be extrapolated
     /// Whether all members are of one kind, which the other methods and pairs take for granted.
     bool of_one_kind() const { return load.unlike.out.empty(); }
 
     std::vector<double> over_shares;  ///< the first quantile with each of threshold_shares of the peaks
 };
+
+/// The first quantile of a case less that of another, at full scale and in the unit that people are shown.
+struct DesignDifference {
+    Estimate difference;
+    bool paired = false;  ///< over the same arrangements; otherwise of cases that have nothing in common
+};
+
+/// With members taken as alike; none where a case has no value or members that stand out.
+std::optional<DesignDifference> difference_of(const CaseDesignLoad& first, const CaseDesignLoad& second,
+                                              const DesignLoadRequest& request);
+
+/// How many arrangements more than it has would give a value, or an interval half as wide where it has a value; 0:
+/// more of them would not help.
+int more_arrangements(const CaseDesignLoad& one);
 
 /// "2 of 50 members carry the 14 highest peaks: replay 17 and 31.", and what follows from it; empty if none stands out.
 std::string standing_out_text(const CaseDesignLoad& one);

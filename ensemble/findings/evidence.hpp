@@ -46,7 +46,9 @@ struct Evidence {
     std::optional<std::vector<PieceRow>> pieces = {};
     Reference reference;                                   ///< case that the others are compared with
     std::optional<DesignLoadRequest> design_request = {};  ///< none: by default
-    double resolve = 0.1;                      ///< difference that pairs are to resolve, of the first case's mean
+    double resolve = 0.1;  ///< difference that pairs are to resolve, of the first case's mean
+    /// Of mooring lines against their break load: of a whole mooring, its dynamic analysis, by ISO 19901-7.
+    double safety_factor = 1.67;
     double scale = 1;                          ///< length at full scale / length in the campaign
     std::optional<MooredRequest> moored = {};  ///< hull that the loads move; none: nobody asks
     std::vector<CurvePoint> plate_tests = {};  ///< of the first case's ice; empty: not made

@@ -154,6 +154,10 @@ Section moored_spectrum(const Evidence& evidence, double damping_ratio, double a
 /// For cases whose structure gave way in the simulation; none where there are none.
 std::optional<Section> moored_runs_section(const Evidence& evidence);
 
+/// The largest tension of each line over a run, over its break load where it has one; none where there are no lines.
+/// Reads the file.
+std::optional<Section> mooring_lines_section(const Evidence& evidence);
+
 /// For Evidence::moored; without it, only the spectrum, at a tenth of the critical damping and the scale of the
 /// campaign.
 std::vector<Section> moored_sections(Evidence& evidence);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #include "findings/evidence.hpp"
 #include "findings/moored.hpp"
 #include "findings/summary.hpp"
+#include "member/array_output.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
@@ -72,9 +74,12 @@ double period_of(const Scenario& scenario, Motion motion) {
     return longest;
 }
 
-bool gives_way_in(const Case& one, std::span<const Motion> motions) {
-    return one.scenario.moorings.give_way() && one.scenario.analysis.keep_history &&
-           std::ranges::any_of(motions, [&](Motion motion) { return one.scenario.moorings.is_free(motion); });
+/// Whether a case has the design value, with stored histories.
+bool has(const Case& one, const DesignOf& of) {
+    const Moorings& moorings = one.scenario.moorings;
+    return moorings.give_way() && one.scenario.analysis.keep_history &&
+           std::ranges::any_of(of.motions, [&](Motion motion) { return moorings.is_free(motion); }) &&
+           (of.has == nullptr || of.has(moorings));
 }
 
 /// The longest of them.
@@ -87,10 +92,14 @@ double period_of(const Scenario& scenario, std::span<const Motion> motions) {
 /// What it is the largest of, over the run of each member that has its histories.
 void for_each_value(const Evidence& evidence, const DesignOf& of,
                     const std::function<void(const StoredHistory&)>& use) {
-    const auto last = std::ranges::find(of.histories, nullptr);
+    constexpr std::ptrdiff_t of_all = 3;  // that hulls have which do not float
+    const auto count = std::ranges::find(of.histories, nullptr) - of.histories.begin();
     std::vector<double> made;
+    std::vector<char> taken(evidence.table.members.size());
     std::array<double, std::tuple_size_v<decltype(of.histories)>> at_once{};
-    for_each_histories(evidence.file, {of.histories.begin(), last}, [&](const StoredHistories& found) {
+    const auto take = [&](const StoredHistories& found) {
+        if (std::exchange(taken.at(static_cast<std::size_t>(found.member)), 1) != 0) return;
+        at_once.fill(0);
         const Moorings& moorings = evidence.campaign.cases[evidence.case_of(found.member)].scenario.moorings;
         made.clear();
         for (std::size_t k = 0; k < found.values.front().size(); ++k) {
@@ -98,7 +107,9 @@ void for_each_value(const Evidence& evidence, const DesignOf& of,
             made.push_back(of.value(moorings, at_once));
         }
         use({found.member, found.step, made});
-    });
+    };
+    for_each_histories(evidence.file, {of.histories.begin(), of.histories.begin() + count}, take);
+    if (count > of_all) for_each_histories(evidence.file, {of.histories.begin(), of.histories.begin() + of_all}, take);
 }
 
 bool by_thrusters_alone(const Case& one) {
@@ -112,7 +123,7 @@ std::map<std::size_t, std::vector<double>> segment_maxima(const Evidence& eviden
     const DesignOf& of = *std::ranges::find(design_ofs, word, &DesignOf::word);
     for_each_value(evidence, of, [&](const StoredHistory& history) {
         const std::size_t index = evidence.case_of(history.member);
-        if (!gives_way_in(evidence.campaign.cases[index], of.motions)) return;
+        if (!has(evidence.campaign.cases[index], of)) return;
         const Analysis& analysis = evidence.table.cases[index].analysis;
         found[index].push_back(
             averaged_once(in_window(history, analysis), history.step, analysis, history.step, analysis.peak_separation)
@@ -191,6 +202,75 @@ std::optional<Section> moored_runs_section(const Evidence& evidence) {
             "mean over segments and arrangements; tension: mean over arrangements of the largest of any line; yaw, "
             "heave, pitch and roll: of all runs; thrust likewise, and the share of the window in which thrusters are "
             "at a limit in any direction; brackets: 95 % (t). docs/moorings.md\n"};
+}
+
+namespace {
+
+/// Largest tension of each line over a run, and in how many runs it broke.
+struct LineRuns {
+    std::vector<std::vector<double>> tensions;  ///< by line, N
+    std::vector<int> broken;
+};
+
+std::vector<LineRuns> line_runs(const Evidence& evidence) {
+    std::vector<LineRuns> found(evidence.campaign.cases.size());
+    for_each_history(evidence.file, array_output("members/line_tension"), [&](const StoredHistory& lines) {
+        LineRuns& one = found[evidence.case_of(lines.member)];
+        one.tensions.resize(lines.values.size());
+        for (std::size_t line = 0; line < lines.values.size(); ++line) one.tensions[line].push_back(lines.values[line]);
+    });
+    for (LineRuns& one : found) one.broken.resize(one.tensions.size());
+    for_each_history(evidence.file, array_output("members/line_broken_at"), [&](const StoredHistory& lines) {
+        LineRuns& one = found[evidence.case_of(lines.member)];
+        for (std::size_t line = 0; line < lines.values.size(); ++line)
+            one.broken.at(line) += std::isfinite(lines.values[line]) ? 1 : 0;
+    });
+    return found;
+}
+
+double azimuth_of(const Moorings& moorings, std::size_t line) {
+    const std::size_t weightless = moorings.lines.size();
+    return line < weightless ? moorings.lines[line].azimuth : moorings.hanging.at(line - weightless).azimuth;
+}
+
+}  // namespace
+
+std::optional<Section> mooring_lines_section(const Evidence& evidence) {
+    if (evidence.file.empty()) return {};
+    Results results{.place = "moored/lines",
+                    .columns = {{"case", "case"},
+                                {"line", "line"},
+                                {.key = "azimuth_deg"},
+                                {.key = "break_load"},
+                                estimates("tension", "largest tension", "N"),
+                                estimates("ratio", "over break load", "1", 2),
+                                {.key = "broken_runs", .words = "broke in"}},
+                    .view = Results::View::none};
+    const std::vector<LineRuns> runs = line_runs(evidence);
+    for (std::size_t index = 0; index < runs.size(); ++index) {
+        const Moorings& moorings = evidence.campaign.cases[index].scenario.moorings;
+        for (std::size_t line = 0; line < runs[index].tensions.size(); ++line) {
+            std::vector<double> tensions = runs[index].tensions[line];
+            const Estimate tension = over(tensions);
+            const double strength = break_load(moorings, line);
+            for (double& one : tensions) one = strength > 0 ? one / strength : std::nan("");
+            const double azimuth = azimuth_of(moorings, line) / unit::degree;
+            results.add({evidence.summary.named(index),
+                         Named{fmt::format("{}", line), fmt::format("{}, towards {:.4g}°", line + 1, azimuth)}, azimuth,
+                         strength > 0 ? Datum(strength) : Undefined{}, tension, over(tensions),
+                         runs[index].broken[line]});
+        }
+    }
+    if (results.empty()) return {};
+    const bool break_loads = std::ranges::any_of(
+        evidence.campaign.cases, [](const Case& one) { return has_lines_that_break(one.scenario.moorings); });
+    Results shown = pivot(results, "line", "case", {break_loads ? "ratio" : "tension"});
+    for (ResultColumn& column : shown.columns)
+        if (column.holds == ResultColumn::Holds::estimates && break_loads) column.limit = 1 / evidence.safety_factor;
+    shown.view = Results::View::drawn;
+    return Section{.title = fmt::format("Lines: largest tension of a run{}, mean over arrangements",
+                                        break_loads ? " over the break load" : ""),
+                   .results = {std::move(shown), std::move(results)}};
 }
 
 namespace {
@@ -342,13 +422,13 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
     for (std::size_t index = 0; index < all.size(); ++index) {
         const Analysis& analysis = table.cases[index].analysis;
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
-        periods.push_back(period_of(scenario, of.motions));
+        periods.push_back(has(evidence.campaign.cases[index], of) ? period_of(scenario, of.motions) : 0);
         all[index].measured = measured_in(analysis, separation_of(analysis, scenario.moorings, periods.back()));
     }
     const auto take = [&](const StoredHistory& history) {
         const MemberRow& member = table.members[static_cast<std::size_t>(history.member)];
         const auto index = static_cast<std::size_t>(member.case_index);
-        if (periods[index] == 0) return;  // held in this motion
+        if (periods[index] == 0) return;  // held in this motion, or without such a value
         const Analysis& analysis = table.cases[index].analysis;
         if (const std::string words = period_refusal(analysis, history.step, periods[index], 1); !words.empty())
             throw InputError(fmt::format("{}: {}: {}.", of.title, evidence.summary.label_of(index), words));
@@ -357,17 +437,19 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
         made.add(history.member, member.arrangement,
                  averaged_once(amounts, history.step, analysis, history.step, made.measured.separation),
                  mean_of(amounts));
+        made.trends.push_back(member_trend(amounts, history.step, analysis.segments));
     };
     for_each_value(evidence, of, take);
     if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
         throw InputError(fmt::format(
             "{0}: no case gives way in {1} with stored histories. moorings.mass_t makes a structure give way, "
             "moorings.free says in which motions, analysis.history_steps of 1 or more stores them. --mooring-kN-m, "
-            "--mass-t and --damping-percent move a hull by the stored loads of a fixed one.",
+            "--mass-t and --damping-percent move a hull by the stored loads of a fixed one.{2}",
             of.title,
             of.motions[0] == of.motions[1]
                 ? std::string(motion_names.at(at(of.motions[0])))
-                : fmt::format("{} or {}", motion_names.at(at(of.motions[0])), motion_names.at(at(of.motions[1])))));
+                : fmt::format("{} or {}", motion_names.at(at(of.motions[0])), motion_names.at(at(of.motions[1]))),
+            of.has == nullptr ? "" : " Lines that never break (a break load of 0) have none."));
     for (CasePeaks& one : all) one.average();
     return all;
 }
@@ -397,9 +479,8 @@ std::string mooring_notes(const Evidence& evidence) {
 std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request) {
     std::vector<CaseDesignLoad> designs =
         find_design_loads(evidence.table, request, simulated_peaks(evidence, request.of));
-    std::erase_if(designs, [&](const CaseDesignLoad& one) {
-        return !gives_way_in(evidence.campaign.cases[one.case_index], request.of.motions);
-    });
+    std::erase_if(designs,
+                  [&](const CaseDesignLoad& one) { return !has(evidence.campaign.cases[one.case_index], request.of); });
     return designs;
 }
 
@@ -425,8 +506,7 @@ const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence) {
     std::vector<SimulatedDesign>& found = evidence.simulated.emplace();
     if (evidence.file.empty()) return found;
     for (const DesignOf& of : std::span(design_ofs).subspan(1)) {
-        if (of.part || std::ranges::none_of(evidence.campaign.cases,
-                                            [&](const Case& one) { return gives_way_in(one, of.motions); }))
+        if (of.part || std::ranges::none_of(evidence.campaign.cases, [&](const Case& one) { return has(one, of); }))
             continue;
         SimulatedDesign& one = found.emplace_back(evidence.design_request.value_or(DesignLoadRequest{}));
         one.request.of = of;

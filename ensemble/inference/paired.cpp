@@ -216,8 +216,16 @@ MemberTrend member_trend(const MemberOutputs& outputs, double window) {
             .largest = maxima.empty() ? 0 : mean_of(maxima)};
 }
 
-JointTrend joint_trend(std::span<const MemberTrend> members) {
-    JointTrend one{.members = static_cast<int>(members.size())};
+MemberTrend member_trend(std::span<const double> values, double step, int segments) {
+    const LoadStatistics found = load_statistics(values, step, segments);
+    return {.mean = found.mean,
+            .rise = found.trend * step * static_cast<double>(values.size()),
+            .growth = segments < 2 ? undefined : found.segment_maximum.back() - found.segment_maximum.front(),
+            .largest = found.mean_maximum};
+}
+
+JointTrend joint_trend(std::span<const MemberTrend> members, std::string_view noun) {
+    JointTrend one{.noun = noun, .members = static_cast<int>(members.size())};
     std::vector<double> rises, growths;
     for (const MemberTrend& member : members) {
         one.mean += member.mean / static_cast<double>(members.size());
@@ -247,7 +255,8 @@ std::string change_words(const JointTrend& trend) {
 }
 
 std::string trend_text(const JointTrend& trend) {
-    const std::string what = trend.by_load ? "the load" : "the largest load of a segment";
+    const std::string what =
+        trend.by_load ? fmt::format("the {}", trend.noun) : fmt::format("the largest {} of a segment", trend.noun);
     return fmt::format("{}, {} of its mean over the measured window ({})",
                        trend.seen()                             ? fmt::format("{} {}", what, name_of(trend.steadiness))
                        : trend.steadiness == Steadiness::steady ? fmt::format("{} is steady", what)

@@ -102,7 +102,11 @@ struct MemberTrend {
 /// Maxima of the load averaged over the shortest time where members have them, else of single steps. `window`: s.
 MemberTrend member_trend(const MemberOutputs& outputs, double window);
 
+/// Of values of any unit, `step` s apart in the window, of which each of the segments has two or more.
+MemberTrend member_trend(std::span<const double> values, double step, int segments);
+
 struct JointTrend {
+    std::string_view noun = "load";  ///< what rises or falls; what follows is in its unit
     int members = 0;
     double mean = 0;          ///< load, N
     double largest = 0;       ///< mean of the segment maxima, N
@@ -115,8 +119,8 @@ struct JointTrend {
     bool seen() const { return rises() || steadiness == Steadiness::falls; }
 };
 
-/// Of a case, from its members.
-JointTrend joint_trend(std::span<const MemberTrend> members);
+/// Of a case, from its members. `noun`: what they are trends of.
+JointTrend joint_trend(std::span<const MemberTrend> members, std::string_view noun = "load");
 
 /// "+51 % [+33, +70]": what is judged, relative to the mean.
 std::string change_words(const JointTrend& trend);

@@ -183,7 +183,10 @@ struct ToCell {
                                                                    : "–";
     }
     Cell operator()(Absent) const { return ""; }
-    Cell operator()(Undefined) const { return column.holds == ResultColumn::Holds::values ? Cell{"–"} : Cell{"–", ""}; }
+    Cell operator()(const Undefined& one) const {
+        if (!one.why.empty()) return one.why;
+        return column.holds == ResultColumn::Holds::values ? Cell{"–"} : Cell{"–", ""};
+    }
     Cell operator()(bool value) const { return value ? "yes" : "no"; }
     Cell operator()(std::int64_t value) const { return fmt::format("{}", value); }
     Cell operator()(double value) const { return number(value); }

@@ -23,8 +23,11 @@ namespace floes {
 
 /// No value: left out of JSON, empty in CSV.
 struct Absent {};
-/// Undefined: null in JSON, empty in CSV, "–" for people; like a number that is not finite.
-struct Undefined {};
+/// Undefined: null in JSON, empty in CSV, for people `why` in a few words, "–" without; like a number that is not
+/// finite.
+struct Undefined {
+    std::string why = {};
+};
 
 /// A value with its 95 % interval; NaN where undefined.
 struct Estimate {
@@ -129,14 +132,17 @@ struct ResultColumn {
     int decimals = -1;  ///< shown; -1: those that give the largest value of the column about four digits, three with ±
     int digits = 0;     ///< shown in each cell on its own, significant ones; 0: by `decimals`
     bool p = false;     ///< a probability of a test: "0.034", "<0.001"
+    double limit =
+        std::numeric_limits<double>::quiet_NaN();  ///< of its values, drawn where they are; NaN: there is none
 };
 
 struct Results {
     /// For whom a row is: `folded` rows are closed at first on a page, `on_page` rows are left out of text, and rows
     /// `for_programs` are not shown to people.
     enum class For : std::uint8_t { everybody, folded, on_page, programs, people };
-    /// How people see it: rows as rows; rows side by side as columns, as many as fit; or not at all.
-    enum class View : std::uint8_t { rows, side_by_side, none };
+    /// How people see it: rows as rows; rows side by side as columns, as many as fit; rows whose estimates a page draws
+    /// too, each column to its own scale; or not at all.
+    enum class View : std::uint8_t { rows, side_by_side, drawn, none };
 
     std::string place = {};  ///< in JSON: of the list, "design/loads", or of the object; empty: the root
     std::vector<ResultColumn> columns = {};

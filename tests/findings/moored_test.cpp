@@ -13,6 +13,7 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "findings/design_load.hpp"
+#include "findings/evidence.hpp"
 #include "findings/example.hpp"
 #include "support/refusal.hpp"
 
