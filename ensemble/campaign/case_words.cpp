@@ -324,10 +324,25 @@ std::string enumerated(const std::vector<std::string>& words) {
 
 }  // namespace
 
+Words turn_words(const Path& path) {
+    if (path.legs.empty()) return {};
+    double least = path.legs.front().heading;
+    double most = least;
+    for (const PathLeg& leg : path.legs)
+        for (const double heading : {leg.heading, leg.heading + leg.turn * leg.time}) {
+            least = std::min(least, heading);
+            most = std::max(most, heading);
+        }
+    if (most - least < 1e-9) return {};
+    return Words::of("{} by {:.3g}°", path.of == PathOf::ice ? "the drift turns" : "its path turns",
+                     (most - least) / unit::degree);
+}
+
 Words motion_words(const Scenario& scenario) {
     const Moorings& moorings = scenario.moorings;
+    const Words turns = turn_words(scenario.path);
     if (!moorings.give_way()) {
-        if (scenario.path.any()) return "led along a path";
+        if (scenario.path.any()) return turns.empty() ? "led along a path" : Words("led along a path; ") + turns;
         return Words::of("towed at {:.4g} m/s", scenario.structure.speed);
     }
     std::vector<std::string> free;
@@ -342,8 +357,10 @@ Words motion_words(const Scenario& scenario) {
     }
     if (!moorings.turret.curve.empty()) holds.emplace_back("a turret");
     if (moorings.thrusters.any()) holds.emplace_back("thrusters");
-    return Words::of("{:.4g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
-                     enumerated(free), Words::joined(holds, ", "), scenario.closing_speed());
+    const Words held =
+        Words::of("{:.6g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
+                  enumerated(free), Words::joined(holds, ", "), scenario.closing_speed());
+    return turns.empty() ? held : held + "; " + turns;
 }
 
 namespace {

@@ -79,8 +79,8 @@ Figure hybrid_figure(const HybridCurve& curve, const Summary& summary, bool pape
                   .size = {720, 360},
                   .legend = {{"c0", "Lindqvist × IC"}, {"c1", "KPR"}, {"ink", "hybrid"}, {"c2", "this campaign"}},
                   .caption =
-                      "The hybrid model of Eqs. (6)-(7) (the paper's Fig. 8). KPR's coefficient k1 is chosen so that "
-                      "both limits cross at 10 MPa as in the paper: its line is a calibration, not a prediction."};
+                      "The hybrid model. KPR's coefficient k1 is chosen so that "
+                      "both limits cross at 10 MPa: its line is a calibration, not a prediction."};
     figure.y.high *= 1.3;
     for (Figure::Points* points : {&stress, &momentum})
         std::erase_if(*points, [&](const auto& point) { return point.second > figure.y.high; });
@@ -110,13 +110,11 @@ Figure modulus_figure(const std::vector<CurvePoint>& plate_tests, bool papers) {
         moduli.push_back(points.back().second);
         largest_cfm = std::max(largest_cfm, point.cfm);
     }
-    Figure figure{
-        .description = "Elastic modulus over constraint force mixing",
-        .x = {"constraint force mixing Σ (1e-10 at the left edge)", least_cfm, largest_cfm, true},
-        .y = axis_around("elastic modulus E, MPa", moduli, true),
-        .legend = {{"c0", "plate tests of this ice"}},
-        .caption =
-            "Elastic modulus of this ice in a plate test over Σ (the paper's Fig. 2), on a sheet of 13 x 13 elements."};
+    Figure figure{.description = "Elastic modulus over constraint force mixing",
+                  .x = {"constraint force mixing Σ (1e-10 at the left edge)", least_cfm, largest_cfm, true},
+                  .y = axis_around("elastic modulus E, MPa", moduli, true),
+                  .legend = {{"c0", "plate tests of this ice"}},
+                  .caption = "Elastic modulus of this ice in a plate test over Σ, on a sheet of 13 x 13 elements."};
     figure.line(points, "c0");
     for (const auto& [cfm, modulus] : points) figure.dot(cfm, modulus, "c0");
     if (!papers) return figure;

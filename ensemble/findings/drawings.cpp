@@ -273,7 +273,7 @@ Section histories_section(Evidence& evidence) {
     figure.caption = std::string(evidence.summary.cases.size() < 2 ? "One arrangement"
                                  : same                            ? "One arrangement, every case, shifted upwards"
                                         : "One run of every case, shifted upwards; they begin from different floes") +
-                     " (the paper's Fig. 6). Dashed: start of the analysis window." + undrawn_text(evidence.summary);
+                     ". Dashed: start of the analysis window." + undrawn_text(evidence.summary);
     if (std::ranges::any_of(evidence.table.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
         figure.caption += " The file holds means over several steps, whose peaks are lower than the measured ones.";
     return {.figures = {std::move(figure)}};
@@ -334,9 +334,10 @@ Section largest_load_section(Evidence& evidence) {
         floes_of(scenario, {arrangement_seed(evidence.campaign, member.case_index),
                             static_cast<std::uint32_t>(member_key(evidence.campaign, *number).arrangement)});
     Figure figure = plan_view(scenario, floes, read_poses(evidence.file, *number), broken);
-    figure.caption = fmt::format(
-        "Member {}, case {}: largest load {:.1f} N, mean {:.1f} N, {:.1f} % of the floes broke (marked).", *number,
-        evidence.summary.name_of(of_case), member.load.maximum, member.load.mean, member.failure_ratio / unit::percent);
+    figure.caption =
+        fmt::format("Member {}, case {}: largest load {}, mean {}, {:.1f} % of the floes broke (marked).", *number,
+                    evidence.summary.name_of(of_case), evidence.units.text(member.load.maximum, "N"),
+                    evidence.units.text(member.load.mean, "N"), member.failure_ratio / unit::percent);
     return {.notes = {"To watch it: " + replay_command(evidence, *number)}, .figures = {std::move(figure)}};
 }
 
