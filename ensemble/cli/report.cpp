@@ -49,7 +49,7 @@ std::vector<MomentPicture> pictures_of(const KeyFrames& frames) {
     return {
         {drawn(stage, frames.worst, near),
          "The largest load of a step. Arrows are the load on the structure and its surge, sway and heave parts, lines "
-         "the forces on floes at their contacts (the paper's Fig. 5)."},
+         "the forces on floes at their contacts."},
         {drawn(stage, frames.start, plan), "The same floes before the tow."},
         {drawn(stage, frames.end, plan), "And at its end."}};
 }
@@ -82,6 +82,9 @@ struct ReportOptions {
     double exposure_h = 3;
     DesignLoadRequest design;
     bool asks_design = false;
+    std::string title;
+    std::string author;
+    double safety_factor = Evidence{}.safety_factor;
 };
 
 void report(const ReportOptions& options) {
@@ -94,6 +97,9 @@ void report(const ReportOptions& options) {
         data.evidence.design_request = options.design;
         data.evidence.design_request->exposure = options.exposure_h * unit::hour;
     }
+    data.evidence.safety_factor = options.safety_factor;
+    data.title = options.title;
+    data.author = options.author;
     const Scenario& first = data.evidence.campaign.cases.front().scenario;
     const bool follows_cfm = first.joint.model == JointModel::cfm;  // else there is no curve: E is what it says
     if (!options.skip_plate_tests && follows_cfm) data.evidence.plate_tests = measure_curve(curve_plans(first));
@@ -117,6 +123,12 @@ void add_report(CommandLine& line) {
     const Option exposure = add_exposure(verb, options->exposure_h);
     const Option quantile = add_quantiles(verb, options->design.quantiles);
     const Option averaging = add_averaging(verb, options->design.averaging);
+    verb.option("--safety-factor", options->safety_factor,
+                "Of mooring lines: break load over design tension; that of ISO 19901-7 for a whole mooring by default")
+        .within(1.0, 100.0)
+        .shows_default();
+    verb.option("--title", options->title, "Of the page; by default the campaign's name");
+    verb.option("--author", options->author, "Who is named below the title");
     verb.flag("--no-plate-tests", options->skip_plate_tests,
               "Omit the E-Σ curve of this ice, whose plate tests take some seconds");
     verb.option("--pictures", options->pictures,

@@ -264,59 +264,6 @@ std::string warning_lines(const std::vector<std::string>& warnings) {
     return lines;
 }
 
-namespace {
-
-constexpr std::size_t most_changes = 3;        // of an answer
-constexpr std::size_t most_changes_shown = 6;  // on the screen
-constexpr std::size_t most_cases = 7;          // the first and those compared with it
-constexpr std::string_view apart_words =
-    "Cases begin from other floes: differences are of means (Welch), not by arrangement.";
-
-/// "29.6 N (28.8 to 30.3)"; 95 % is said once, before. Limits that say nothing are left out.
-std::string load(const Estimate& mean, const Units& units) {
-    const std::string text = units.text(mean.value, "N");
-    if (!mean.said) return text;
-    return text + fmt::format(" ({} to {})", units.number(mean.low, "N"), units.number(mean.high, "N"));
-}
-
-std::string load(const LoadFigure& figure, int runs, const Units& units) {
-    return load(within(figure.value, figure.interval, says_something(figure.value, figure.interval, runs)), units);
-}
-
-/// nullptr where there is none.
-const CaseDesignLoad* design_of(const DesignLoads& designs, std::size_t index) {
-    const auto found = std::ranges::find(designs.of_cases, index, &CaseDesignLoad::case_index);
-    return found == designs.of_cases.end() || !found->load.valid() ? nullptr : &*found;
-}
-
-/// What a reader has to know with the figure, not after it: " (methods differ by 70 %, extrapolated 40 times)".
-std::string doubt_words(const DesignLoadRequest& asked, const DesignLoad& found) {
-    constexpr double far = 10;  // times the time that was run
-    std::vector<std::string> doubts;
-    if (const double apart = disagreement(found); apart > much_disagreement)
-        doubts.push_back(fmt::format("methods differ by {:.0f} %", apart / unit::percent));
-    if (const double times = asked.model_exposure() / found.time_run; times > far)
-        doubts.push_back(fmt::format("extrapolated to {:.2g} times the time run", times));
-    return doubts.empty() ? "" : fmt::format("; doubtful: {}", fmt::join(doubts, ", "));
-}
-
-std::string design_words(const DesignLoadRequest& asked, const DesignLoad& found, const Units& units) {
-    const DesignLoadEstimate& made = found.estimates.front();
-    return fmt::format(" Largest load averaged over {:g} s in {:g} h: expected {}, exceeded with {:.0f} %: {}{}.",
-                       asked.averaging, asked.exposure / unit::hour, load(made.expected, found.arrangements, units),
-                       (1 - asked.quantiles.front()) / unit::percent,
-                       load(made.quantiles.front(), found.arrangements, units), doubt_words(asked, found));
-}
-
-/// "n = 2" or "rises", beside the mean that it is about.
-std::string mean_doubts(const CaseSummary& row) {
-    std::vector<std::string> doubts;
-    if (row.done < fewest_for_interval) doubts.push_back(fmt::format("n = {}", row.done));
-    if (row.trend.seen()) doubts.push_back(fmt::format("not steady: it {}", name_of(row.trend.steadiness)));
-    return doubts.empty() ? "" : fmt::format(" [{}]", fmt::join(doubts, ", "));
-}
-
-/// The points with the least and the largest mean load, in words; none without a result.
 std::vector<std::pair<std::string, std::size_t>> extreme_points(const Summary& summary) {
     const auto mean = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
     std::vector<std::size_t> done;
@@ -327,62 +274,15 @@ std::vector<std::pair<std::string, std::size_t>> extreme_points(const Summary& s
     return {{"least mean", *least}, {"largest mean", *most}};
 }
 
-/// A design's points in two sentences; the table of them has the rest.
-std::vector<std::string> design_sentences(const Summary& summary, const Units& units) {
-    std::vector<std::string> sentences;
-    const auto done = std::ranges::count_if(summary.cases, [](const CaseSummary& row) { return row.done > 0; });
-    for (const auto& [words, k] : extreme_points(summary)) {
-        const CaseSummary& row = summary.cases[k];
-        sentences.push_back(fmt::format("{} load of the {}: {} at {}{}.", capital(words), counted(done, "point"),
-                                        load(estimate_of(row, quantity("mean_load")), units), summary.label_of(k),
-                                        mean_doubts(row)));
-    }
-    return sentences;
-}
+namespace {
 
-/// " Design mooring force in 3 h: exceeded with 10 %: 4.03 MN (3.32 to 7.61).", or why it is not known.
-std::string mooring_words(const Evidence& evidence, const SimulatedDesign& design, std::size_t index) {
-    const DesignOf& of = design.request.of;
-    if (!design.refused.empty()) return " " + design.refused;
-    const auto found = std::ranges::find(design.of_cases, index, &CaseDesignLoad::case_index);
-    if (found == design.of_cases.end()) return "";
-    if (!found->load.valid())
-        return fmt::format(" {}: {}", of.title, none_text(*found, evidence.summary.cases[index].about));
-    const LoadFigure& figure = found->load.estimates.front().quantiles.front();
-    const double factor = design.request.factor();
-    std::string told = evidence.units.text(factor * figure.value, of.unit);
-    if (says_something(figure.value, figure.interval, found->load.arrangements))
-        told += fmt::format(" ({} to {})", evidence.units.number(factor * figure.interval.low, of.unit),
-                            evidence.units.number(factor * figure.interval.high, of.unit));
-    return fmt::format(" {} in {:g} h, exceeded with {:.0f} %: {}{}.", of.title, design.request.exposure / unit::hour,
-                       (1 - design.request.quantiles.front()) / unit::percent, told,
-                       doubt_words(design.request, found->load));
-}
-
-/// For every case, or for one alone.
-std::vector<std::string> load_sentences(const Evidence& evidence, const DesignLoads& designs,
-                                        std::span<const SimulatedDesign> simulated, std::optional<std::size_t> alone) {
-    const Summary& summary = evidence.summary;
-    std::vector<std::string> sentences;
-    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
-        const CaseSummary& row = summary.cases[k];
-        if (row.done == 0 || (alone && k != *alone)) continue;
-        const CaseEstimate& broken = row.of(quantity("failure_ratio"));
-        std::string told = fmt::format("{}: mean load {}{}.", summary.label_of(k),
-                                       load(estimate_of(row, quantity("mean_load")), evidence.units), mean_doubts(row));
-        if (const CaseDesignLoad* design = design_of(designs, k))
-            told += design_words(designs.asked, design->load, evidence.units);
-        for (const SimulatedDesign& design : simulated)
-            if (design.request.of.word == "mooring_force" || design.request.of.word == "offset")
-                told += mooring_words(evidence, design, k);
-        told += fmt::format(" Broken floes {:.1f} %.", broken.estimate / unit::percent);
-        sentences.push_back(std::move(told));
-    }
-    return sentences;
-}
+constexpr std::size_t most_changes = 3;        // of an answer
+constexpr std::size_t most_changes_shown = 6;  // on the screen
+constexpr std::string_view apart_words =
+    "Cases begin from other floes: differences are of means (Welch), not by arrangement.";
 
 std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignLoads& designs) {
-    std::vector<std::string> sentences{"Brackets are 95 % confidence intervals over arrangements."};
+    std::vector<std::string> sentences;
     Summary stated = evidence.summary;
     if (const std::optional<std::size_t> base = base_case(evidence.campaign)) {
         stated.cases = {stated.cases[*base]};
@@ -411,43 +311,6 @@ std::vector<std::string> basis_sentences(const Evidence& evidence, const DesignL
     return sentences;
 }
 
-/// "E60 instead of E30 changes the mean load by +0.1 N (-0.3 to +0.5)." Over the arrangements that both have, and of
-/// cases that begin from other floes the difference of the means; of the variations of a base case those that change it
-/// most, and what all do together.
-std::vector<std::string> case_sentences(const Evidence& evidence) {
-    struct Change {
-        std::size_t second;
-        Estimate difference;
-        int arrangements;
-        bool apart;
-    };
-    std::vector<std::string> sentences;
-    const std::size_t reference = evidence.reference.value_or(0);
-    const bool variations = base_case(evidence.campaign).has_value();
-    const std::size_t most = variations ? evidence.table.cases.size() : most_cases;
-    std::vector<Change> found;
-    for (const PairRow& row : compare_with(evidence, reference, quantity("mean_load"), most))
-        found.push_back({row.second, row.difference(), row.found.arrangements, false});
-    for (const ApartRow& row : compare_apart(evidence, reference, quantity("mean_load"), most))
-        found.push_back({row.second, row.difference(), row.fewest, true});
-    std::ranges::stable_sort(found, {}, &Change::second);
-    if (variations) {
-        std::ranges::stable_sort(found, std::ranges::greater{},
-                                 [](const Change& row) { return std::abs(row.difference.value); });
-        found.resize(std::min(found.size(), most_changes));
-        if (std::string told = width_sentence(find_model_width(evidence), evidence.units); !told.empty())
-            sentences.push_back(std::move(told));
-    }
-    for (const Change& row : found)
-        sentences.push_back(
-            fmt::format("{} instead of {} changes the mean load by {}{}{}.", evidence.summary.label_of(row.second),
-                        evidence.summary.label_of(reference), change_text(row.difference, evidence.units),
-                        row.apart ? ", the difference of means" : "",
-                        row.arrangements < fewest_for_interval ? fmt::format(" [n = {}]", row.arrangements) : ""));
-    if (std::ranges::any_of(found, &Change::apart)) sentences.push_back(std::string{apart_words});
-    return sentences;
-}
-
 /// "Thickness from 0.02 to 0.04 m changes the mean load by +5.4 N (2.1 to 8.7).", the strongest first.
 std::vector<std::string> change_sentences(const Sensitivity& found, const Units& units, std::size_t most) {
     struct Change {
@@ -468,13 +331,11 @@ std::vector<std::string> change_sentences(const Sensitivity& found, const Units&
 }
 
 std::vector<std::string> changes(Evidence& evidence) {
-    std::vector<std::string> sentences = evidence.campaign.design.active()
-                                             ? change_sentences(sensitivity_of(evidence), evidence.units, most_changes)
-                                             : case_sentences(evidence);
-    if (sentences.empty())
-        sentences.push_back(evidence.summary.cases.size() < 2
-                                ? "Nothing was varied, so this campaign does not say what would change the load."
-                                : "Too few simulations are done to say what changes the load.");
+    if (evidence.campaign.design.active())
+        return change_sentences(sensitivity_of(evidence), evidence.units, most_changes);
+    std::vector<std::string> sentences;
+    if (std::string told = width_sentence(find_model_width(evidence), evidence.units); !told.empty())
+        sentences.push_back(std::move(told));
     return sentences;
 }
 
@@ -482,11 +343,7 @@ std::vector<std::string> changes(Evidence& evidence) {
 
 CampaignAnswer find_answer(Evidence& evidence) {
     const DesignLoads designs = evidence.campaign.design.active() ? DesignLoads{} : designs_of(evidence);
-    return {warnings_of(evidence.table, evidence.summary),
-            evidence.campaign.design.active()
-                ? design_sentences(evidence.summary, evidence.units)
-                : load_sentences(evidence, designs, simulated_of(evidence), base_case(evidence.campaign)),
-            basis_sentences(evidence, designs), changes(evidence)};
+    return {warnings_of(evidence.table, evidence.summary), basis_sentences(evidence, designs), changes(evidence)};
 }
 
 namespace {

@@ -20,13 +20,12 @@ std::string warning_lines(const std::vector<std::string>& warnings);
 
 struct CampaignAnswer {
     std::vector<std::string> warnings;  ///< what is wrong with the whole
-    std::vector<std::string> loads;     ///< of each case with done members: mean and design load with their intervals,
-                                        ///< and doubts; of a design its least and its largest mean
     std::vector<std::string> basis;     ///< ice field, members, method, and how far it extrapolates
-    std::vector<std::string> changes;   ///< the axes of a design that change the mean load most, or the other cases
+    std::vector<std::string> changes;   ///< the axes of a design that change the mean load most, or what all variations
+                                        ///< of a base case do together; empty where page one has the differences
 };
 
-/// Design loads are left out for a campaign of many cases, and where the members did not average their load.
+/// Of a figure what a reader has to know with it is in `basis`: methods that differ, and how far it extrapolates.
 CampaignAnswer find_answer(Evidence& evidence);
 
 // A campaign on one screen: what is wrong with it, a row for each case, and what comes next. The whole is in the other
@@ -34,6 +33,9 @@ CampaignAnswer find_answer(Evidence& evidence);
 
 /// Cases that are shown one by one; of a design with more of them, its axes and its extreme points are.
 inline constexpr std::size_t most_overview_rows = 12;
+
+/// The points with the least and the largest mean load, in words; none without a result.
+std::vector<std::pair<std::string, std::size_t>> extreme_points(const Summary& summary);
 
 /// Warnings and the table. Differences are to the evidence's reference, otherwise to the first case; a design has none.
 Section overview_section(const Evidence& evidence, const Sensitivity& sensitivity);

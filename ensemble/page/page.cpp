@@ -1,16 +1,20 @@
 #include "page/page.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "campaign/case_words.hpp"
 #include "core/bytes.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/answer.hpp"
+#include "findings/page_one.hpp"
 #include "findings/summary.hpp"
 #include "page/section_html.hpp"
 #include "run/campaign_status.hpp"
@@ -80,18 +84,56 @@ std::string provenance(const ReportData& data) {
                     html_escaped(data.evidence.origin.configuration)));
 }
 
+/// "Moored hull of 28000 t, 70 m at the waterline"; of cases that differ, that they do.
+std::string hull_words(const Campaign& campaign) {
+    const auto words = [](const Case& one) {
+        const Scenario& scenario = one.scenario;
+        const std::string hull = scenario.moorings.give_way()
+                                     ? fmt::format("Moored hull of {:.6g} t", scenario.moorings.mass / unit::tonne)
+                                     : std::string{"Hull"};
+        const std::string turns = turn_words(scenario.path).text();
+        return fmt::format("{}, {:.4g} m at the waterline{}", hull, 2 * scenario.structure.shape.waterline_radius(),
+                           turns.empty() ? "" : "; " + turns);
+    };
+    const std::string first = words(campaign.cases.front());
+    const bool alike = std::ranges::all_of(campaign.cases, [&](const Case& one) { return words(one) == first; });
+    return alike ? first : first + "; other cases have others";
+}
+
+/// A fact of where the file comes from; empty where it has none.
+std::string fact(const Evidence& evidence, std::string_view name) {
+    for (const auto& [key, value] : evidence.origin.facts)
+        if (key == name) return value;
+    return "";
+}
+
+/// Title, hull, and who made it when and with what.
+std::string title_block(const ReportData& data) {
+    const std::string& campaign = data.evidence.summary.title;
+    std::vector<std::string> made;
+    if (!data.author.empty()) made.push_back(data.author);
+    if (!data.title.empty()) made.push_back("campaign " + campaign);
+    if (const std::string date = fact(data.evidence, "date"); !date.empty()) made.push_back(date.substr(0, 10));
+    if (const std::string version = fact(data.evidence, "floes"); !version.empty()) made.push_back("floes " + version);
+    return fmt::format("<header class=\"title\"><h1>{}</h1>\n<p>{}</p>\n<p class=\"note\">{}</p></header>\n",
+                       html_escaped(data.title.empty() ? "Ice loads: " + campaign : data.title),
+                       html_escaped(hull_words(data.evidence.campaign)),
+                       html_escaped(fmt::format("{}", fmt::join(made, " · "))));
+}
+
 }  // namespace
 
 std::string report_page(ReportData data) {
     const std::string& title = data.evidence.summary.title;
     data.evidence.pictured = !data.moments.empty();
-    std::string body = fmt::format("<h1>Loads of managed ice floes: {}</h1>\n", html_escaped(title));
-    body += answer_html("The answer", find_answer(data.evidence));
+    const PageOne first = find_page_one(data.evidence);
+    std::string body = fmt::format("<div class=\"first\">\n{}{}</div>\n", title_block(data),
+                                   page_one_html("The answer", first, find_answer(data.evidence), data.evidence.units));
     // In a design the points come first: one of its members is no picture of it.
     const bool design = data.evidence.campaign.design.active();
     if (!design) body += worst_moments(data);
     body += findings_html(data.evidence, design ? worst_moments(data) : "");
-    return html_page(title + ": loads of managed ice floes", "", body + provenance(data));
+    return html_page(data.title.empty() ? "Ice loads: " + title : data.title, "", body + provenance(data));
 }
 
 namespace {
@@ -222,7 +264,8 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
                      fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n", html_escaped(counts_sentence(status)),
                                  html_escaped(work_sentence(status))) +
                          next_step(status, campaign_file.string()) + counts(status) + note(when) +
-                         answer_html(whole ? "The answer" : "The answer so far", find_answer(evidence)) +
+                         page_one_html(whole ? "The answer" : "The answer so far", find_page_one(evidence),
+                                       find_answer(evidence), evidence.units) +
                          section(whole ? "Precision" : "Precision so far", precision(evidence, status.stop)) +
                          failed(status) +
                          section("The run", run(status) + timed("Running members, longest first", status.under_way) +

@@ -27,6 +27,8 @@ struct ReportData {
     Evidence evidence;
     std::vector<Moment> moments;  ///< the worst ones; empty: no pictures were made
     std::string command;          ///< that repeats the campaign
+    std::string title = {};       ///< of the page; empty: by the campaign's name
+    std::string author = {};      ///< empty: nobody is named
 };
 
 /// The page: no scripts, no external resources, for light and dark screens and for print. Reads the campaign file.

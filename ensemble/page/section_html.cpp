@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "core/contract.hpp"
+#include "findings/conditions.hpp"
 #include "tables/table.hpp"
 
 namespace floes {
@@ -53,8 +54,114 @@ std::string open_table(const Table& table) {
                                          : html_table(table);
 }
 
+/// One column of estimates to scale: the least and the largest that it shows, with 0 and its limit.
+struct StripScale {
+    double low = 0;
+    double high = 0;
+
+    StripScale(const Results& results, std::size_t column) {
+        const auto reach = [&](double value) {
+            if (!std::isfinite(value)) return;
+            low = std::min(low, value);
+            high = std::max(high, value);
+        };
+        reach(results.columns[column].limit);
+        for (const std::vector<Datum>& row : results.rows)
+            if (const Estimate* one = column < row.size() ? std::get_if<Estimate>(&row[column].get()) : nullptr) {
+                reach(one->value);
+                if (one->said) {
+                    reach(one->low);
+                    reach(one->high);
+                }
+            }
+    }
+
+    bool any() const { return high > low; }
+    double at(double value) const {
+        constexpr double air = 5;  // for half a dot at either end
+        return air + (strip_width - 2 * air) * (value - low) / (high - low);
+    }
+
+    static constexpr double strip_width = 110;
+};
+
+/// Bar from 0 to the value, its interval, a dot, and the column's limit.
+std::string strip_svg(const Estimate& one, const StripScale& scale, double limit, const std::string& style) {
+    if (!scale.any() || !std::isfinite(one.value)) return "";
+    const double zero = scale.at(0);
+    const double value = scale.at(one.value);
+    std::string body = fmt::format(
+        "<rect class=\"area {} veil\" x=\"{:.1f}\" y=\"3\" width=\"{:.1f}\" height=\"8\"/><path class=\"frame\" "
+        "d=\"M{:.1f} "
+        "1V13\"/>",
+        style, std::min(zero, value), std::abs(value - zero), zero);
+    if (std::isfinite(limit))
+        body += fmt::format("<path class=\"line c1 dashed\" d=\"M{0:.1f} 0V14\"/>", scale.at(limit));
+    if (one.said && std::isfinite(one.low))
+        body += fmt::format("<path class=\"line {} thick\" d=\"M{:.1f} 7H{:.1f}\"/>", style, scale.at(one.low),
+                            scale.at(one.high));
+    body += fmt::format("<circle class=\"dot {}\" cx=\"{:.1f}\" cy=\"7\" r=\"3.5\"/>", style, value);
+    return fmt::format(
+        "<svg class=\"strip\" viewBox=\"0 0 {0:g} 14\" width=\"{0:g}\" height=\"14\" aria-hidden=\"true\">{1}</svg>",
+        StripScale::strip_width, body);
+}
+
+std::string drawn_cell(const Cell& cell, const std::string& heading, const std::string& strip, bool words) {
+    std::string content = html_escaped(cell.value);
+    if (cell.range && *cell.range != "–" && !cell.range->empty())
+        content += fmt::format(" <small>{}</small>", html_escaped(*cell.range));
+    return fmt::format("<td{} data-head=\"{}\">{}{}</td>", words ? " class=\"words\"" : "", html_escaped(heading),
+                       content, strip);
+}
+
+/// Ends of the scales below their columns.
+std::string scales_html(const Results& results, const std::vector<std::size_t>& shown, const Units& units) {
+    std::string cells;
+    bool any = false;
+    for (const std::size_t column : shown) {
+        const StripScale scale(results, column);
+        const bool drawn = results.columns[column].holds == ResultColumn::Holds::estimates && scale.any();
+        any = any || drawn;
+        cells += drawn ? fmt::format("<td><span class=\"scale\"><i>{}</i><i>{}</i></span></td>",
+                                     units.number(scale.low, results.columns[column].unit, 2),
+                                     units.number(scale.high, results.columns[column].unit, 2))
+                       : "<td></td>";
+    }
+    return any ? fmt::format("<tr class=\"scales\">{}</tr>\n", cells) : "";
+}
+
+/// A table whose estimates are drawn in their cells; its rows are for everybody.
+std::string drawn_table(const Results& results, const Units& units) {
+    constexpr std::size_t few = 5;  // columns that leave room for pictures beside their numbers
+    const Table table = shown_table(results, units);
+    const bool of_cases = results.columns.front().key == "case";  // else its columns are, as in a pivot
+    std::vector<std::size_t> shown;
+    for (std::size_t k = 0; k < results.columns.size(); ++k)
+        if (!results.columns[k].words.empty()) shown.push_back(k);
+    std::string rows;
+    for (const Cell& cell : table.front()) rows += fmt::format("<th>{}</th>", html_escaped(cell.value));
+    rows = "<tr>" + rows + "</tr>\n";
+    for (std::size_t r = 0; r < results.rows.size(); ++r) {
+        rows += "<tr>";
+        for (std::size_t c = 0; c < shown.size(); ++c) {
+            const Datum& value = results.rows[r][shown[c]];
+            const ResultColumn& column = results.columns[shown[c]];
+            const auto* one = std::get_if<Estimate>(&value.get());
+            const auto* none = std::get_if<Undefined>(&value.get());
+            rows += drawn_cell(
+                table[r + 1][c], table.front()[c].value,
+                one ? strip_svg(*one, StripScale(results, shown[c]), column.limit, colour(of_cases ? r : c - 1)) : "",
+                none != nullptr && !none->why.empty());
+        }
+        rows += "</tr>\n";
+    }
+    return fmt::format("<div class=\"wide drawn{}\"><table>{}{}</table></div>\n", shown.size() <= few ? " few" : "",
+                       rows, scales_html(results, shown, units));
+}
+
 /// The results, and below them the rows that are closed at first.
 std::string results_html(const Results& results, const Units& units) {
+    if (results.view == Results::View::drawn) return drawn_table(results, units);
     Table further;
     for (const Results::For whom : {Results::For::folded, Results::For::on_page}) {
         const Table rows = shown_table(results, units, whom);
@@ -89,14 +196,18 @@ std::string section_html(const Section& told, std::string_view heading, const Un
     return html + paragraphs(told.missing) + figures_html(told.figures, units);
 }
 
-std::string answer_html(const std::string& heading, const CampaignAnswer& answer) {
+std::string page_one_html(const std::string& heading, const PageOne& page, const CampaignAnswer& answer,
+                          const Units& units) {
     std::string body;
     for (const std::string& one : answer.warnings) body += warning_html(one);
-    const std::size_t before = body.size();
-    for (const std::string& one : answer.loads) body += fmt::format("<p class=\"answer\">{}</p>\n", html_escaped(one));
-    if (body.size() == before) body += paragraph("No member is done yet.");
-    return section(heading, body + "<h3>What it rests on</h3>\n" + listed(answer.basis) +
-                                "<h3>What would change it</h3>\n" + listed(answer.changes));
+    if (page.sentence.empty()) return section(heading, body + paragraph("No member is done yet."));
+    body += section_html(page.table, heading, units);
+    if (page.lines) body += section_html(*page.lines, heading, units);
+    body += fmt::format("<p class=\"quote\">{}</p>\n", html_escaped(page.sentence));
+    for (const auto& [what, command] : page.next)
+        body += fmt::format("<p>{}: <code>{}</code></p>\n", html_escaped(capital(what)), html_escaped(command));
+    if (!answer.changes.empty()) body += "<h3>What changes the load</h3>\n" + listed(answer.changes);
+    return section(heading, body + "<h3>Conditions</h3>\n<div class=\"two\">" + listed(answer.basis) + "</div>\n");
 }
 
 std::string sections_page(const std::string& title, std::span<const Section> sections, const std::string& command,

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "findings/answer.hpp"
+#include "findings/page_one.hpp"
 #include "tables/figure.hpp"
 #include "tables/section.hpp"
 #include "tables/table.hpp"
@@ -46,9 +47,13 @@ inline constexpr std::string_view page_style = R"(
 @media(prefers-color-scheme:dark){:root{--ink:#e6e9ec;--soft:#9aa4ae;--ground:#14181c;--grid:#2b3239;--ice:#31485c;
 --water:#1b2935;--c0:#4ba3dc;--c1:#f08a4b;--c2:#3cc79d;--c3:#e3a3c4;--c4:#d9b13b;--c5:#8fd0f5}}
 body{font:16px/1.5 system-ui,sans-serif;color:var(--ink);background:var(--ground);max-width:76rem;margin:2rem auto;
-padding:0 1rem}p,ul,h1,h2,h3,figcaption{max-width:52rem}
+padding:0 1rem}p,ul,figcaption{max-width:60rem}.two{columns:2 28rem;column-gap:2.5rem}.two ul{margin:0}
 h1{font-size:1.7rem;line-height:1.2}h2{font-size:1.2rem;margin-top:2.4rem;border-bottom:1px solid var(--grid)}
-h3{font-size:1rem;margin-bottom:.2rem}ul{margin-top:.2rem;padding-left:1.2rem}.answer{font-weight:600}
+h3{font-size:1rem;margin-bottom:.2rem}ul{margin-top:.2rem;padding-left:1.2rem}.title p{margin:.1rem 0}.quote{border-left:.3rem solid var(--c0);padding:.1rem 0 .1rem .8rem;font-size:1.08rem}
+.drawn table{width:100%}.drawn th{vertical-align:bottom;max-width:8rem}.drawn svg{display:block;margin-left:auto}
+.drawn td.words{text-align:right;color:var(--soft);max-width:9rem}.drawn .scales td{border:0;color:var(--soft);font-size:.75rem;padding-top:0}
+.drawn.few table{width:auto}.drawn.few svg{display:inline-block;vertical-align:middle;margin-left:.7rem}.drawn.few td,.drawn.few th{padding-left:2rem}
+.drawn.few td:first-child,.drawn.few th:first-child{padding-left:.45rem}.scale{display:flex;justify-content:space-between;width:110px;margin-left:auto}.scale i{font-style:normal}
 .warning{border-left:.3rem solid var(--c1);padding-left:.6rem;margin:.4rem 0}
 .appendix{margin-top:3rem;font-size:1.4rem}
 figure{margin:1rem 0}figcaption,.note{color:var(--soft);font-size:.9rem}
@@ -58,10 +63,13 @@ table{border-collapse:collapse;font-size:.88rem;font-variant-numeric:tabular-num
 .wide{overflow-x:auto}th,td{padding:.2rem .45rem;text-align:right;border-bottom:1px solid var(--grid);vertical-align:top}
 th:first-child,td:first-child{text-align:left}td small{color:var(--soft)}td{white-space:nowrap}td.words{white-space:normal;text-align:left}
 pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{font-size:.9em}
-@media(max-width:600px){figure{overflow-x:auto}figure>svg{max-width:none;min-width:560px}}
-@page{size:A4;margin:14mm}
+@media(max-width:600px){.drawn tr{display:block;border-bottom:1px solid var(--grid);padding:.4rem 0}.drawn tr:first-child,.drawn .scales{display:none}
+.drawn td{display:flex;gap:.5rem;align-items:center;justify-content:flex-end;border:0;max-width:none!important}.drawn td::before{content:attr(data-head);margin-right:auto;color:var(--soft);white-space:normal;text-align:left;max-width:40%}
+.drawn td:first-child{font-weight:600}.drawn td:first-child::before{content:none}.drawn td:first-child{justify-content:flex-start}
+.drawn svg{margin:0;flex:none;width:80px}figure{overflow-x:auto}figure>svg{max-width:none;min-width:560px}}
+@page{size:A4;margin:14mm}@page first{size:A4 landscape;margin:12mm}
 @media print{html{font-size:11px}body{font-size:1rem;margin:0;max-width:none}:root{--ink:#000;--ground:#fff}
-p,ul,h1,h2,h3,figcaption{max-width:none}h1,h2,h3,summary{break-after:avoid}figure,tr,.panels svg{break-inside:avoid}p,li{orphans:3;widows:3}
+.first{page:first}p,ul,figcaption{max-width:none}.drawn svg,.scale{width:19mm}.drawn table{font-size:.8rem}h1,h2,h3,summary{break-after:avoid}figure,tr,.panels svg{break-inside:avoid}p,li{orphans:3;widows:3}
 h2{margin-top:1.2rem}figure{margin:.5rem 0}figure img{max-height:8cm;width:auto}figure svg{max-width:13cm}.panels svg{max-width:6cm}
 figure figcaption{break-before:avoid}table{font-size:.62rem}th,td{padding:.1rem .3rem}.wide{overflow-x:visible}}
 )";
@@ -115,8 +123,9 @@ inline std::string html_page(const std::string& title, const std::string& head, 
 /// it. Tables of many rows are closed at first. Empty for a section without anything for people.
 std::string section_html(const Section& told, std::string_view heading, const Units& units = {});
 
-/// The answer as a section of a page.
-std::string answer_html(const std::string& heading, const CampaignAnswer& answer);
+/// The first page as a section: what is wrong, the table, the sentence, what to type, and the conditions.
+std::string page_one_html(const std::string& heading, const PageOne& page, const CampaignAnswer& answer,
+                          const Units& units);
 
 // Sections as one self-contained HTML page, and one figure as a file of its own.
 

@@ -54,9 +54,26 @@ TEST(SectionHtml, FoldsRowsThatTheTextHas) {
 }
 
 TEST(SectionHtml, SaysWhatIsWrongFirst) {
-    const std::string html = answer_html("The answer", {{"n = 2"}, {"E30: 20 N"}, {}, {}});
+    const std::string html = page_one_html("Loads", {.sentence = "E30: 20 N"}, {{"n = 2"}, {}, {}}, {});
     EXPECT_LT(html.find("<p class=\"warning\">n = 2</p>"), html.find("E30: 20 N"));
-    EXPECT_THAT(answer_html("The answer", {{"Nothing done"}, {}, {}, {}}), HasSubstr("No member is done yet."));
+    EXPECT_THAT(page_one_html("Loads", {}, {{"Nothing done"}, {}, {}}, {}), HasSubstr("No member is done yet."));
+}
+
+// From 0 to 20 N over 100 of 110 units: 5 N, from 2 to 8 N, has its dot at 5 + 100 · 5 / 20, and the limit of 10 N is
+// in the middle.
+TEST(SectionHtml, DrawsEstimatesToTheScaleOfTheirColumn) {
+    Results results{.columns = {{"case", "case"}, estimates("load", "load", "N")}, .view = Results::View::drawn};
+    results.columns.back().limit = 10;
+    results.add({"small", Estimate{5, 2, 8}});
+    results.add({"large", Estimate{20, 16, 24, false}});
+    results.add({"none", Undefined{"needs 4 more"}});
+    const std::string html = section_html({.results = {results}}, "");
+    EXPECT_THAT(html, HasSubstr("d=\"M15.0 7H45.0\""));
+    EXPECT_THAT(html, HasSubstr("cx=\"30.0\" cy=\"7\""));
+    EXPECT_THAT(html, HasSubstr("cx=\"105.0\""));
+    EXPECT_THAT(html, HasSubstr("M55.0 0V14"));
+    EXPECT_THAT(html, HasSubstr("<i>0</i><i>20</i>"));
+    EXPECT_THAT(html, HasSubstr("<td class=\"words\" data-head=\"load, N\">needs 4 more</td>"));
 }
 
 TEST(SectionHtml, ClosesLongTablesAtFirst) {

@@ -1,0 +1,361 @@
+#include "findings/page_one.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign_file/read.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "findings/answer.hpp"
+#include "findings/cases.hpp"
+#include "findings/conditions.hpp"
+#include "findings/design_load.hpp"
+#include "findings/moored.hpp"
+#include "findings/pairs.hpp"
+#include "findings/summary.hpp"
+
+namespace floes {
+
+namespace {
+
+/// One figure of all cases, with what each lacks for it.
+struct CaseFigure {
+    ResultColumn about;
+    std::string noun;                      ///< before a value in a sentence: "a mooring force of"
+    std::vector<Datum> values;             ///< by case: an estimate, or why there is none
+    std::vector<Datum> differences;        ///< to the base case; absent for itself
+    std::vector<int> more;                 ///< arrangements that would give it, or half its interval; 0: none asked for
+    std::string later = {};                ///< what measures it later, where it rises in some case
+    std::vector<std::string> doubts = {};  ///< of the cases that have it, in a sentence each
+    bool apart = false;                    ///< some difference is of cases that have nothing in common
+
+    CaseFigure(ResultColumn column, std::string before_a_value, std::size_t cases)
+        : about(std::move(column)),
+          noun(std::move(before_a_value)),
+          values(cases, Undefined{}),
+          differences(cases, Undefined{}),
+          more(cases, 0) {}
+
+    bool of_design() const { return about.key.starts_with("design_"); }
+    const Estimate* estimate(std::size_t of_case) const { return std::get_if<Estimate>(&values[of_case].get()); }
+    const Estimate* difference(std::size_t of_case) const { return std::get_if<Estimate>(&differences[of_case].get()); }
+};
+
+/// The case that the others are compared with.
+std::size_t base_of(const Evidence& evidence) {
+    return evidence.reference.value_or(0);
+}
+
+bool compared(const Evidence& evidence) {
+    return evidence.summary.cases.size() > 1 && (!evidence.campaign.design.active() || evidence.reference);
+}
+
+/// Wall time of the arrangements that a case would need more, s of one core; 0 where none is known.
+class Costs {
+  public:
+    explicit Costs(const Evidence& evidence) {
+        if (evidence.file.empty()) return;
+        const std::vector<double> times = read_wall_times(evidence.file);
+        double sum = 0;
+        int done = 0;
+        for (std::size_t k = 0; k < std::min(times.size(), evidence.table.members.size()); ++k)
+            if (evidence.table.members[k].done() && std::isfinite(times[k])) {
+                sum += times[k];
+                ++done;
+            }
+        of_member_ = done > 0 ? sum / done : 0;
+    }
+
+    /// ", about 2.1 h of a core"; empty where it is not known.
+    std::string words(double members) const {
+        return of_member_ > 0 ? fmt::format(", about {} of a core", duration_text(members * of_member_)) : "";
+    }
+
+  private:
+    double of_member_ = 0;
+};
+
+std::string more_words(int more, const Costs& costs) {
+    return more > 0 ? fmt::format("needs {} more arrangements{}", more, costs.words(more)) : "no tail fits its peaks";
+}
+
+CaseFigure mean_figure(const Evidence& evidence, const Quantity& of, const std::string& words) {
+    const Summary& summary = evidence.summary;
+    const std::size_t cases = summary.cases.size();
+    CaseFigure made(estimates(std::string{of.key.view()}, words, unit_of(of)), words, cases);
+    if (of.percent) made.about.decimals = 1;
+    for (std::size_t k = 0; k < cases; ++k) {
+        const CaseSummary& row = summary.cases[k];
+        if (row.done == 0) {
+            made.values[k] = Undefined{"no result yet"};
+            continue;
+        }
+        made.values[k] = estimate_of(row, of);
+        if (row.done < fewest_for_interval) made.more[k] = 8 - row.done;
+    }
+    if (!compared(evidence)) return made;
+    const std::size_t base = base_of(evidence);
+    made.differences[base] = Absent{};
+    for (const PairRow& row : compare_with(evidence, base, of, cases)) made.differences[row.second] = row.difference();
+    for (const ApartRow& row : compare_apart(evidence, base, of, cases)) {
+        made.differences[row.second] = row.difference();
+        made.apart = true;
+    }
+    return made;
+}
+
+/// What a reader has to know with the figure: "methods differ by 70 %, extrapolated to 40 times the time run".
+std::string doubt_words(const DesignLoadRequest& asked, const DesignLoad& found) {
+    constexpr double far = 10;  // times the time that was run
+    std::vector<std::string> doubts;
+    if (const double apart = disagreement(found); apart > much_disagreement)
+        doubts.push_back(fmt::format("methods differ by {:.0f} %", apart / unit::percent));
+    if (const double times = asked.model_exposure() / found.time_run; times > far)
+        doubts.push_back(fmt::format("extrapolated to {:.2g} times the time run", times));
+    return fmt::format("{}", fmt::join(doubts, ", "));
+}
+
+/// What people call a design value.
+struct FigureWords {
+    std::string_view of;  ///< DesignOf::word
+    std::string_view heading;
+    std::string_view noun;
+};
+
+constexpr FigureWords words_of_load{"load", "design load", "a load of"};
+constexpr FigureWords moored_words[]{
+    {"mooring_force", "design mooring force", "a mooring force of"},
+    {"offset", "design offset", "an offset of"},
+    {"line_tension", "line tension / break load", "a line tension over its break load of"},
+    {"yaw", "design turn of heading", "a turn of heading of"}};
+
+/// A design value of all cases that have one.
+CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignLoad>& designs,
+                         const DesignLoadRequest& request, const Costs& costs, const FigureWords& words) {
+    const std::size_t cases = evidence.summary.cases.size();
+    ResultColumn column = estimates("design_" + std::string{request.of.word}, std::string{words.heading},
+                                    std::string{request.of.shown_unit()});
+    column.digits = 3;
+    CaseFigure made(std::move(column), std::string{words.noun}, cases);
+    const double factor = request.factor() * request.of.shown_factor();
+    const auto of_case = [&](std::size_t index) {
+        return std::ranges::find(designs, index, &CaseDesignLoad::case_index);
+    };
+    for (const CaseDesignLoad& one : designs) {
+        Datum& value = made.values[one.case_index];
+        int& more = made.more[one.case_index];
+        if (one.refused) {
+            value = Undefined{fmt::format("rises, {}", change_words(one.trend))};
+            made.later = std::string{request.of.word};
+        } else if (!one.load.valid()) {
+            more = more_arrangements(one);
+            value = Undefined{more_words(more, costs)};
+        } else {
+            const LoadFigure& found = one.load.estimates.front().quantiles.front();
+            const bool said = says_something(found.value, found.interval, static_cast<int>(one.load.arrangements));
+            value = Estimate{factor * found.value, factor * found.interval.low, factor * found.interval.high, said};
+            if (!said) more = more_arrangements(one);
+            if (const std::string doubts = doubt_words(request, one.load); !doubts.empty())
+                made.doubts.push_back(fmt::format("Doubtful: {} of {}: {}.", words.heading,
+                                                  evidence.summary.label_of(one.case_index), doubts));
+        }
+    }
+    const std::size_t base = base_of(evidence);
+    if (!compared(evidence) || of_case(base) == designs.end()) return made;
+    made.differences[base] = Absent{};
+    for (const CaseDesignLoad& one : designs)
+        if (one.case_index != base)
+            if (const auto found = difference_of(*of_case(base), one, request)) {
+                made.differences[one.case_index] = found->difference;
+                made.apart = made.apart || !found->paired;
+            }
+    return made;
+}
+
+std::vector<CaseFigure> figures_of(Evidence& evidence) {
+    const Costs costs(evidence);
+    std::vector<CaseFigure> all;
+    for (const FigureWords& words : moored_words)
+        for (const SimulatedDesign& design : simulated_of(evidence)) {
+            if (design.request.of.word != words.of) continue;
+            CaseFigure& made = all.emplace_back(design_figure(evidence, design.of_cases, design.request, costs, words));
+            if (words.of == "line_tension") made.about.limit = 1 / evidence.safety_factor;
+            if (!design.refused.empty())
+                std::ranges::fill(made.values, Undefined{design.refused.substr(design.refused.find(": ") + 2)});
+        }
+    const bool moored = !all.empty();
+    all.push_back(mean_figure(evidence, quantity("mean_load"), "mean load"));
+    if (moored) return all;
+    if (!evidence.campaign.design.active())
+        if (const DesignLoads& designs = designs_of(evidence); !designs.of_cases.empty())
+            all.insert(all.begin(), design_figure(evidence, designs.of_cases, designs.asked, costs, words_of_load));
+    const std::vector<LoadColumn> columns = load_columns(evidence.summary);
+    for (std::size_t k = 1; k < columns.size(); ++k)
+        all.push_back(mean_figure(evidence, columns[k].quantity, columns[k].words));
+    return all;
+}
+
+using CaseRows = std::vector<std::pair<std::string, std::size_t>>;
+
+/// The cases that have a row, with what is said before their names: of a design its extreme points, of variations
+/// those that change the mean load most, else the first ones.
+CaseRows rows_of(const Evidence& evidence, const CaseFigure& mean) {
+    const Summary& summary = evidence.summary;
+    if (evidence.campaign.design.active() && summary.cases.size() > most_overview_rows) return extreme_points(summary);
+    std::vector<std::size_t> cases(summary.cases.size());
+    for (std::size_t k = 0; k < cases.size(); ++k) cases[k] = k;
+    if (base_case(evidence.campaign)) {
+        const auto change = [&](std::size_t k) {
+            const Estimate* found = mean.difference(k);
+            return k == base_of(evidence) ? HUGE_VAL : found == nullptr ? -1.0 : std::abs(found->value);
+        };
+        std::ranges::stable_sort(cases, std::ranges::greater{}, change);
+    }
+    CaseRows rows;
+    for (std::size_t k = 0; k < std::min(cases.size(), most_overview_rows); ++k) rows.emplace_back("", cases[k]);
+    return rows;
+}
+
+Results table_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, const CaseRows& rows) {
+    const Summary& summary = evidence.summary;
+    Results table{
+        .place = "page_one", .columns = {{"case", "case"}, {"arrangements", "n"}}, .view = Results::View::drawn};
+    const auto any = [&](const CaseFigure& one) {
+        return std::ranges::any_of(rows, [&](const auto& row) { return one.difference(row.second) != nullptr; });
+    };
+    const std::string minus = fmt::format("− {}", summary.label_of(base_of(evidence)));
+    for (const CaseFigure& one : figures) {
+        table.columns.push_back(one.about);
+        if (!any(one)) continue;
+        ResultColumn difference = one.about;
+        difference.key += "_difference";
+        difference.words = minus;
+        difference.form = ResultColumn::Form::difference;
+        difference.digits = 0;
+        difference.decimals = one.about.unit == "share" ? 1 : -1;
+        difference.limit = std::nan("");
+        table.columns.push_back(std::move(difference));
+    }
+    for (const auto& [words, k] : rows) {
+        const CaseSummary& row = summary.cases[k];
+        const std::string label = words.empty() ? summary.label_of(k) : words + ": " + summary.label_of(k);
+        std::vector<Datum> line{Named{summary.name_of(k), label}, row.done};
+        for (const CaseFigure& one : figures) {
+            line.push_back(one.values[k]);
+            if (any(one)) line.push_back(one.differences[k]);
+        }
+        table.add(std::move(line));
+    }
+    return table;
+}
+
+std::string after_text(const Evidence& evidence, const std::vector<CaseFigure>& figures) {
+    const DesignLoadRequest asked = evidence.design_request.value_or(DesignLoadRequest{});
+    const bool designs = std::ranges::any_of(figures, [](const CaseFigure& one) { return one.of_design(); });
+    std::string text = "Brackets: 95 % intervals over arrangements (n).";
+    if (designs)
+        text += fmt::format(" Design values: exceeded with {:.3g} % in {:g} h.",
+                            (1 - asked.quantiles.front()) / unit::percent, asked.exposure / unit::hour);
+    const auto lines = std::ranges::find(figures, "design_line_tension",
+                                         [](const CaseFigure& one) { return std::string_view(one.about.key); });
+    if (lines != figures.end())
+        text +=
+            fmt::format(" Lines: of the one nearest to its break load; a safety factor of {:g} allows {:.2f} (dashed).",
+                        evidence.safety_factor, 1 / evidence.safety_factor);
+    if (compared(evidence))
+        text += std::ranges::any_of(figures, &CaseFigure::apart)
+                    ? " Differences: of cases that begin from other floes, of their means and design values."
+                    : " Differences: by pairs over the same arrangements.";
+    return text;
+}
+
+/// "a mooring force of 6.2 MN (5.1 to 8.4)"
+std::string quoted(const CaseFigure& one, const Estimate& found, const Units& units) {
+    const std::string& unit = one.about.unit;
+    const std::string text = one.noun + " " + units.text(found.value, unit);
+    if (!found.said || !std::isfinite(found.low)) return text;
+    return text + fmt::format(" ({} to {})", units.number(found.low, unit), units.number(found.high, unit));
+}
+
+/// The case with the largest value of the first figure that some case has, and that figure.
+std::pair<const CaseFigure*, std::size_t> governing(const std::vector<CaseFigure>& figures, const CaseRows& rows) {
+    for (const CaseFigure& one : figures) {
+        std::optional<std::size_t> most;
+        for (const auto& [words, k] : rows) {
+            const Estimate* found = one.estimate(k);
+            if (found == nullptr || !std::isfinite(found->value)) continue;
+            if (!most || found->value > one.estimate(*most)->value) most = k;
+        }
+        if (most) return {&one, *most};
+    }
+    return {nullptr, 0};
+}
+
+/// "coarse: in 3 h a mooring force of 6.2 MN (5.1 to 8.4) and an offset of 2.4 m (2.1 to 2.9) are each exceeded with
+/// 10 %; mean load 2.5 MN (2.3 to 2.7)." On the governing case.
+std::string sentence_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, const CaseRows& rows) {
+    const auto [leading, governs] = governing(figures, rows);
+    if (leading == nullptr) return "";
+    std::vector<std::string> design, mean;
+    for (const CaseFigure& one : figures)
+        if (const Estimate* found = one.estimate(governs); found != nullptr && std::isfinite(found->value))
+            (one.of_design() ? design : mean).push_back(quoted(one, *found, evidence.units));
+    std::vector<std::string> parts;
+    const DesignLoadRequest asked = evidence.design_request.value_or(DesignLoadRequest{});
+    if (!design.empty())
+        parts.push_back(fmt::format("in {:g} h {} {} exceeded with {:.3g} %", asked.exposure / unit::hour,
+                                    fmt::join(design, ", "), design.size() == 1 ? "is" : "are each",
+                                    (1 - asked.quantiles.front()) / unit::percent));
+    parts.push_back(fmt::format("{}", fmt::join(mean, ", ")));
+    if (design.empty() && std::ranges::any_of(figures, &CaseFigure::of_design))
+        parts.emplace_back("no design value yet");
+    const CaseSummary& row = evidence.summary.cases[governs];
+    return fmt::format("{}: {} ({}).", capital(evidence.summary.label_of(governs)), fmt::join(parts, "; "),
+                       counted(row.done, "arrangement"));
+}
+
+using Next = std::vector<std::pair<std::string, std::string>>;
+
+/// Campaigns that are in no file yet are told to run by who shows them.
+Next next_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, const CaseRows& rows) {
+    Next next;
+    if (evidence.file.empty()) return next;
+    const std::string file = shell_word(evidence.file.filename().string());
+    int wanted = 0;
+    for (const CaseFigure& one : figures)
+        for (const auto& [words, k] : rows)
+            if (one.more[k] > 0) wanted = std::max(wanted, evidence.summary.cases[k].done + one.more[k]);
+    if (const int there = evidence.campaign.arrangements; wanted > there)
+        next.emplace_back(fmt::format("{} arrangements{}", wanted,
+                                      Costs(evidence).words(static_cast<double>(wanted - there) *
+                                                            static_cast<double>(evidence.summary.cases.size()))),
+                          fmt::format("floes run {} -o {} --set campaign.arrangements={} --resume",
+                                      shell_word(evidence.summary.title + ".toml"), file, wanted));
+    for (const CaseFigure& one : figures)
+        if (!one.later.empty())
+            next.emplace_back(fmt::format("{}, measured from where it is steady", one.about.words),
+                              fmt::format("floes design {} --of {} --window auto", file, one.later));
+    return next;
+}
+
+}  // namespace
+
+PageOne find_page_one(Evidence& evidence) {
+    const std::vector<CaseFigure> figures = figures_of(evidence);
+    const auto mean = std::ranges::find_if(figures, [](const CaseFigure& one) { return !one.of_design(); });
+    const CaseRows rows = rows_of(evidence, *mean);
+    Section table{.results = {table_of(evidence, figures, rows)}, .after = after_text(evidence, figures)};
+    if (const std::size_t all = evidence.summary.cases.size(); all > rows.size())
+        table.after += fmt::format(" {} further cases: floes summarize --full.", all - rows.size());
+    for (const CaseFigure& one : figures) table.notes.insert(table.notes.end(), one.doubts.begin(), one.doubts.end());
+    return {std::move(table), mooring_lines_section(evidence), sentence_of(evidence, figures, rows),
+            next_of(evidence, figures, rows)};
+}
+
+}  // namespace floes
