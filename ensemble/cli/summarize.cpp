@@ -25,10 +25,11 @@ std::string sheet_name(std::string_view part) {
 }
 
 /// Parts in the order of their sheets, and what a sheet holds.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 16> kinds{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kinds{{
     {"cases",
      "a line for each case: means over arrangements with their 95 % intervals: _low and _high by "
      "Student's t, _prediction_ of one further run"},
+    {"answer", "the first page of the report: a line for each case, with differences to the base case"},
     {"members", "a line for each simulation"},
     {"pairs", "differences of two cases within the same arrangements, with their 95 % intervals and tests"},
     {"points", "the points of the design with their results"},
@@ -223,7 +224,8 @@ void add_summarize(CommandLine& line) {
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
     Option parts = verb.option(
         "--parts", options->parts,
-        "Parts to show, comma-separated: overview, cases, points and sensitivity (of a design), pairs, "
+        "Parts to show, comma-separated: overview, answer (the report's first page), cases, points and sensitivity (of "
+        "a design), pairs, "
         "model (of floes vary), extremes, exceedance, fatigue, moored, lines, steady, energy, control, design, "
         "members and long "
         "(CSV and xlsx only)");

@@ -9,6 +9,7 @@
 #include "findings/design_load.hpp"
 #include "findings/extremes.hpp"
 #include "findings/moored.hpp"
+#include "findings/page_one.hpp"
 #include "findings/pairs.hpp"
 #include "findings/points.hpp"
 
@@ -84,6 +85,15 @@ std::vector<Section> exceedance(Evidence& evidence) {
     return {exceedance_section(evidence.summary, extremes_of(evidence)), levels(evidence)};
 }
 
+/// The first page of the report.
+Section answer(Evidence& evidence) {
+    PageOne page = find_page_one(evidence);
+    page.table.after = "\n" + page.table.after + "\n";
+    if (!page.sentence.empty()) page.table.notes.push_back(std::move(page.sentence));
+    for (const auto& [what, command] : page.next) page.table.notes.push_back(what + ":\n  " + command);
+    return std::move(page.table);
+}
+
 std::vector<Section> lines(Evidence& evidence) {
     if (std::optional<Section> found = mooring_lines_section(evidence)) return {std::move(*found)};
     return {{.missing = "Mooring lines: there are none in structures that give way.\n"}};
@@ -102,6 +112,7 @@ std::vector<Section> design(Evidence& evidence) {
 constexpr std::array all{
     Finding{"cases", one<cases>, always},
     Finding{overview_part, one<[](Evidence& e) { return overview_section(e, sensitivity_of(e)); }>, never},
+    Finding{"answer", one<answer>, never},
     Finding{"points", one<points_section>, of_a_design, "What decides the load?", of_a_design},
     Finding{"sensitivity", sensitivity, of_a_design, "What decides the load?", of_a_design},
     Finding{"", one<[](Evidence& e) { return Section{.before = unasked_text(e.summary) + "\n"}; }>, of_a_design,

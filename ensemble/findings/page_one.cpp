@@ -82,7 +82,8 @@ class Costs {
 };
 
 std::string more_words(int more, const Costs& costs) {
-    return more > 0 ? fmt::format("needs {} more arrangements{}", more, costs.words(more)) : "no tail fits its peaks";
+    return more > 0 ? fmt::format("needs {}{}", counted(more, "more arrangement"), costs.words(more))
+                    : "no tail fits its peaks";
 }
 
 CaseFigure mean_figure(const Evidence& evidence, const Quantity& of, const std::string& words) {
@@ -225,17 +226,17 @@ CaseRows rows_of(const Evidence& evidence, const CaseFigure& mean) {
 Results table_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, const CaseRows& rows) {
     const Summary& summary = evidence.summary;
     Results table{
-        .place = "page_one", .columns = {{"case", "case"}, {"arrangements", "n"}}, .view = Results::View::drawn};
+        .place = "answer", .columns = {{"case", "case"}, {"arrangements", "n"}}, .view = Results::View::drawn};
     const auto any = [&](const CaseFigure& one) {
         return std::ranges::any_of(rows, [&](const auto& row) { return one.difference(row.second) != nullptr; });
     };
     const std::string minus = fmt::format("− {}", summary.label_of(base_of(evidence)));
     for (const CaseFigure& one : figures) {
         table.columns.push_back(one.about);
-        if (!any(one)) continue;
+        if (!compared(evidence)) continue;
         ResultColumn difference = one.about;
         difference.key += "_difference";
-        difference.words = minus;
+        difference.words = any(one) ? minus : "";
         difference.form = ResultColumn::Form::difference;
         difference.digits = 0;
         difference.decimals = one.about.unit == "share" ? 1 : -1;
@@ -248,7 +249,7 @@ Results table_of(const Evidence& evidence, const std::vector<CaseFigure>& figure
         std::vector<Datum> line{Named{summary.name_of(k), label}, row.done};
         for (const CaseFigure& one : figures) {
             line.push_back(one.values[k]);
-            if (any(one)) line.push_back(one.differences[k]);
+            if (compared(evidence)) line.push_back(one.differences[k]);
         }
         table.add(std::move(line));
     }
@@ -283,15 +284,20 @@ std::string quoted(const CaseFigure& one, const Estimate& found, const Units& un
     return text + fmt::format(" ({} to {})", units.number(found.low, unit), units.number(found.high, unit));
 }
 
-/// The case with the largest value of the first figure that some case has, and that figure.
+/// The case with the largest value of the first figure that all cases with results have, and that figure: of one that
+/// some lack nobody knows which case it is.
 std::pair<const CaseFigure*, std::size_t> governing(const std::vector<CaseFigure>& figures, const CaseRows& rows) {
     for (const CaseFigure& one : figures) {
         std::optional<std::size_t> most;
-        for (const auto& [words, k] : rows) {
-            const Estimate* found = one.estimate(k);
-            if (found == nullptr || !std::isfinite(found->value)) continue;
-            if (!most || found->value > one.estimate(*most)->value) most = k;
-        }
+        const auto has = [&](std::size_t k) {
+            return one.estimate(k) != nullptr && std::isfinite(one.estimate(k)->value);
+        };
+        const auto lacks = [&](const auto& row) {
+            return figures.back().estimate(row.second) != nullptr && !has(row.second);
+        };
+        if (std::ranges::any_of(rows, lacks)) continue;
+        for (const auto& [words, k] : rows)
+            if (has(k) && (!most || one.estimate(k)->value > one.estimate(*most)->value)) most = k;
         if (most) return {&one, *most};
     }
     return {nullptr, 0};

@@ -13,7 +13,7 @@
 namespace floes {
 
 struct PageOne {
-    /// A row a case; of a design, the points with the least and the largest mean load. For programs "page_one".
+    /// A row a case; of a design, the points with the least and the largest mean load. For programs "answer".
     Section table;
     std::optional<Section> lines = {};  ///< of moorings
     std::string sentence;               ///< empty without a result
