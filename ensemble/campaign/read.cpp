@@ -20,6 +20,7 @@
 #include "campaign/design.hpp"
 #include "campaign/hull_file.hpp"
 #include "campaign/outline_file.hpp"
+#include "campaign/refusals.hpp"
 #include "campaign/stop_rule.hpp"
 #include "campaign/write.hpp"
 #include "core/error.hpp"
@@ -446,44 +447,6 @@ constexpr std::string_view axis_prefix = "design.axis.";
 bool is_case_path(const std::string& path) {
     return path == "case" || path.starts_with(case_prefix);
 }
-
-/// All that is wrong with a configuration, each once, in the order in which it was found.
-class Refusals {
-  public:
-    bool any() const { return !sentences_.empty(); }
-
-    void add(std::string sentence) { add("", "", std::move(sentence)); }
-
-    /// Of one case; what is wrong with several stands once.
-    void add(const std::string& where, const std::string& label, std::string sentence) {
-        if (!known_.insert(where + sentence).second) return;
-        sentences_.push_back(where + label + sentence);
-    }
-
-    /// Keeps what `act` refuses.
-    template <class Act>
-    void gather(const Act& act) {
-        try {
-            act();
-        } catch (const InputError& refused) {
-            add(refused.what());
-        }
-    }
-
-    /// Throws InputError where there is any, with a line for each.
-    void refuse() const {
-        constexpr std::size_t most = 20;
-        if (!any()) return;
-        std::string text(
-            fmt::format("{}", fmt::join(std::span(sentences_).first(std::min(most, sentences_.size())), "\n")));
-        if (sentences_.size() > most) text += fmt::format("\nand {} more", sentences_.size() - most);
-        throw InputError(text);
-    }
-
-  private:
-    std::vector<std::string> sentences_;
-    std::set<std::string> known_;  ///< without the case
-};
 
 class CampaignReader {
   public:

@@ -144,8 +144,9 @@ TEST(EndlessMoored, FailsWhereTheIceIsGone) {
 }
 
 // The same floes in a field that ends far ahead: the same load, until a corner that slips by a rounding tells them
-// apart, and the same way all along.
+// apart, and from then on hardly another way: after 4 s eight arrangements lie 6 to 21 mm apart.
 TEST(EndlessMoored, MeetsTheIceOfALongClosedField) {
+    constexpr double apart = 0.025;  // m, of a way of 2 m
     const Scenario scenario = moored(4, 3);
     LaidField laid = lay_field(scenario, 1, 0);
     std::vector<SingleFloe> floes;
@@ -164,7 +165,7 @@ TEST(EndlessMoored, MeetsTheIceOfALongClosedField) {
     for (std::size_t k = 0; k < endless.loads().surge.size(); ++k) {
         const double most = k < first_blows ? 1e-6 : std::numeric_limits<double>::infinity();
         EXPECT_NEAR(endless.loads().surge[k], ends.loads().surge[k], most) << k;
-        EXPECT_NEAR(endless.motions().x[k], ends.motions().x[k], 0.01) << k;
+        EXPECT_NEAR(endless.motions().x[k], ends.motions().x[k], apart) << k;
     }
 }
 
