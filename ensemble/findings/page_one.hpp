@@ -14,11 +14,11 @@ namespace floes {
 
 struct PageOne {
     /// A row a case; of a design, the points with the least and the largest mean load. For programs "answer".
-    Section table;
+    Section table{};
     std::optional<Section> lines = {};  ///< of moorings
     std::string sentence;               ///< empty without a result
     /// What gives figures that are not known, or not well enough: what it does, and the command.
-    std::vector<std::pair<std::string, std::string>> next;
+    std::vector<std::pair<std::string, std::string>> next{};
 };
 
 /// Figures are the design values of the structure, mean load and broken floes: of structures that give way mooring
