@@ -189,12 +189,9 @@ std::vector<PieceRow> read_pieces(const CampaignFile& file) {
     return rows;
 }
 
-namespace {
-
-/// For the members that `wanted` takes.
-void for_histories(const CampaignFile& file, std::span<const ArrayOutput* const> arrays,
-                   const std::function<bool(int member)>& wanted,
-                   const std::function<void(const StoredHistories&)>& use) {
+void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> arrays,
+                        const std::function<bool(int member)>& wanted,
+                        const std::function<void(const StoredHistories&)>& use) {
     const hdf5::QuietErrors quiet;
     const Campaign& campaign = file.campaign();
     const ArrayPlaces places(campaign);
@@ -214,10 +211,13 @@ void for_histories(const CampaignFile& file, std::span<const ArrayOutput* const>
     }
 }
 
+namespace {
+
+/// For the members that `wanted` takes.
 void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
                    const std::function<void(const StoredHistory&)>& use) {
     const ArrayOutput* const only = &array;
-    for_histories(file, std::span(&only, 1), wanted, [&](const StoredHistories& of) {
+    for_each_histories(file, std::span(&only, 1), wanted, [&](const StoredHistories& of) {
         use({of.member, of.step, of.values.front()});
     });
 }
@@ -232,7 +232,7 @@ void for_each_history(const CampaignFile& file, const ArrayOutput& of,
 
 void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
                         const std::function<void(const StoredHistories&)>& use) {
-    for_histories(
+    for_each_histories(
         file, of, [](int) { return true; }, use);
 }
 

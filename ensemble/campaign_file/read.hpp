@@ -111,6 +111,10 @@ struct StoredHistories {
 };
 void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
                         const std::function<void(const StoredHistories&)>& use);
+/// The same of the members that `wanted` takes; of others nothing is read.
+void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
+                        const std::function<bool(int member)>& wanted,
+                        const std::function<void(const StoredHistories&)>& use);
 
 /// The loads of one member.
 void with_history(const CampaignFile& file, int member, const std::function<void(const StoredHistory&)>& use);

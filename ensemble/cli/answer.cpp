@@ -24,7 +24,7 @@
 #include "core/error.hpp"
 #include "core/started_program.hpp"
 #include "core/text.hpp"
-#include "draw/picture.hpp"
+#include "draw/film.hpp"
 #include "run/progress.hpp"
 #include "store/file_calls.hpp"
 

@@ -17,27 +17,64 @@ struct ReplayOptions {
     TimeChoice times;
     std::vector<std::string> outputs;
     ReplayLook look;
+    std::string of;        ///< empty: the load of a step
+    double averaging = 1;  ///< s
+
+    Asked asked() const {
+        if (of.empty()) return {};
+        return {static_cast<AskedOf>(std::ranges::find(asked_names, of) - asked_names.begin()), averaging};
+    }
 };
+
+ProgressLine progress_of(const ReplaySubject& subject, const std::string& does) {
+    return ProgressLine(fmt::format("{} member {} (case {}, arrangement {})", does, subject.about.member,
+                                    subject.about.case_name, subject.about.arrangement));
+}
+
+/// Shows how far the member is, and stops it on a signal.
+ReplayProgress progress_on(ProgressLine& line, const ReplaySubject& subject, const StopSignals& signals,
+                           std::stop_source& stop) {
+    const double end = subject.about.scenario.general.time_step * subject.about.scenario.step_count();
+    return [&line, &signals, &stop, end](double time) {
+        if (signals.received() != 0) stop.request_stop();
+        line.show(time / end);
+    };
+}
 
 MemberResult compute(const ReplaySubject& subject, const FrameSteps& steps, const std::filesystem::path& path,
                      const StopSignals& signals) {
     std::stop_source stop;
-    const double end = subject.about.scenario.general.time_step * subject.about.scenario.step_count();
-    ProgressLine line(fmt::format("computing member {} (case {}, arrangement {})", subject.about.member,
-                                  subject.about.case_name, subject.about.arrangement));
-    return replay(subject, steps, path, stop.get_token(), [&](double time) {
-        if (signals.received() != 0) stop.request_stop();
-        line.show(time / end);
-    });
+    ProgressLine line = progress_of(subject, "computing");
+    return replay(subject, steps, path, stop.get_token(), progress_on(line, subject, signals, stop));
+}
+
+/// A member of the file, and which of its times.
+std::pair<ReplaySubject, FrameTimes> chosen(const ReplayOptions& options, const StopSignals& signals) {
+    const CampaignFile file(options.file);
+    const CampaignTable table = read_campaign_file(file);
+    const Asked asked = options.asked();
+    const bool any = options.member.worst && !options.member.number;
+    const std::vector<double> values = any ? largest_values(file, table, asked) : std::vector<double>{};
+    ReplaySubject subject = replay_subject(file, table, chosen_member(table, options.member, values, asked));
+    subject.about.asked = asked;
+    TimeChoice times = options.times;
+    if (times.worst && asked.of == AskedOf::tension && subject.stored.status != RowStatus::missing) {
+        std::stop_source stop;
+        ProgressLine line = progress_of(subject, "looking for the largest tension of");
+        times.worst_at = time_of_largest_tension(subject, stop.get_token(), progress_on(line, subject, signals, stop));
+    }
+    const FrameTimes found = chosen_times(subject, times);
+    if (times.worst && !options.of.empty())
+        note("member {} (case {}, arrangement {}) has the largest {} at {:.2f} s", subject.about.member,
+             subject.about.case_name, subject.about.arrangement, asked.words(), found.through);
+    return {std::move(subject), found};
 }
 
 /// Computes the member and writes its recording. Returns whether it equals the member of the file; prints what differs.
 bool record_member(const ReplayOptions& options, const std::filesystem::path& path, const StopSignals& signals) {
     expect_campaign_file(options.file);
-    const CampaignFile file(options.file);
-    const CampaignTable table = read_campaign_file(file);
-    const ReplaySubject subject = replay_subject(file, table, chosen_member(table, options.member));
-    const FrameSteps steps = frame_steps(chosen_times(subject, options.times), subject.about.scenario);
+    const auto [subject, times] = chosen(options, signals);
+    const FrameSteps steps = frame_steps(times, subject.about.scenario);
     const double step = subject.about.scenario.general.time_step;
     check_time(options.look, step * steps.first, step * steps.last, step * steps.stride);
     const bool is_new = subject.stored.status == RowStatus::missing;
@@ -89,7 +126,7 @@ bool run(const ReplayOptions& options, const StopSignals& signals) {
                              : fmt::format("Two recordings of one member, {} and {}, would be the same; give one.",
                                            recordings[0], recordings[1]));
     if (has_record) {
-        if (options.member.given() || options.times.given())
+        if (options.member.given() || options.times.given() || !options.of.empty())
             throw InputError(fmt::format(
                 "{} is the recording of one member and one stretch of time already; choose those when it is made.",
                 options.file));
@@ -122,8 +159,16 @@ void add_choices(Verb& verb, ReplayOptions& options) {
     verb.option("--arrangement", options.member.arrangement, "... and this arrangement").not_negative();
     verb.flag(
         "--worst", options.member.worst,
-        "The 20 s round the largest load: of that member or, if none is named, of the one with the largest load of "
-        "that case or of all");
+        "The 20 s round the largest load, or what --of says: of that member or, if none is named, of the one with the "
+        "largest of that case or of all");
+    verb.option(
+            "--of", options.of,
+            "What is largest: load or mooring_force, both over --averaging-s; offset; tension of a line, whose moment "
+            "is found by computing the member once more; default: the load of a step")
+        .one_of({"load", "mooring_force", "offset", "tension"});
+    verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s")
+        .within(0, 1000)
+        .shows_default();
     verb.option("--from", options.times.from, "First frame, s; default: the start");
     verb.option("--to", options.times.to, "Last frame, s; default: the end");
     verb.option("--every", options.times.every,
@@ -169,6 +214,7 @@ void add_replay(CommandLine& line) {
     verb.footer(
         "The member is computed again and compared with the file to the bit; exit status 1 says that it differs.\n\n"
         "  floes replay my.h5 --worst -o worst.html                the 20 s round the largest load, in a browser\n"
+        "  floes replay my.h5 --worst --of mooring_force -o force.html\n"
         "  floes replay my.h5 12 -o whole.html                     all of member 12\n"
         "  floes replay my.h5 --worst --case E60 -o e60.h5         a recording, to make several things of it:\n"
         "  floes replay e60.h5 -o e60.png -o e60.svg               Fig. 5 at the largest load\n"
@@ -178,6 +224,9 @@ void add_replay(CommandLine& line) {
         "--state=e60.py");
     verb.runs([options] {
         options->times.worst = options->look.worst = options->member.worst;
+        if (!options->of.empty() && !options->member.worst && !is_recording(options->file))
+            throw InputError(
+                fmt::format("--of {} says what --worst is the largest of; give --worst too.", options->of));
         return exit_status_of(*options);
     });
 }

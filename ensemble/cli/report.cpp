@@ -39,7 +39,7 @@ std::string drawn(const Stage& stage, const Frame& frame, const PictureStyle& st
 }
 
 std::vector<MomentPicture> pictures_of(const KeyFrames& frames) {
-    const Stage stage(frames.about, {frames.history, frames.breaks});
+    const Stage stage(frames.about, {frames.history, frames.breaks, frames.hull});
     const PictureStyle plan{.view = View::plan, .width = 1040};
     const double worst = frames.worst.time;
     const PictureStyle near{.width = 1040,

@@ -1,28 +1,17 @@
 #include "draw/picture.hpp"
 
-#include <sys/socket.h>
-#include <sys/time.h>
-#include <unistd.h>
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <bitset>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <optional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "core/descriptor.hpp"
-#include "core/error.hpp"
-#include "core/started_program.hpp"
-#include "core/text.hpp"
+#include "core/units.hpp"
 #include "draw/canvas.hpp"
 #include "tables/units.hpp"
 
@@ -33,10 +22,30 @@ namespace {
 constexpr double least_shown = 0.004;  // of the largest load: smaller contact forces are not drawn
 constexpr double contact_stretch = 2;  // arrows of contacts are so much longer than those of the load
 
-/// Length of a newton of the load, m; 0 without any load.
-double metres_a_newton(const Stage& stage) {
-    const double largest = stage.largest_load();
-    return largest > 0 ? 2.2 * stage.subject().scenario.structure.shape.largest_radius() / largest : 0;
+/// How far an arrow goes from there along `way` before it leaves the picture, in lengths of `way`, at most 1; 0 where
+/// it begins outside.
+double reach(const Projection& projection, const Vec2& size, const Vec3& from, const Vec3& way) {
+    const double margin = 0.03 * size.y();
+    const auto inside = [&](double share) {
+        const Vec3 tip = from + share * way;
+        if (!projection.before(tip)) return false;
+        const Vec2 at = projection.at(tip);
+        return at.x() > margin && at.y() > margin && at.x() < size.x() - margin && at.y() < size.y() - margin;
+    };
+    if (!inside(0)) return 0;
+    if (inside(1)) return 1;
+    double in = 0;
+    double out = 1;
+    while (out - in > 1e-3) {
+        const double middle = (in + out) / 2;
+        (inside(middle) ? in : out) = middle;
+    }
+    return in;
+}
+
+/// Where arrows of the load begin.
+Vec3 middle_of(const Stage& stage, const Frame& frame) {
+    return frame.structure.position + Vec3(0, stage.subject().scenario.structure.shape.top(), 0);
 }
 
 /// 1, 2 or 5 times a power of ten, at least `value`.
@@ -71,6 +80,18 @@ void draw_ground(Canvas& canvas, const Vec2& from, const Vec2& to) {
 
 }  // namespace
 
+double metres_a_newton(const Stage& stage, const Frame& frame, const Projection& projection, const Vec2& size) {
+    const double largest = stage.largest_load();
+    if (!(largest > 0)) return 0;
+    const double metres = 2.2 * stage.subject().scenario.structure.shape.largest_radius() / largest;
+    double share = 1;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 load = stage.loads().corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+        share = std::min(share, reach(projection, size, middle_of(stage, frame), metres * load));
+    }
+    return share * metres;
+}
+
 std::vector<Vec3> beginning_of(const Moorings& moorings, const FrameLine& line, double most) {
     std::vector<Vec3> points = course(moorings, static_cast<std::size_t>(line.line), line.fairlead, line.anchor);
     for (std::size_t k = 1; k < points.size(); ++k) {
@@ -87,33 +108,44 @@ std::vector<Vec3> beginning_of(const Moorings& moorings, const FrameLine& line, 
 
 namespace {
 
-/// Mooring lines, at most as far as three radii of the structure. `unit`: pixels that a line is thick, as below.
-void draw_lines(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
-    const double most = 3 * stage.subject().scenario.structure.shape.largest_radius();
+/// Mooring lines from their fairleads to their anchors, as far as the picture goes: what hangs lies behind ice and hull
+/// and fades with the depth of the water. `unit`: pixels that a line is thick, as below.
+void draw_lines(DepthBuffer& drawn, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
+    const Scenario& scenario = stage.subject().scenario;
+    const double clear = 8 * scenario.structure.shape.draught();
+    constexpr double most_faded = 0.55;
     for (const FrameLine& line : frame.lines) {
-        const std::vector<Vec3> points = beginning_of(stage.subject().scenario.moorings, line, most);
-        for (std::size_t k = 0; k + 1 < points.size(); ++k)
-            if (projection.before(points[k]) && projection.before(points[k + 1]))
-                canvas.line(projection.at(points[k]), projection.at(points[k + 1]), ink, 2.5 * unit);
+        std::vector<Vec3> points =
+            course(scenario.moorings, static_cast<std::size_t>(line.line), line.fairlead, line.anchor);
+        const bool hangs = static_cast<std::size_t>(line.line) >= scenario.moorings.lines.size();
+        if (!hangs)  // level lines are at the height of the water, where ice would hide what holds the hull
+            for (Vec3& point : points) point.y() += scenario.floe.thickness;
+        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+            if (!projection.before(points[k]) || !projection.before(points[k + 1])) continue;
+            const double depth = std::max(0.0, -0.5 * (points[k].y() + points[k + 1].y()));
+            const Colour colour = between(line_violet, sea, most_faded * (1 - std::exp(-depth / clear)));
+            drawn.line(projection.seen(points[k]), projection.seen(points[k + 1]), colour, 1.6 * unit);
+        }
     }
 }
 
 /// An arrow ahead of the structure, as far as the picture goes.
-void draw_tow(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
+void draw_tow(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, const Vec2& size,
+              double unit) {
     if (stage.subject().scenario.path.any()) return;  // it goes elsewhere than along +x
     const Structure& structure = stage.subject().scenario.structure;
     const double ahead = structure.speed < 0 ? -1 : 1;
     const double radius = structure.shape.largest_radius();
     const Vec3 from = frame.structure.position + Vec3(1.08 * ahead * radius, structure.shape.top(), 0);
-    const Vec3 to = from + Vec3(0.75 * ahead * radius, 0, 0);
-    if (!projection.before(from) || !projection.before(to)) return;
-    canvas.arrow(projection.at(from), projection.at(to), tow_orange, 5 * unit);
+    const Vec3 way(0.75 * ahead * radius, 0, 0);
+    const double share = reach(projection, size, from, way);
+    if (share > 0) canvas.arrow(projection.at(from), projection.at(from + share * way), tow_orange, 5 * unit);
 }
 
 /// Forces as lines of Fig. 5: the load in the middle of the structure, normal and friction forces where floes touch.
-void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double unit) {
+void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, double metres,
+                 double unit) {
     const double largest = stage.largest_load();
-    const double metres = metres_a_newton(stage);
     if (!(metres > 0)) return;
     const auto draw = [&](const Vec3& from, const Vec3& force, const Colour& colour, double width, bool head) {
         const Vec3 to = from + metres * force;
@@ -129,7 +161,7 @@ void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const P
         draw(contact.point, contact_stretch * contact.normal, normal_magenta, 1.8 * unit, false);
         draw(contact.point, contact_stretch * contact.friction, friction_teal, 1.8 * unit, false);
     }
-    const Vec3 middle = frame.structure.position + Vec3(0, stage.subject().scenario.structure.shape.top(), 0);
+    const Vec3 middle = middle_of(stage, frame);
     draw(middle, frame.load, ink.faded(0.55), 7 * unit, true);
     draw(middle, frame.load, sum_white, 4 * unit, true);
     draw(middle, {frame.load.x(), 0, 0}, surge_red, 4 * unit, true);
@@ -137,12 +169,12 @@ void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const P
     draw(middle, {0, 0, frame.load.z()}, sway_blue, 4 * unit, true);
 }
 
-/// Bars for a length and, with `forces`, a force, both as at the structure, and which line is which, in the lower right
-/// of a picture of this size.
+/// Bars for a length and, with `metres` a newton above 0, a force, both as at the structure, and which line is which,
+/// in the lower right of a picture of this size.
 void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const Projection& projection, const Vec2& size,
-                 double unit, bool forces) {
-    const double newton = metres_a_newton(stage) * projection.scale();  // pixels
-    const bool both = forces && newton > 0;
+                 double unit, double metres_each) {
+    const double newton = metres_each * projection.scale();  // pixels
+    const bool both = newton > 0;
     const bool lines = !frame.lines.empty();
     const double width = ((both ? 480 : 400) + (lines ? 130 : 0)) * unit;
     const double height = (both ? 60 : 36) * unit;
@@ -158,7 +190,7 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const P
     const double second = corner.y() + (both ? 46 : 23) * unit;
     if (!both) {
         const double x = draw_sample(canvas, {left + 165 * unit, second}, tow_orange, through, unit);
-        if (lines) draw_sample(canvas, {x, second}, ink, "mooring line", unit);
+        if (lines) draw_sample(canvas, {x, second}, line_violet, "mooring line", unit);
         return;
     }
     const double force = round_number(least / newton);
@@ -170,7 +202,7 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const P
     double x = draw_sample(canvas, {left, second}, tow_orange, through, unit);
     x = draw_sample(canvas, {x, second}, normal_magenta, "normal", unit);
     x = draw_sample(canvas, {x, second}, friction_teal, "friction on floes", unit);
-    if (lines) draw_sample(canvas, {x, second}, ink, "mooring line", unit);
+    if (lines) draw_sample(canvas, {x, second}, line_violet, "mooring line", unit);
 }
 
 constexpr int directions = 48;  // of the structure's wall
@@ -307,19 +339,73 @@ double largest_load_of(const LoadHistory& history) {
     return largest;
 }
 
+Eigen::AlignedBox3d box_of(const LoadHistory& history) {
+    Eigen::AlignedBox3d box(Vec3::Zero(), Vec3::Zero());
+    for (std::size_t k = 0; k < history.surge.size(); ++k)
+        box.extend(Vec3(-history.surge[k], history.heave[k], history.sway[k]));
+    return box;
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+    for (double& value : values) value *= factor;
+    return values;
+}
+
+HistoryStrip force_strip(std::string words, std::vector<double> values) {
+    const double largest = values.empty() ? 0 : std::ranges::max(values);
+    const Units::Shown newtons = Units(largest).of("N");
+    return {.words = std::move(words), .unit = newtons.name, .values = scaled(std::move(values), newtons.factor)};
+}
+
+HistoryStrip offset_strip(std::vector<double> values) {
+    return {.words = "offset", .unit = "m", .values = std::move(values), .decimals = 2};
+}
+
+HistoryStrip asked_strip(const RecordingSubject& subject, const RecordingOutcome& outcome) {
+    const Asked& asked = subject.asked;
+    std::vector<double> values =
+        asked_history(asked, outcome.history, outcome.hull, subject.scenario.general.time_step);
+    if (asked.of == AskedOf::offset) return offset_strip(std::move(values));
+    return force_strip(asked == Asked{}               ? "surge load"
+                       : asked.of == AskedOf::load    ? "surge " + asked.words()
+                       : asked.of == AskedOf::tension ? "largest line tension"
+                                                      : asked.words(),
+                       std::move(values));
+}
+
+/// As many as strips_of() has.
+std::size_t strip_count(const RecordingSubject& subject) {
+    return subject.scenario.moorings.give_way() ? strips_of(subject, {}).size() : 1;
+}
+
 }  // namespace
+
+std::vector<HistoryStrip> strips_of(const RecordingSubject& subject, const RecordingOutcome& outcome) {
+    std::vector<HistoryStrip> strips{asked_strip(subject, outcome)};
+    const Moorings& moorings = subject.scenario.moorings;
+    if (!moorings.give_way()) return strips;
+    if (subject.asked.of != AskedOf::offset) strips.push_back(offset_strip(outcome.hull.offset));
+    if (subject.asked.of != AskedOf::tension && moorings.line_count() > 0) {
+        strips.push_back(force_strip("line tension", outcome.hull.tension));
+        strips.back().from_zero = false;  // it swings about that without an offset
+    }
+    strips.push_back({.words = "heading",
+                      .unit = "°",
+                      .values = scaled(outcome.hull.yaw, 1 / unit::degree),
+                      .from_zero = false,
+                      .decimals = 1});
+    return strips;
+}
 
 Stage::Stage(RecordingSubject subject, RecordingOutcome outcome)
     : subject_(std::move(subject)),
       outcome_(std::move(outcome)),
       largest_load_(largest_load_of(outcome_.history)),
+      loads_(box_of(outcome_.history)),
+      asked_(asked_history(subject_.asked, outcome_.history, outcome_.hull, subject_.scenario.general.time_step)),
+      strips_(strips_of(subject_, outcome_)),
       layout_(subject_.floes),
       sheets_(in_parts(subject_.channel().sheets, subject_.scenario.floe.length)) {}
-
-int Stage::broken_floes(double time) const {
-    const std::vector<std::uint8_t> broken = floes::broken_floes(outcome_.breaks, layout_.floes(), time);
-    return static_cast<int>(std::ranges::count(broken, 1));
-}
 
 std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection, const Vec2& size,
                                Colouring colouring) const {
@@ -360,10 +446,13 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
 
 namespace {
 
-constexpr double strip_share = 0.17;  // of the height, for the load over time
+constexpr double strip_share = 0.17;        // of the height, for what is asked over time
+constexpr double more_strip_share = 0.075;  // for each other strip
 
-double strip_height(const PictureStyle& style) {
-    return std::round(strip_share * (style.view == View::plan ? 0.6 * style.width : style.height));
+/// Of all strips.
+double strip_height(const PictureStyle& style, const RecordingSubject& subject) {
+    const double share = strip_share + more_strip_share * static_cast<double>(strip_count(subject) - 1);
+    return std::round(share * (style.view == View::plan ? 0.6 * style.width : style.height));
 }
 
 /// Sizes of lines and letters go by the picture's width.
@@ -371,8 +460,7 @@ double unit_of(const PictureStyle& style) {
     return style.width / 1280.0;
 }
 
-void draw_faces(Canvas& canvas, const std::vector<Face>& faces, const Vec2& size, double unit) {
-    DepthBuffer drawn(static_cast<int>(size.x()), static_cast<int>(size.y()), sea);
+void draw_faces(DepthBuffer& drawn, const std::vector<Face>& faces, double unit) {
     for (const Face& face : faces) {
         drawn.fill(face.corners, face.colour);
         const Colour dark = between(face.colour, ink, 0.55);
@@ -382,22 +470,25 @@ void draw_faces(Canvas& canvas, const std::vector<Face>& faces, const Vec2& size
             drawn.line(face.corners[k], face.corners[(k + 1) % face.corners.size()], dark, unit);
         }
     }
-    canvas.image(Vec2::Zero(), drawn.width(), drawn.height(), drawn.pixels());
 }
 
 void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
     const double unit = unit_of(style);
     const RecordingSubject& subject = stage.subject();
     const double left = 16 * unit;
-    draw_ground(canvas, {0, 0}, {440 * unit, 84 * unit});
+    const std::string moment = moment_words(stage, frame, style);
+    draw_ground(canvas, {0, 0}, {440 * unit, (moment.empty() ? 84 : 105) * unit});
     canvas.text({left, 28 * unit}, fmt::format("t = {:.2f} s", frame.time), bright, 20 * unit, Align::left, true);
     canvas.text({left, 51 * unit},
                 fmt::format("{}, case {}, arrangement {} (member {})", subject.campaign, subject.case_name,
                             subject.arrangement, subject.member),
                 bright, 14 * unit);
+    const FloeCounts floes = stage.floes(frame);
     canvas.text({left, 72 * unit},
-                fmt::format("broken floes: {} of {}", stage.broken_floes(frame.time), subject.floes.size()), bright,
-                14 * unit);
+                fmt::format("broken floes{}: {} of {}", subject.scenario.field.endless() ? " here" : "", floes.broken,
+                            floes.all),
+                bright, 14 * unit);
+    if (!moment.empty()) canvas.text({left, 93 * unit}, moment, bright, 14 * unit, Align::left, true);
     if (style.view == View::plan) return;
     const double right = style.width - 16 * unit;
     draw_ground(canvas, {style.width - 290 * unit, 0}, {style.width, 100 * unit});
@@ -455,56 +546,87 @@ void draw_legend(Canvas& canvas, const PictureStyle& style, double bottom, doubl
     word(end + 42 * unit, "crack");
 }
 
-/// The load over time in the lowest part of the picture.
-void draw_history(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
-    const double unit = unit_of(style);
-    const std::vector<double>& surge = stage.outcome().history.surge;
-    const double high = strip_height(style);
-    const double top = canvas.height() - high;
-    const double step = stage.subject().scenario.general.time_step;
-    const double width = style.width;
-    const std::array<Vec2, 4> strip{Vec2(0, top), Vec2(width, top), Vec2(width, top + high), Vec2(0, top + high)};
-    canvas.fill(strip, bright);
-    if (surge.empty()) return;
-    const bool whole = !(style.to > style.from);
-    const double from = whole ? 0 : style.from;
-    const double to = whole ? step * static_cast<double>(surge.size()) : style.to;
-    const double left = 64 * unit;
-    const double right = width - 20 * unit;
-    const double bottom = canvas.height() - 30 * unit;
-    const double ceiling = top + 14 * unit;
-    const auto columns = static_cast<std::size_t>(right - left);
-    const auto first = std::min(surge.size() - 1, static_cast<std::size_t>(std::max(0.0, std::floor(from / step))));
-    const auto last = std::clamp(static_cast<std::size_t>(std::ceil(to / step)), first + 1, surge.size());
-    const auto [least, most] = std::ranges::minmax(std::span(surge).subspan(first, last - first));
-    const double low = std::min(0.0, least);
+/// Where a strip is drawn, pixels, and over which time, s.
+struct StripPlace {
+    double left = 0;
+    double right = 0;
+    double ceiling = 0;
+    double bottom = 0;
+    double from = 0;
+    double to = 0;
+};
+
+/// The line of a strip, its axis and the moment of the frame.
+void draw_strip(Canvas& canvas, const HistoryStrip& strip, const StripPlace& in, double step, double time,
+                double unit) {
+    const std::vector<double>& values = strip.values;
+    if (values.empty()) return;
+    const auto columns = static_cast<std::size_t>(in.right - in.left);
+    const auto first = std::min(values.size() - 1, static_cast<std::size_t>(std::max(0.0, std::floor(in.from / step))));
+    const auto last = std::clamp(static_cast<std::size_t>(std::ceil(in.to / step)), first + 1, values.size());
+    const auto [least, most] = std::ranges::minmax(std::span(values).subspan(first, last - first));
+    const double low = strip.from_zero ? std::min(0.0, least) : least;
     const double up = most > low ? most : low + 1;
-    const auto at = [&](double time, double load) {
-        return Vec2(left + (right - left) * (time - from) / (to - from),
-                    bottom - (bottom - ceiling) * (load - low) / (up - low));
+    const auto at = [&](double when, double value) {
+        return Vec2(in.left + (in.right - in.left) * (when - in.from) / (in.to - in.from),
+                    in.bottom - (in.bottom - in.ceiling) * (value - low) / (up - low));
     };
     std::vector<Vec2> line;
     const std::size_t stride = std::max<std::size_t>(1, (last - first) / columns);
     for (std::size_t k = first; k < last; k += stride) {
-        const auto part = std::span(surge).subspan(k, std::min(stride, last - k));
-        const double time = step * static_cast<double>(k + 1);
+        const auto part = std::span(values).subspan(k, std::min(stride, last - k));
+        const double end = step * static_cast<double>(k + 1);
         const auto [small, large] = std::ranges::minmax(part);
-        line.push_back(at(time, small));
-        line.push_back(at(time, large));
+        line.push_back(at(end, small));
+        line.push_back(at(end, large));
     }
-    canvas.line(at(from, 0), at(to, 0), ink.faded(0.35), unit);
+    const double base = strip.from_zero ? 0 : low;
+    canvas.line(at(in.from, base), at(in.to, base), ink.faded(0.35), unit);
     canvas.path(line, {0.10, 0.35, 0.62}, 1.3 * unit);
-    canvas.line(at(frame.time, low), at(frame.time, up), ink, 2 * unit);
+    canvas.line(at(time, low), at(time, up), ink, 2 * unit);
     const double size = 13 * unit;
-    const Units::Shown newtons = Units(up).of("N");
-    canvas.text({left - 8 * unit, ceiling + size / 2}, fmt::format("{:.0f} {}", up * newtons.factor, newtons.name), ink,
-                size, Align::right);
-    canvas.text({left - 8 * unit, at(from, 0).y() + size / 3}, "0", ink, size, Align::right);
-    const auto [first_time, last_time] = ends_of_axis(from, to);
-    canvas.text({left, bottom + 18 * unit}, first_time, ink, size);
-    canvas.text({right, bottom + 18 * unit}, last_time, ink, size, Align::right);
-    canvas.text({(left + right) / 2, bottom + 18 * unit}, "surge load, positive against the tow", ink, size,
-                Align::middle);
+    const auto label = [&](double value) { return fmt::format("{:.{}f} {}", value, strip.decimals, strip.unit); };
+    canvas.text({in.left - 8 * unit, in.ceiling + size / 2}, label(up), ink, size, Align::right);
+    canvas.text({in.left - 8 * unit, at(in.from, base).y() + size / 3}, strip.from_zero ? "0" : label(base), ink, size,
+                Align::right);
+}
+
+/// Strips over time in the lowest part of the picture; of several each has its words beside it.
+void draw_histories(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
+    const double unit = unit_of(style);
+    const std::vector<HistoryStrip>& strips = stage.strips();
+    const double high = strip_height(style, stage.subject());
+    const double top = canvas.height() - high;
+    const double step = stage.subject().scenario.general.time_step;
+    const double width = style.width;
+    canvas.fill(std::array<Vec2, 4>{Vec2(0, top), Vec2(width, top), Vec2(width, top + high), Vec2(0, top + high)},
+                bright);
+    const std::vector<double>& surge = stage.outcome().history.surge;
+    if (surge.empty()) return;
+    const bool whole = !(style.to > style.from);
+    const bool many = strips.size() > 1;
+    const double bottom = canvas.height() - 30 * unit;
+    StripPlace in{.left = (many ? 250 : 64) * unit,
+                  .right = width - 20 * unit,
+                  .from = whole ? 0 : style.from,
+                  .to = whole ? step * static_cast<double>(surge.size()) : style.to};
+    const double more = many ? more_strip_share / strip_share : 0;  // of the first one's height
+    const double first = (bottom - top) / (1 + more * static_cast<double>(strips.size() - 1));
+    double from = top;
+    for (const HistoryStrip& strip : strips) {
+        in.ceiling = from + 14 * unit;
+        in.bottom = from += &strip == &strips.front() ? first : more * first;
+        if (many) canvas.text({16 * unit, (in.ceiling + in.bottom) / 2 + 4 * unit}, strip.words, ink, 13 * unit);
+        draw_strip(canvas, strip, in, step, frame.time, unit);
+    }
+    const double size = 13 * unit;
+    const auto [first_time, last_time] = ends_of_axis(in.from, in.to);
+    canvas.text({in.left, bottom + 18 * unit}, first_time, ink, size);
+    canvas.text({in.right, bottom + 18 * unit}, last_time, ink, size, Align::right);
+    if (many) return;
+    const bool load = stage.subject().asked.of == AskedOf::load;
+    canvas.text({(in.left + in.right) / 2, bottom + 18 * unit},
+                strips.front().words + (load ? ", positive against the tow" : ""), ink, size, Align::middle);
 }
 
 }  // namespace
@@ -516,232 +638,47 @@ std::pair<std::string, std::string> ends_of_axis(double from, double to) {
     return {words(from), words(to)};
 }
 
+std::string moment_words(const Stage& stage, const Frame& frame, const PictureStyle& style) {
+    const double step = stage.subject().scenario.general.time_step;
+    const std::vector<double>& asked = stage.asked();
+    const bool whole = !(style.to > style.from);
+    double time = 0;
+    double largest = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+        const double end = step * static_cast<double>(k + 1);
+        if (!whole && (end < style.from - step / 2 || end > style.to + step / 2)) continue;
+        if (!(asked[k] > largest)) continue;
+        largest = asked[k];
+        time = end;
+    }
+    if (!(largest > 0) || std::abs(frame.time - time) > step / 2) return "";
+    return fmt::format("largest {}: {}", stage.subject().asked.words(), stage.subject().asked.text(largest));
+}
+
 int picture_height(const PictureStyle& style, const RecordingSubject& subject) {
     if (style.view != View::plan) return style.height + style.height % 2;
     const Vec2 x = plan_of(subject, 0);
     const double share = 2 * subject.channel().outer_edge / (x.y() - x.x());
-    return 2 * static_cast<int>(std::lround((share * style.width + strip_height(style)) / 2));
+    return 2 * static_cast<int>(std::lround((share * style.width + strip_height(style, subject)) / 2));
 }
 
 void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
-    const Vec2 size(canvas.width(), canvas.height() - strip_height(style));
+    const double unit = unit_of(style);
+    const Vec2 size(canvas.width(), canvas.height() - strip_height(style, stage.subject()));
     const Projection projection(
         camera(style.view, stage.subject(), frame.structure.position.x(), frame.structure.position.z()), size.x(),
         size.y());
-    draw_faces(canvas, stage.faces(frame, projection, size, style.colouring), size, unit_of(style));
-    const bool forces = style.view != View::plan;
-    draw_lines(canvas, stage, frame, projection, unit_of(style));
-    draw_tow(canvas, stage, frame, projection, unit_of(style));
-    if (forces) draw_forces(canvas, stage, frame, projection, unit_of(style));
+    DepthBuffer drawn(static_cast<int>(size.x()), static_cast<int>(size.y()), sea);
+    draw_faces(drawn, stage.faces(frame, projection, size, style.colouring), unit);
+    draw_lines(drawn, stage, frame, projection, unit);
+    canvas.image(Vec2::Zero(), drawn.width(), drawn.height(), drawn.pixels());
+    const double metres = style.view == View::plan ? 0 : metres_a_newton(stage, frame, projection, size);
+    draw_tow(canvas, stage, frame, projection, size, unit);
+    draw_forces(canvas, stage, frame, projection, metres, unit);
     draw_words(canvas, stage, frame, style);
     draw_legend(canvas, style, size.y(), stage.subject().scenario.structure.speed);
-    draw_scales(canvas, stage, frame, projection, size, unit_of(style), forces);
-    draw_history(canvas, stage, frame, style);
-}
-
-namespace {
-
-// Pictures one after another into a film file.
-
-class Encoder {
-  public:
-    virtual ~Encoder() = default;
-    /// All pictures have the same size.
-    virtual void add(const Canvas& picture) = 0;
-    /// Completes the file. Throws RunError when that fails.
-    virtual void finish() = 0;
-};
-
-/// What comes in.
-struct FilmShape {
-    int width = 0;     ///< pixels
-    int height = 0;    ///< pixels
-    int pictures = 0;  ///< how many
-    int rate = 0;      ///< pictures a second
-};
-
-/// What ffmpeg is told for each ending. 4:2:0 is what players take.
-std::vector<std::string> codec_of(const std::string& ending) {
-    if (ending == ".mp4")
-        return {"-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "23", "-movflags", "+faststart", "-f", "mp4"};
-    if (ending == ".webm")
-        return {"-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p", "-crf", "34", "-b:v", "0", "-row-mt", "1", "-f", "webm"};
-    if (ending == ".webp") return {"-c:v", "libwebp_anim", "-q:v", "40", "-loop", "0", "-f", "webp"};
-    if (ending == ".gif")
-        return {"-vf", "split[a][b];[a]palettegen=max_colors=128[p];[b][p]paletteuse=dither=none", "-f", "gif"};
-    return {};
-}
-
-InputError no_ffmpeg(const std::filesystem::path& path, const std::string& why) {
-    return InputError(
-        fmt::format("{} is made by ffmpeg, which cannot be started ({}); install the package ffmpeg, or give the film "
-                    "the ending .apng, which needs nothing else.",
-                    path.string(), why));
-}
-
-/// Pictures through a socket to ffmpeg.
-class Ffmpeg final : public Encoder {
-  public:
-    Ffmpeg(std::filesystem::path path, const FilmShape& shape, Seconds longest_picture)
-        : path_(std::move(path)), longest_picture_(longest_picture), pictures_(shape.pictures) {
-        std::array<int, 2> ends{};  // a socket, which tells of a reader that is gone by an error and not by a signal
-        if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
-            throw RunError(fmt::format("A socket to ffmpeg cannot be made ({}).", std::strerror(errno)));
-        Descriptor read_end(ends[0]);
-        write_end_ = Descriptor(ends[1]);
-        std::vector<std::string> words{"ffmpeg",    "-y",
-                                       "-loglevel", "error",
-                                       "-f",        "rawvideo",
-                                       "-pix_fmt",  "bgr0",
-                                       "-s",        fmt::format("{}x{}", shape.width, shape.height),
-                                       "-r",        std::to_string(shape.rate),
-                                       "-i",        "-"};
-        for (std::string& word : codec_of(path_.extension().string())) words.push_back(std::move(word));
-        words.push_back(path_.string());
-        const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(longest_picture).count();
-        const timeval limit{microseconds / 1'000'000, microseconds % 1'000'000};
-        ::setsockopt(write_end_.get(), SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
-        process_.emplace(std::move(words), StartedProgram::Streams{.in = read_end.get(), .errors = STDERR_FILENO});
-        if (!process_->fault().empty()) throw no_ffmpeg(path_, process_->fault());
-    }
-
-    void add(const Canvas& picture) override {
-        std::span<const std::uint8_t> left = picture.pixels();
-        while (!left.empty()) {
-            const ssize_t written = ::send(write_end_.get(), left.data(), left.size(), MSG_NOSIGNAL);
-            if (written < 0 && errno == EINTR) continue;
-            if (written < 0 && (errno == EAGAIN || errno == EWOULDBLOCK))
-                throw too_slow("took no picture", longest_picture_);
-            if (written < 0) fail();
-            left = left.subspan(static_cast<std::size_t>(written));
-        }
-    }
-
-    void finish() override {
-        write_end_.close();
-        const Seconds longest = longest_picture_ + Seconds(pictures_);  // a .gif is made when its last picture is known
-        if (!process_->wait(longest)) throw too_slow("did not end", longest);
-        if (process_->status() != 0) fail();
-    }
-
-  private:
-    [[noreturn]] void fail() const {
-        throw RunError(fmt::format("ffmpeg could not write {}; its messages are above.", path_.string()));
-    }
-
-    RunError too_slow(const char* what, Seconds longest) const {
-        return RunError(fmt::format(
-            "ffmpeg, which makes {}, {} within {} and was ended; give the film the ending .apng, which needs "
-            "no other program.",
-            path_.string(), what, duration_in_figures(longest.count())));
-    }
-
-    std::filesystem::path path_;
-    Seconds longest_picture_;
-    int pictures_;
-    Descriptor write_end_;
-    std::optional<StartedProgram> process_;  // the last: it is ended before its socket is closed
-};
-
-constexpr std::size_t length_and_type = 8;
-constexpr std::size_t signature_bytes = 8;
-constexpr std::size_t crc_bytes = 4;
-
-std::string big_endian(std::uint32_t value, int bytes = 4) {
-    std::string text;
-    for (int k = bytes - 1; k >= 0; --k) text.push_back(static_cast<char>(value >> (8 * k) & 0xff));
-    return text;
-}
-
-/// An animated PNG: the chunks of one picture after another, numbered (PNG specification, third edition, 11.3).
-class AnimatedPng final : public Encoder {
-  public:
-    AnimatedPng(std::filesystem::path path, const FilmShape& shape)
-        : path_(std::move(path)), file_(path_, std::ios::binary), shape_(shape) {}
-
-    void add(const Canvas& picture) override {
-        const std::string png = picture.png();
-        const bool first = next_ == 0;
-        std::string data;
-        for (std::size_t at = signature_bytes; at + length_and_type + crc_bytes <= png.size();) {
-            std::uint32_t length = 0;
-            for (std::size_t k = 0; k < 4; ++k) length = length << 8 | static_cast<unsigned char>(png[at + k]);
-            const std::string type = png.substr(at + 4, 4);
-            const std::string payload = png.substr(at + length_and_type, length);
-            if (type == "IHDR" && first) {
-                file_ << png.substr(0, signature_bytes);
-                chunk(type, payload);
-                chunk("acTL", big_endian(static_cast<std::uint32_t>(shape_.pictures)) + big_endian(0));
-            }
-            if (type == "IDAT") data += payload;
-            at += length_and_type + length + crc_bytes;
-        }
-        chunk("fcTL", big_endian(next_++) + big_endian(static_cast<std::uint32_t>(picture.width())) +
-                          big_endian(static_cast<std::uint32_t>(picture.height())) + big_endian(0) + big_endian(0) +
-                          big_endian(1, 2) + big_endian(static_cast<std::uint32_t>(shape_.rate), 2) +
-                          std::string(2, '\0'));
-        if (first) {
-            chunk("IDAT", data);
-        } else {
-            chunk("fdAT", big_endian(next_++) + data);
-        }
-    }
-
-    void finish() override {
-        chunk("IEND", {});
-        file_.close();
-        if (!file_)
-            throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
-                                       path_.string(), std::strerror(errno)));
-    }
-
-  private:
-    void chunk(const std::string& type, const std::string& payload) {
-        const std::string body = type + payload;
-        const auto* bytes = reinterpret_cast<const unsigned char*>(body.data());
-        file_ << big_endian(static_cast<std::uint32_t>(payload.size())) << body
-              << big_endian(static_cast<std::uint32_t>(::crc32_z(0, bytes, body.size())));
-    }
-
-    std::filesystem::path path_;
-    std::ofstream file_;
-    FilmShape shape_;
-    std::uint32_t next_ = 0;  ///< number of the next chunk of a frame
-};
-
-/// By the ending of `path`, as write_film().
-std::unique_ptr<Encoder> make_encoder(const std::filesystem::path& path, const FilmShape& shape,
-                                      Seconds longest_picture) {
-    const std::string ending = path.extension().string();
-    if (ending == ".apng") return std::make_unique<AnimatedPng>(path, shape);
-    if (codec_of(ending).empty())
-        throw InputError(
-            fmt::format("{} has no ending of a film; give .mp4, .webm, .webp, .gif or .apng.", path.string()));
-    return std::make_unique<Ffmpeg>(path, shape, longest_picture);
-}
-
-}  // namespace
-
-void expect_encoder(const std::filesystem::path& path) {
-    if (!codec_of(path.extension().string()).empty() && !is_program("ffmpeg"))
-        throw no_ffmpeg(path, "it is not in the PATH");
-}
-
-void write_film(const std::filesystem::path& path, const Recording& recording, const PictureStyle& style, int rate,
-                const std::function<void(double)>& progress, Seconds longest_picture) {
-    const Stage stage(recording.subject(), recording.outcome());
-    const int height = picture_height(style, recording.subject());
-    const std::unique_ptr<Encoder> film =
-        make_encoder(path, {style.width, height, recording.frames(), rate}, longest_picture);
-    Canvas picture(style.width, height);
-    Frame frame;
-    for (int k = 0; k < recording.frames(); ++k) {
-        recording.read(k, frame);
-        draw_picture(picture, stage, frame, style);
-        film->add(picture);
-        progress(static_cast<double>(k + 1) / recording.frames());
-    }
-    film->finish();
+    draw_scales(canvas, stage, frame, projection, size, unit, metres);
+    draw_histories(canvas, stage, frame, style);
 }
 
 }  // namespace floes

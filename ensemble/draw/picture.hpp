@@ -1,14 +1,11 @@
 #pragma once
-// Pictures of a run: the ice and the structure of one frame as coloured faces, its loads, and films.
+// Pictures of a run: the ice and the structure of one frame as coloured faces, and its loads.
 
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/started_program.hpp"
 #include "draw/canvas.hpp"
 #include "replay/recording.hpp"
 #include "replay/view.hpp"
@@ -27,6 +24,18 @@ struct SheetPart {
     std::uint8_t exposed = 0;  ///< sides that are the sheet's own, bits of Edge
 };
 
+/// A history below the picture, in units that are shown.
+struct HistoryStrip {
+    std::string words;
+    std::string unit;
+    std::vector<double> values;  ///< of each step; empty: the recording does not have it
+    bool from_zero = true;       ///< its axis has 0
+    int decimals = 0;
+};
+
+/// Of what the subject asks and, for a hull that gives way, its offset, heading and largest tension of a line.
+std::vector<HistoryStrip> strips_of(const RecordingSubject& subject, const RecordingOutcome& outcome);
+
 /// A run on which frames are drawn: all that does not change from one to the next.
 class Stage {
   public:
@@ -36,8 +45,12 @@ class Stage {
     std::vector<Face> faces(const Frame& frame, const Projection& projection, const Vec2& size,
                             Colouring colouring) const;
 
-    int broken_floes(double time) const;
+    FloeCounts floes(const Frame& frame) const { return count_floes(frame, layout_, outcome_.breaks); }
     double largest_load() const { return largest_load_; }  ///< of all steps, surge, sway and heave together, N
+    /// That loads of all steps lie in, with none: as Frame::load, N.
+    const Eigen::AlignedBox3d& loads() const { return loads_; }
+    const std::vector<double>& asked() const { return asked_; }  ///< what the subject asks, of every step, SI
+    const std::vector<HistoryStrip>& strips() const { return strips_; }
     const RecordingSubject& subject() const { return subject_; }
     const RecordingOutcome& outcome() const { return outcome_; }
 
@@ -45,9 +58,16 @@ class Stage {
     RecordingSubject subject_;
     RecordingOutcome outcome_;
     double largest_load_;
+    Eigen::AlignedBox3d loads_;
+    std::vector<double> asked_;
+    std::vector<HistoryStrip> strips_;
     IceLayout layout_;
     std::vector<SheetPart> sheets_;
 };
+
+/// Metres that a newton of the load is long in a picture of this size (pixels): no load of the run leaves it. 0
+/// without any load.
+double metres_a_newton(const Stage& stage, const Frame& frame, const Projection& projection, const Vec2& size);
 
 /// Where a mooring line runs, from its fairlead as far as `most` m.
 std::vector<Vec3> beginning_of(const Moorings& moorings, const FrameLine& line, double most);
@@ -64,6 +84,9 @@ struct PictureStyle {
     double to = 0;     ///< s; not above `from`: the whole run
 };
 
+/// "largest mooring force over 1 s: 332 kN" of the frame that has it among the times of the style; empty of others.
+std::string moment_words(const Stage& stage, const Frame& frame, const PictureStyle& style);
+
 /// The height that a picture of this style gets, pixels; even, as films want it.
 int picture_height(const PictureStyle& style, const RecordingSubject& subject);
 
@@ -72,16 +95,5 @@ std::pair<std::string, std::string> ends_of_axis(double from, double to);
 
 /// Draws the frame all over the canvas.
 void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style);
-
-// A film of a recording: .mp4, .webm, .webp and .gif through ffmpeg, .apng without it.
-
-/// Throws InputError where a file of that name would be a film whose encoder is not on this machine.
-void expect_encoder(const std::filesystem::path& path);
-
-/// Every frame of the recording becomes one of the film, `rate` of them a second. `progress`: after each, the share
-/// that is done. Throws InputError when the ending is none of the above or ffmpeg is missing, and RunError when it
-/// fails, takes longer than that over a picture, or the file cannot be written.
-void write_film(const std::filesystem::path& path, const Recording& recording, const PictureStyle& style, int rate,
-                const std::function<void(double done)>& progress, Seconds longest_picture = Seconds(300));
 
 }  // namespace floes

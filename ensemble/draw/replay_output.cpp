@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "draw/film.hpp"
 #include "draw/picture.hpp"
 #include "draw/replay_page.hpp"
 #include "draw/vtk_series.hpp"
@@ -47,15 +48,17 @@ PictureStyle style_of(const ReplayLook& look, const Recording& recording) {
     return style;
 }
 
-int frame_of_largest_load(const Recording& recording) {
-    const std::vector<double>& surge = recording.outcome().history.surge;
+/// Of what the recording shows; of a run without it, the first one.
+int frame_of_largest(const Recording& recording) {
     const double step = recording.subject().scenario.general.time_step;
+    const RecordingOutcome& outcome = recording.outcome();
+    const std::vector<double> asked = asked_history(recording.subject().asked, outcome.history, outcome.hull, step);
     int largest = 0;
-    double load = -std::numeric_limits<double>::infinity();
+    double value = -std::numeric_limits<double>::infinity();
     for (int k = 0; k < recording.frames(); ++k) {
         const auto steps = static_cast<std::size_t>(std::llround(recording.time(k) / step));
-        if (steps == 0 || steps > surge.size() || surge[steps - 1] <= load) continue;
-        load = surge[steps - 1];
+        if (steps == 0 || steps > asked.size() || asked[steps - 1] <= value) continue;
+        value = asked[steps - 1];
         largest = k;
     }
     return largest;
@@ -64,7 +67,7 @@ int frame_of_largest_load(const Recording& recording) {
 void write_picture(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look) {
     const PictureStyle style = style_of(look, recording);
     const Stage stage(recording.subject(), recording.outcome());
-    const Frame frame = recording.read(look.at ? recording.nearest(*look.at) : frame_of_largest_load(recording));
+    const Frame frame = recording.read(look.at ? recording.nearest(*look.at) : frame_of_largest(recording));
     const int height = picture_height(style, recording.subject());
     const bool vectors = path.extension() == ".svg";
     Canvas canvas = vectors ? Canvas(path, style.width, height) : Canvas(style.width, height);
@@ -83,7 +86,7 @@ std::optional<double> start_of_page(const Recording& recording, const ReplayLook
     const double run = scenario.general.time_step * scenario.step_count();
     const double span = recording.time(recording.frames() - 1) - recording.time(0);
     if (!look.worst && span > 0.999 * run) return {};
-    return recording.time(frame_of_largest_load(recording));
+    return recording.time(frame_of_largest(recording));
 }
 
 void write(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,

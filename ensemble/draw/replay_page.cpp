@@ -425,6 +425,13 @@ std::array<std::pair<const char*, const Bytes*>, 6> streams_of(const PackedFrame
              {"pieces", &frames.pieces}}};
 }
 
+/// Broken ones and all, of each frame.
+json counts(const std::vector<FloeCounts>& floes) {
+    json all = json::array();
+    for (const FloeCounts& one : floes) all.push_back({one.broken, one.all});
+    return all;
+}
+
 /// A JSON object; its names are read by page_assets/data.js. SI units.
 std::string page_header(const Recording& recording, const Quanta& quanta, const PackedFrames& frames,
                         std::optional<double> start) {
@@ -444,6 +451,7 @@ std::string page_header(const Recording& recording, const Quanta& quanta, const 
         {"configuration", subject.configuration},
         {"elements", recording.layout().elements.size()},
         {"floes", recording.layout().floes()},
+        {"floes_there", counts(frames.floes)},
         {"ice", ice(subject.floes)},
         {"structure", structure(scenario.structure.shape)},
         {"tow", {{"start", scenario.structure.start}, {"speed", scenario.structure.speed}}},
@@ -476,13 +484,17 @@ struct Attempt {
 Attempt pack(const Recording& recording, const Quanta& quanta, int stride, std::size_t most) {
     FramePacker packer(quanta, static_cast<int>(recording.layout().elements.size()));
     Frame frame;
+    std::vector<FloeCounts> floes;
+    const bool endless = recording.subject().scenario.field.endless();
     const int last = recording.frames() - 1;
     for (int i = 0; i <= last; i = i == last ? last + 1 : std::min(i + stride, last)) {
         recording.read(i, frame);
         packer.add(frame);
+        if (endless) floes.push_back(count_floes(frame, recording.layout(), recording.outcome().breaks));
         if (packer.size() > most) return {std::nullopt, static_cast<double>(packer.size()) * (last + 1) / (i + 1)};
     }
     PackedFrames frames = packer.finish();
+    frames.floes = std::move(floes);
     std::size_t size = 0;
     for (const auto& [name, stream] : streams_of(frames)) size += stream->size();
     if (size > most) return {std::nullopt, static_cast<double>(size)};

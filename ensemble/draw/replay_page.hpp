@@ -64,6 +64,7 @@ Quanta quanta_of(const Recording& recording);
 struct PackedFrames {
     int frames = 0;
     Bytes low, high, utilisation, numbers, contacts, pieces;
+    std::vector<FloeCounts> floes = {};  ///< of each frame, where they come and go
 };
 
 class FramePacker {

@@ -479,12 +479,16 @@ Section next_commands(const Evidence& evidence, const std::string& program) {
     const std::optional<int> worst = most_loaded_member(evidence);
     std::vector<std::pair<std::string, std::string>> commands;
     commands.emplace_back(fmt::format("{} report {}", program, file), "everything on one page");
+    const bool moored = std::ranges::any_of(evidence.campaign.cases, [](const Case& one) {
+        return one.scenario.moorings.give_way() && one.scenario.analysis.keep_history;
+    });
     if (worst)
         commands.emplace_back(fmt::format("{} replay {} --worst -o worst.html", program, file),
                               "the largest load, in a browser");
-    if (std::ranges::any_of(evidence.campaign.cases, [](const Case& one) {
-            return one.scenario.moorings.give_way() && one.scenario.analysis.keep_history;
-        }))
+    if (worst && moored)
+        commands.emplace_back(fmt::format("{} replay {} --worst --of mooring_force -o force.png", program, file),
+                              "the largest mooring force over 1 s; --of offset, tension");
+    if (moored)
         commands.emplace_back(fmt::format("{} design {} --of mooring_force", program, file),
                               "the design force of the moorings; --of offset");
     commands.emplace_back(fmt::format("{} summarize {} --full", program, file), "every figure");

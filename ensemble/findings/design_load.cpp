@@ -42,10 +42,8 @@ double resultant(const Moorings&, std::span<const double> of) {
     return std::hypot(of[0], of[1]);
 }
 
-/// Of the turret, or of the structure's axis, from where it would be; surge offsets are against the tow.
-double horizontal_offset(const Moorings& moorings, std::span<const double> of) {
-    const Vec2 arm = turned({moorings.turret.ahead, 0}, of[2]);
-    return std::hypot(-of[0] + arm.x() - moorings.turret.ahead, of[1] + arm.y());
+double offset_of(const Moorings& moorings, std::span<const double> of) {
+    return horizontal_offset(moorings, of[0], of[1], of[2]);
 }
 
 /// Tension over break load of the line that is nearest to its own; lines that never break are left out.
@@ -90,8 +88,7 @@ constinit const std::array<DesignOf, 12> design_ofs{
               "force of springs, lines and turret across the tow", "force", "N", {"history/sway_mooring"}, either_way,
               in_sway, true),
     simulated("offset", "Design offset", "horizontal offset of the turret, without one of the hull's axis", "offset",
-              "m", {"history/surge_offset", "history/sway_offset", "history/structure_yaw"}, horizontal_offset,
-              horizontally),
+              "m", {"history/surge_offset", "history/sway_offset", "history/structure_yaw"}, offset_of, horizontally),
     simulated("surge_offset", "Design offset along the tow", "offset of the hull's axis along the surge load", "offset",
               "m", {"history/surge_offset"}, as_it_is, in_surge, true),
     simulated("sway_offset", "Design offset abeam", "offset of the hull's axis abeam either way", "offset", "m",

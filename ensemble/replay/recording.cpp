@@ -75,6 +75,29 @@ FloeSet read_floes(hid_t file, Scenario scenario, const Draw& draw, const std::v
     return floes;
 }
 
+/// A history of a hull that gives way, as the file has it.
+struct HullColumn {
+    const char* path;
+    const char* unit;
+    const char* text;
+    std::vector<double> HullHistory::*values;
+};
+constexpr std::array<HullColumn, 4> hull_columns{
+    {{"history/mooring_force", "N", "horizontal resultant of springs, lines and turret", &HullHistory::mooring_force},
+     {"history/offset", "m", "horizontal offset of the turret, without one of the hull's axis", &HullHistory::offset},
+     {"history/structure_yaw", "rad", "positive where +z turns to +x", &HullHistory::yaw},
+     {"history/largest_tension", "N", "of the line that has most; 0 once all have broken", &HullHistory::tension}}};
+
+/// Recordings before layout 1.6 show the load of a step.
+Asked read_asked(hid_t file) {
+    if (!hdf5::has_attribute(file, "largest_of")) return {};
+    const std::string name = hdf5::read_text_attribute(file, "largest_of");
+    const auto found = std::ranges::find(asked_names, name);
+    if (found == asked_names.end()) hdf5::refuse_damaged(file, "largest_of is none of " + name);
+    const int milliseconds = hdf5::read_int_attribute(file, "averaging_ms").at(0);
+    return {static_cast<AskedOf>(found - asked_names.begin()), milliseconds / 1e3};
+}
+
 /// Both throw InputError for files that are damaged.
 RecordingSubject read_subject(hid_t file) {
     RecordingSubject subject;
@@ -83,6 +106,7 @@ RecordingSubject read_subject(hid_t file) {
     subject.case_name = hdf5::read_text_attribute(file, "case");
     subject.member = hdf5::read_int_attribute(file, "member").at(0);
     subject.arrangement = hdf5::read_int_attribute(file, "arrangement").at(0);
+    subject.asked = read_asked(file);
     subject.configuration = hdf5::read_text(file, "configuration");
     const Campaign campaign = read_campaign({subject.configuration, "its configuration", {}}, nullptr);
     subject.scenario = campaign.cases.at(0).scenario;
@@ -105,6 +129,9 @@ RecordingOutcome read_outcome(hid_t file, const IceLayout& layout) {
     const std::size_t steps = outcome.history.surge.size();
     outcome.history.sway = hdf5::read_column<double>(file, "history/sway_load", steps);
     outcome.history.heave = hdf5::read_column<double>(file, "history/heave_load", steps);
+    for (const HullColumn& column : hull_columns)
+        if (hdf5::exists(file, column.path))
+            outcome.hull.*column.values = hdf5::read_column<double>(file, column.path, steps);
     const std::size_t joints = layout.joints.size();
     const auto time = hdf5::read_column<double>(file, "joints/failure_time", joints);
     const auto last_mode = static_cast<std::int8_t>(std::size(failure_mode_names) - 1);
@@ -417,6 +444,8 @@ void write_root(hid_t file, const RecordingSubject& subject) {
     hdf5::write_attribute(file, "case", subject.case_name);
     write_number("member", subject.member);
     write_number("arrangement", subject.arrangement);
+    hdf5::write_attribute(file, "largest_of", std::string(asked_names.at(static_cast<std::size_t>(subject.asked.of))));
+    write_number("averaging_ms", static_cast<std::int32_t>(std::lround(1e3 * subject.asked.averaging)));
     hdf5::write_attribute(file, "time_step", subject.scenario.general.time_step);
 }
 
@@ -449,7 +478,8 @@ void write_sheets(hid_t file, const std::vector<IceSheet>& all, const Scale& coo
     hdf5::write_values(group.id(), {"sides", "m", "length of its sides"}, {sheet, coordinate}, sides);
 }
 
-void write_history(hid_t file, const LoadHistory& history, double time_step) {
+void write_history(hid_t file, const RecordingOutcome& outcome, double time_step) {
+    const LoadHistory& history = outcome.history;
     std::vector<double> end;
     for (std::size_t k = 0; k < history.surge.size(); ++k) end.push_back(static_cast<double>(k + 1) * time_step);
     const Handle group = hdf5::create_group(file, "history");
@@ -457,6 +487,9 @@ void write_history(hid_t file, const LoadHistory& history, double time_step) {
     hdf5::write_values(group.id(), {"surge_load", "N", "positive against the tow"}, {step}, history.surge);
     hdf5::write_values(group.id(), {"sway_load", "N", "positive towards +z"}, {step}, history.sway);
     hdf5::write_values(group.id(), {"heave_load", "N", "positive up"}, {step}, history.heave);
+    for (const HullColumn& column : hull_columns)
+        if (const std::vector<double>& values = outcome.hull.*column.values; !values.empty())
+            hdf5::write_values(file, {column.path, column.unit, column.text}, {step}, values);
 }
 
 /// None of a field without end, whose elements are known at the end.
@@ -505,7 +538,7 @@ class RecordingWriter::File {
         write_ice(file_->id(), subject_.scenario.floe, layout, scales);
         write_sheets(file_->id(), subject_.channel().sheets, scales.coordinate);
         write_joints(file_->id(), layout, outcome.breaks);
-        write_history(file_->id(), outcome.history, subject_.scenario.general.time_step);
+        write_history(file_->id(), outcome, subject_.scenario.general.time_step);
         open_->series.finish();
         hdf5::write_contents_digests(file_->id());
         open_.reset();  // only then does closing the file write everything
@@ -571,6 +604,20 @@ std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, in
         broken[static_cast<std::size_t>(event.floe)] = 1;
     }
     return broken;
+}
+
+FloeCounts count_floes(const Frame& frame, const IceLayout& layout, const std::vector<BreakEvent>& breaks) {
+    const std::vector<std::uint8_t> broken = broken_floes(breaks, layout.floes(), frame.time);
+    FloeCounts counts;
+    int last = -1;  // elements of a floe stand together
+    for (std::size_t k = 0; k < frame.elements.size(); ++k) {
+        const int floe = layout.elements[frame.id(k)].floe;
+        if (floe == last) continue;
+        last = floe;
+        ++counts.all;
+        counts.broken += broken[static_cast<std::size_t>(floe)];
+    }
+    return counts;
 }
 
 Channel RecordingSubject::channel() const {

@@ -10,6 +10,7 @@
 #include "hdf5/handle.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/ice_field.hpp"
+#include "replay/asked.hpp"
 #include "replay/frame_series.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
@@ -18,7 +19,7 @@
 
 namespace floes {
 
-inline constexpr hdf5::FileKind recording_kind{"floes replay", {1, 5}, 4, "recording of floes replay"};
+inline constexpr hdf5::FileKind recording_kind{"floes replay", {1, 6}, 4, "recording of floes replay"};
 
 // The recording of a replayed member: frames of all that there is to see, on what they stand, and the whole load
 // history. A file of its own in HDF5, described in docs/replay.md. Written and read a frame at a time: a long run is
@@ -35,6 +36,7 @@ struct RecordingSubject {
     std::string case_name;
     int member = 0;
     int arrangement = 0;
+    Asked asked = {};   ///< whose largest value it shows
     Scenario scenario;  ///< of the member's case
     FloeSet floes;      ///< of the member; where they lie, frames tell. Of a field without end: those that frames show
     Vec2 way = Vec2::Zero();  ///< least and largest x of the structure in the frames, of a field without end, m
@@ -50,10 +52,18 @@ struct RecordingSubject {
 struct RecordingOutcome {
     LoadHistory history;             ///< of every step
     std::vector<BreakEvent> breaks;  ///< in order of time
+    HullHistory hull = {};           ///< of every step, of a hull that gives way
 };
 
 /// For each floe, whether a joint of it has failed by `time`, s: 1 or 0. `breaks`: in order of time.
 std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time);
+
+/// Of floes of which a frame shows an element: of a field without end those that are there then.
+struct FloeCounts {
+    int broken = 0;
+    int all = 0;
+};
+FloeCounts count_floes(const Frame& frame, const IceLayout& layout, const std::vector<BreakEvent>& breaks);
 
 /// Writes a recording beside its place and renames it when it is finished; a recording that is not leaves nothing.
 class RecordingWriter {

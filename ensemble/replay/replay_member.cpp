@@ -14,8 +14,10 @@
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "member/array_output.hpp"
 #include "member/quantity.hpp"
 #include "member/run_member.hpp"
+#include "shapes/moorings.hpp"
 
 namespace floes {
 
@@ -118,16 +120,96 @@ ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& tabl
     return subject;
 }
 
-double time_of_largest_load(const ReplaySubject& subject) {
+namespace {
+
+/// Histories that what is asked follows from.
+std::vector<const ArrayOutput*> histories_of(AskedOf of) {
+    switch (of) {
+        case AskedOf::load:
+            return {&array_output("history/surge_load")};
+        case AskedOf::mooring_force:
+            return {&array_output("history/surge_mooring"), &array_output("history/sway_mooring")};
+        case AskedOf::offset:
+            return {&array_output("history/surge_offset"), &array_output("history/sway_offset"),
+                    &array_output("history/structure_yaw")};
+        case AskedOf::tension:
+            break;
+    }
+    return {};
+}
+
+struct LargestValue {
+    double value = 0;
+    double time = 0;  ///< s
+};
+
+/// In the window; none where that is empty. The mean of all of what is averaged lies in it.
+std::optional<LargestValue> largest_in(const StoredHistories& histories, const Asked& asked, const Scenario& scenario) {
+    const std::vector<std::span<const double>>& of = histories.values;
+    std::vector<double> values(of.front().begin(), of.front().end());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (asked.of == AskedOf::mooring_force) values[k] = std::hypot(of[0][k], of[1][k]);
+        if (asked.of == AskedOf::offset) values[k] = horizontal_offset(scenario.moorings, of[0][k], of[1][k], of[2][k]);
+    }
+    const std::span<const double> window = in_window({histories.member, histories.step, values}, scenario.analysis);
+    if (window.empty()) return {};
+    const std::vector<double> means = asked_history(asked, window, histories.step);
+    const std::size_t count = std::min(averaged_values(asked, histories.step), window.size());
+    const auto most = std::ranges::max_element(means);
+    const auto place =
+        std::clamp(static_cast<std::size_t>(most - means.begin()), count / 2, window.size() - count + count / 2);
+    return LargestValue{*most, histories.step * static_cast<double>(values.size() - window.size() + place + 1)};
+}
+
+}  // namespace
+
+double time_of_largest(const ReplaySubject& subject) {
     double time = std::numeric_limits<double>::quiet_NaN();
-    with_history(subject.file, subject.about.member, [&](const StoredHistory& history) {
-        const std::span<const double> window = in_window(history, subject.about.scenario.analysis);
-        if (window.empty()) return;
-        const auto largest = std::ranges::max_element(window);
-        const auto before = history.values.size() - window.size();
-        time = history.step * static_cast<double>(before + static_cast<std::size_t>(largest - window.begin()) + 1);
-    });
+    const std::vector<const ArrayOutput*> of = histories_of(subject.about.asked.of);
+    if (of.empty()) return time;
+    for_each_histories(
+        subject.file, of, [&](int member) { return member == subject.about.member; },
+        [&](const StoredHistories& histories) {
+            const auto found = largest_in(histories, subject.about.asked, subject.about.scenario);
+            if (found) time = found->time;
+        });
     return time;
+}
+
+double time_of_largest_tension(const ReplaySubject& subject, const std::stop_token& stop,
+                               const ReplayProgress& progress) {
+    double time = std::numeric_limits<double>::quiet_NaN();
+    if (subject.about.scenario.moorings.line_count() == 0) return time;
+    HullHistory hull;
+    double most = -std::numeric_limits<double>::infinity();
+    const Watcher watch = [&](const Simulation& run) {
+        if (run.steps() > 0) hull.add_last(run, subject.about.scenario.moorings);
+        if (!hull.tension.empty() && hull.tension.back() > most) {
+            most = hull.tension.back();
+            time = run.time();
+        }
+        if (progress) progress(run.time());
+    };
+    run_member(subject.about.scenario, subject.seed, static_cast<std::uint32_t>(subject.about.arrangement), stop,
+               watch);
+    return time;
+}
+
+std::vector<double> largest_values(const CampaignFile& file, const CampaignTable& table, const Asked& asked) {
+    std::vector<double> values(table.members.size(), std::numeric_limits<double>::quiet_NaN());
+    const bool of_step = asked.of == AskedOf::load && !asked.averaged();
+    if (of_step || asked.of == AskedOf::tension) {
+        const Quantity& from = *find_quantity(of_step ? "maximum_load" : "largest_line_tension");
+        for (std::size_t k = 0; k < values.size(); ++k) values[k] = table.members[k].value(from);
+        return values;
+    }
+    for_each_histories(file, histories_of(asked.of), [&](const StoredHistories& histories) {
+        const int of_case = member_key(file.campaign(), histories.member).case_index;
+        const Scenario& scenario = file.campaign().cases.at(static_cast<std::size_t>(of_case)).scenario;
+        const auto found = largest_in(histories, asked, scenario);
+        if (found) values.at(static_cast<std::size_t>(histories.member)) = found->value;
+    });
+    return values;
 }
 
 std::vector<std::string> differences(const ReplaySubject& subject, const MemberResult& result) {
@@ -154,18 +236,22 @@ MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const
     FloeRoll roll;
     Frame frame;
     LoadHistory history;
+    HullHistory hull;
     const Watcher watch = [&](const Simulation& run) {
         if (steps.has(run.steps())) {
             run.read_frame(frame);
             if (endless) roll.enter(run, frame);
             recording.add(frame);
         }
-        if (run.steps() > 0) add_last(run.loads(), history);
+        if (run.steps() > 0) {
+            add_last(run.loads(), history);
+            hull.add_last(run, about.scenario.moorings);
+        }
         if (progress) progress(run.time());
     };
     MemberResult result =
         run_member(about.scenario, subject.seed, static_cast<std::uint32_t>(about.arrangement), stop, watch);
-    recording.finish({std::move(history), endless ? roll.breaks(result.breaks) : result.breaks}, roll);
+    recording.finish({std::move(history), endless ? roll.breaks(result.breaks) : result.breaks, std::move(hull)}, roll);
     return result;
 }
 
@@ -187,6 +273,7 @@ KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) 
             return;
         }
         add_last(run.loads(), kept.history);
+        kept.hull.add_last(run, scenario.moorings);
         const double load = run.loads().surge.back();
         if (run.steps() > scenario.first_window_step() && load > largest) {
             largest = load;
@@ -214,9 +301,40 @@ constexpr double long_span = 60;    // s; of longer ones fewer frames are kept
 constexpr double short_every = 0.1;
 constexpr double long_every = 0.25;
 
+/// Why there is none.
+const char* lacks(AskedOf of) {
+    switch (of) {
+        case AskedOf::load:
+            return "it keeps no load histories (analysis.history_steps = 0)";
+        case AskedOf::tension:
+            return "it has no mooring lines (moorings.lines or hanging_lines)";
+        case AskedOf::mooring_force:
+        case AskedOf::offset:
+            break;
+    }
+    return "its structure does not give way (moorings.mass_t), or it keeps no histories (analysis.history_steps = 0)";
+}
+
+int largest_of_members(std::span<const double> values, const std::function<bool(int number)>& wanted,
+                       const Asked& asked) {
+    std::optional<int> worst;
+    bool done = false;
+    for (int k = 0; k < std::ssize(values); ++k) {
+        if (!wanted(k)) continue;
+        done = true;
+        const double value = values[static_cast<std::size_t>(k)];
+        if (!std::isnan(value) && (!worst || value > values[static_cast<std::size_t>(*worst)])) worst = k;
+    }
+    if (worst) return *worst;
+    if (!done)
+        throw InputError(fmt::format("None of these members is done, so none has a largest {} yet.", asked.words()));
+    throw InputError(fmt::format("None of these members has a {}: {}.", asked.words(), lacks(asked.of)));
+}
+
 }  // namespace
 
-int chosen_member(const CampaignTable& table, const MemberChoice& choice) {
+int chosen_member(const CampaignTable& table, const MemberChoice& choice, std::span<const double> values,
+                  const Asked& asked) {
     if (choice.number) return *choice.number;
     const auto cases = static_cast<int>(table.cases.size());
     const int arrangements = static_cast<int>(table.members.size()) / std::max(cases, 1);
@@ -233,13 +351,12 @@ int chosen_member(const CampaignTable& table, const MemberChoice& choice) {
     const bool any_case = choice.case_name.empty();
     const auto case_index = static_cast<int>(named - table.cases.begin());
     if (choice.worst) {
-        const std::optional<int> worst = member_with_largest_load(table, [&](const MemberRow& row) {
-            const auto number = static_cast<int>(&row - table.members.data());
-            return (any_case || row.case_index == case_index) &&
+        const auto wanted = [&](int number) {
+            const MemberRow& row = table.members[static_cast<std::size_t>(number)];
+            return row.done() && (any_case || row.case_index == case_index) &&
                    (!choice.arrangement || number / cases == *choice.arrangement);
-        });
-        if (!worst) throw InputError("None of these members is done, so none has a largest load yet.");
-        return *worst;
+        };
+        return largest_of_members(values, wanted, asked);
     }
     if ((any_case && cases > 1) || (!choice.arrangement && arrangements > 1))
         throw InputError(
@@ -254,15 +371,16 @@ FrameTimes chosen_times(const ReplaySubject& subject, const TimeChoice& choice) 
     if (choice.worst) {
         if (subject.stored.status == RowStatus::missing)
             throw InputError(fmt::format(
-                "Member {} is not in {} yet, so nothing says when its largest load comes: leave --worst out, or "
+                "Member {} is not in {} yet, so nothing says when its largest {} comes: leave --worst out, or "
                 "compute the rest of the campaign first, floes run CONFIG.toml -o {} --resume.",
-                subject.about.member, subject.file.string(), shell_word(subject.file.string())));
-        times.through = time_of_largest_load(subject);
+                subject.about.member, subject.file.string(), subject.about.asked.words(),
+                shell_word(subject.file.string())));
+        times.through = choice.worst_at ? *choice.worst_at : time_of_largest(subject);
         if (std::isnan(times.through))
             throw InputError(fmt::format(
-                "{} keeps no load history of member {} (analysis.history_steps = 0), so it does not say when "
-                "its largest load came; give --from and --to instead of --worst.",
-                subject.file.string(), subject.about.member));
+                "{} does not say when the largest {} of member {} came: {}. Give --from and --to instead of --worst.",
+                subject.file.string(), subject.about.asked.words(), subject.about.member,
+                lacks(subject.about.asked.of)));
         times.from = std::max(0.0, times.through - round_worst);
         times.to = std::min(end, times.through + round_worst);
     }

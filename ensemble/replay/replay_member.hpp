@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -50,16 +51,25 @@ struct ReplaySubject {
 /// Throws InputError when the file has no such member, or its configuration is not that of its members.
 ReplaySubject replay_subject(const CampaignFile& file, const CampaignTable& table, int member);
 
-/// When the surge load of the member is largest in its window, s: in the histories of the file. NaN where it keeps
-/// none.
-double time_of_largest_load(const ReplaySubject& subject);
+/// Called after each step with the time, s, that the run has come to.
+using ReplayProgress = std::function<void(double time)>;
+
+/// When what is asked of the subject is largest in its window, s: in the histories of the file, in the middle of what
+/// is averaged. NaN where it keeps none, as of every tension.
+double time_of_largest(const ReplaySubject& subject);
+
+/// When the tension of a mooring line is largest in the run, s: the member is computed for it. NaN without lines.
+/// Throws Interrupted on a stop.
+double time_of_largest_tension(const ReplaySubject& subject, const std::stop_token& stop = {},
+                               const ReplayProgress& progress = {});
+
+/// The largest value of what is asked, of each member; NaN where there is none. Of load and mooring force over some
+/// time, and of offsets, from the histories of the file; of tensions over the run, else in the window of the case.
+std::vector<double> largest_values(const CampaignFile& file, const CampaignTable& table, const Asked& asked);
 
 /// What differs between the result and what the file has of the member, a sentence each: quantities, breaks and load
 /// history, to the bit. Empty for the same member.
 std::vector<std::string> differences(const ReplaySubject& subject, const MemberResult& result);
-
-/// Called after each step with the time, s, that the run has come to.
-using ReplayProgress = std::function<void(double time)>;
 
 /// Computes the member, writes frames of `steps` and what is known at the end to a recording at `path`, and returns the
 /// result. Costs the member's time and that of the frames. A member that fails has a recording up to there. Throws
@@ -73,6 +83,7 @@ struct KeyFrames {
     Frame worst;  ///< of the largest surge load in the window
     Frame end;
     LoadHistory history;  ///< of every step
+    HullHistory hull;     ///< likewise
     MemberResult result;
     RecordingSubject about;          ///< the member's, with the floes that these frames show
     std::vector<BreakEvent> breaks;  ///< of these floes
@@ -83,7 +94,7 @@ KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop =
 
 // Which member of a campaign file is to be replayed, and from when to when.
 
-/// How a member may be named. `worst`: the one with the largest load of those that the others leave.
+/// How a member may be named. `worst`: the one with the largest value of what is asked, of those that the others leave.
 struct MemberChoice {
     std::optional<int> number = {};
     std::string case_name = {};  ///< empty: any
@@ -93,12 +104,14 @@ struct MemberChoice {
     bool given() const { return number || !case_name.empty() || arrangement || worst; }
 };
 
-/// Throws InputError when no member, or more than one, is meant.
-int chosen_member(const CampaignTable& table, const MemberChoice& choice);
+/// Throws InputError when no member, or more than one, is meant. `values`: as largest_values(), of what is asked.
+int chosen_member(const CampaignTable& table, const MemberChoice& choice, std::span<const double> values,
+                  const Asked& asked = {});
 
 /// Which times of a run are wanted, s; what is not given is the whole run or, of the worst moment, the 20 s round it.
 struct TimeChoice {
     bool worst = false;
+    std::optional<double> worst_at = {};  ///< s, where it is known; not given: the file's histories say it
     std::optional<double> from = {};
     std::optional<double> to = {};
     std::optional<double> every = {};  ///< not given: 0.1 s, over more than a minute 0.25 s
@@ -106,7 +119,7 @@ struct TimeChoice {
     bool given() const { return worst || from || to || every; }
 };
 
-/// Throws InputError for the worst moment of a member whose load history the file does not keep.
+/// Throws InputError for the worst moment of a member whose history the file does not keep.
 FrameTimes chosen_times(const ReplaySubject& subject, const TimeChoice& choice);
 
 }  // namespace floes

@@ -103,6 +103,7 @@ inline constexpr Colour heave_green{0.16, 0.70, 0.30};
 inline constexpr Colour sway_blue{0.25, 0.50, 1.0};
 inline constexpr Colour sum_white{1, 1, 1};
 inline constexpr Colour normal_magenta{0.80, 0.10, 0.62};
+inline constexpr Colour line_violet{0.76, 0.62, 0.98};  // mooring lines
 inline constexpr Colour tow_orange{0.95, 0.50, 0.02};
 inline constexpr Colour friction_teal{0.00, 0.62, 0.66};
 

@@ -296,6 +296,11 @@ Vec2 turned(const Vec2& point, double yaw) {
     return {c * point.x() + s * point.y(), c * point.y() - s * point.x()};
 }
 
+double horizontal_offset(const Moorings& moorings, double surge, double sway, double yaw) {
+    const Vec2 arm = turned({moorings.turret.ahead, 0}, yaw);
+    return std::hypot(-surge + arm.x() - moorings.turret.ahead, sway + arm.y());
+}
+
 namespace {
 
 /// A force in the plane of the water at an arm from the axis.

@@ -247,4 +247,8 @@ Mat6 from_hydrodynamic_axes(const std::vector<std::vector<double>>& rows);
 /// A point (x, z) of the structure's own axes in those of the world, turned by `yaw`.
 Vec2 turned(const Vec2& point, double yaw);
 
+/// How far the turret, without one the structure's axis, is from where it would be without an offset, m. Of offsets of
+/// the structure's axis as histories have them: `surge`, positive against the tow, and `sway`, m; `yaw`, rad.
+double horizontal_offset(const Moorings& moorings, double surge, double sway, double yaw);
+
 }  // namespace floes

@@ -1,6 +1,7 @@
 // Pictures and films: what is drawn where, in which colour.
 
 #include "draw/picture.hpp"
+#include "draw/film.hpp"
 
 #include <gmock/gmock.h>
 
@@ -14,6 +15,7 @@
 
 #include "core/error.hpp"
 #include "draw/canvas.hpp"
+#include "shapes/moorings.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -175,8 +177,9 @@ TEST(Picture, HasIceStructureAndSeaInTheirColours) {
     expect_colour(pixel(canvas, projection.at({3.0, 0, 1.2})), sea);
     draw_picture(canvas, stage, frame(4), style);
     expect_colour(pixel(canvas, floe), lit(broken_ice, Vec3::UnitY()));
-    EXPECT_EQ(stage.broken_floes(3.99), 0);
-    EXPECT_EQ(stage.broken_floes(4), 1);
+    EXPECT_EQ(stage.floes(frame(3.99)).broken, 0);
+    EXPECT_EQ(stage.floes(frame(4)).broken, 1);
+    EXPECT_EQ(stage.floes(frame(4)).all, 1);
     style.colouring = Colouring::utilisation;
     draw_picture(canvas, stage, frame(4), style);
     expect_colour(pixel(canvas, projection.at({3.7, 0.0165, 0.03})), lit(scale_colour(1), Vec3::UnitY()));
@@ -236,6 +239,109 @@ TEST(Picture, IsTheSameBytesAgain) {
         return canvas.png();
     };
     EXPECT_EQ(drawn(), drawn());
+}
+
+// Every load of the run, of whatever step the frame is.
+TEST(Picture, KeepsTheArrowsOfTheLoadInTheFrame) {
+    RecordingOutcome large = outcome();
+    large.history.heave.assign(500, 30.0);
+    large.history.sway[7] = -20;
+    const Stage stage(subject(), large);
+    const Vec2 size(800, 500);
+    for (const View view : {View::perspective, View::above, View::side, View::below}) {
+        const Projection projection(camera(view, subject(), 2), size.x(), size.y());
+        const double metres = metres_a_newton(stage, frame(1), projection, size);
+        EXPECT_GT(metres, 0);
+        const double top = subject().scenario.structure.shape.top();
+        for (const Vec3& load : {Vec3(-10, 30, 0), Vec3(-10, 30, -20), Vec3(0, 30, 0), Vec3(-10, 0, -20)}) {
+            const Vec2 tip = projection.at(Vec3(2, top, 0) + metres * load);
+            EXPECT_TRUE(tip.x() > 0 && tip.y() > 0 && tip.x() < size.x() && tip.y() < size.y()) << tip.transpose();
+        }
+    }
+}
+
+/// The same on a line that hangs under the floe to an anchor abeam.
+RecordingSubject moored_subject() {
+    RecordingSubject made = subject();
+    made.scenario.moorings.mass = 100;
+    made.scenario.moorings.hanging = {{.cable = {.length = 8, .weight = 1, .stiffness = 1e6}}};
+    return made;
+}
+
+TEST(Picture, HasMooringLinesBelowTheIceAndInTheSea) {
+    const PictureStyle style{.view = View::above, .width = 1280, .height = 800};
+    Frame held = frame(1);
+    held.lines = {{.line = 0, .fairlead = {3.7, -0.4, 0.03}, .anchor = {3.7, -4, 6}, .tension = 10}};
+    const Stage stage(moored_subject(), outcome());
+    Canvas canvas(style.width, picture_height(style, moored_subject()));
+    draw_picture(canvas, stage, held, style);
+    const double share = 0.17 + 3 * 0.075;  // of the strips
+    const Projection projection(camera(style.view, moored_subject(), 2), style.width,
+                                canvas.height() - std::round(share * style.height));
+    expect_colour(pixel(canvas, projection.at({3.7, 0.0165, 0.1})), lit(white_ice, Vec3::UnitY()));
+    const std::vector<Vec3> points =
+        course(moored_subject().scenario.moorings, 0, held.lines.front().fairlead, held.lines.front().anchor);
+    int seen = 0;
+    for (const Vec3& point : points) {
+        const Vec2 at = projection.at(point);
+        if (point.z() < 0.7 || point.z() > 1.2) continue;
+        const Colour found = pixel(canvas, at);
+        ++seen;
+        EXPECT_GT(found.red, sea.red + 0.1) << at.transpose();
+        EXPECT_GT(found.blue, found.green + 0.05);
+    }
+    EXPECT_GT(seen, 3);
+}
+
+TEST(Strips, AreOfWhatIsAskedAndOfAHullThatGivesWay) {
+    const auto words = [](const RecordingSubject& of) {
+        std::vector<std::string> found;
+        for (const HistoryStrip& strip : strips_of(of, {})) found.push_back(strip.words);
+        return found;
+    };
+    using testing::ElementsAre;
+    EXPECT_THAT(words(subject()), ElementsAre("surge load"));
+    RecordingSubject moored = moored_subject();
+    EXPECT_THAT(words(moored), ElementsAre("surge load", "offset", "line tension", "heading"));
+    moored.asked = {AskedOf::mooring_force, 1};
+    EXPECT_THAT(words(moored), ElementsAre("mooring force over 1 s", "offset", "line tension", "heading"));
+    moored.asked = {AskedOf::offset, 1};
+    EXPECT_THAT(words(moored), ElementsAre("offset", "line tension", "heading"));
+    moored.asked = {AskedOf::tension, 1};
+    EXPECT_THAT(words(moored), ElementsAre("largest line tension", "offset", "heading"));
+    RecordingOutcome swung = outcome();
+    swung.hull = {.mooring_force = {2e6, 4e6}, .offset = {1, 2}, .yaw = {0, std::numbers::pi / 2}, .tension = {1e6, 0}};
+    moored.asked = {AskedOf::mooring_force, 0.01};
+    const std::vector<HistoryStrip> strips = strips_of(moored, swung);
+    EXPECT_EQ(strips.at(0).unit, "kN");
+    EXPECT_THAT(strips.at(0).values, ElementsAre(2000, 4000));
+    EXPECT_THAT(strips.at(3).values, ElementsAre(0, testing::DoubleEq(90)));
+}
+
+TEST(Picture, SaysWhatIsLargestInItsMoment) {
+    RecordingSubject moored = moored_subject();
+    moored.asked = {AskedOf::offset, 1};
+    RecordingOutcome swung = outcome();
+    swung.hull.offset.assign(500, 1.0);
+    swung.hull.offset[99] = 3;  // at 2 s
+    swung.hull.offset[299] = 2;
+    const Stage stage(moored, swung);
+    EXPECT_EQ(moment_words(stage, frame(2), {}), "largest offset: 3 m");
+    EXPECT_EQ(moment_words(stage, frame(6), {}), "");
+    EXPECT_EQ(moment_words(stage, frame(6), {.from = 4, .to = 8}), "largest offset: 2 m");
+}
+
+// Of a field without end a record has floes that a frame does not show: report and replay keep other frames.
+TEST(Stage, CountsTheFloesThatTheFrameShows) {
+    RecordingSubject two = subject();
+    two.floes = floes_at(two.scenario, std::vector<PlanarPose>(2));
+    const Stage stage(two, outcome());
+    Frame seen = frame(4);
+    for (int k = 0; k < 9; ++k) seen.ids.push_back(9 + k);
+    EXPECT_EQ(stage.floes(seen).all, 1);
+    EXPECT_EQ(stage.floes(seen).broken, 0) << "the other one broke";
+    seen.ids.clear();
+    EXPECT_EQ(stage.floes(seen).broken, 1);
 }
 
 TEST(Picture, TellsTheEndsOfAShortTimeApart) {

@@ -29,28 +29,51 @@ CampaignTable table() {
     return made;
 }
 
+/// Of the members' loads.
+std::vector<double> loads() {
+    std::vector<double> made;
+    for (const MemberRow& row : table().members) made.push_back(row.load.maximum);
+    return made;
+}
+
+int chosen(const MemberChoice& choice) {
+    return chosen_member(table(), choice, loads());
+}
+
 TEST(ChosenMember, HasItsNumberOrItsNames) {
-    EXPECT_EQ(chosen_member(table(), {.number = 4}), 4);
-    EXPECT_EQ(chosen_member(table(), {.case_name = "stiff", .arrangement = 2}), 5);
-    EXPECT_EQ(chosen_member(table(), {.case_name = "soft", .arrangement = 1}), 2);
+    EXPECT_EQ(chosen({.number = 4}), 4);
+    EXPECT_EQ(chosen({.case_name = "stiff", .arrangement = 2}), 5);
+    EXPECT_EQ(chosen({.case_name = "soft", .arrangement = 1}), 2);
 }
 
 TEST(ChosenMember, IsTheWorstDoneOneOfThoseLeft) {
-    EXPECT_EQ(chosen_member(table(), {.worst = true}), 1);
-    EXPECT_EQ(chosen_member(table(), {.case_name = "soft", .worst = true}), 2);
-    EXPECT_EQ(chosen_member(table(), {.arrangement = 2, .worst = true}), 4);
-    EXPECT_THAT(refusal([] { chosen_member(table(), {.case_name = "stiff", .arrangement = 1, .worst = true}); }),
+    EXPECT_EQ(chosen({.worst = true}), 1);
+    EXPECT_EQ(chosen({.case_name = "soft", .worst = true}), 2);
+    EXPECT_EQ(chosen({.arrangement = 2, .worst = true}), 4);
+    EXPECT_THAT(refusal([] { chosen({.case_name = "stiff", .arrangement = 1, .worst = true}); }),
                 HasSubstr("None of these members is done"));
 }
 
+// Members that have none of what is asked are no candidates.
+TEST(ChosenMember, IsTheWorstOfWhatIsAsked) {
+    const double none = std::nan("");
+    const std::vector<double> forces{none, 1, 3, 9, 2, none};
+    const Asked force{AskedOf::mooring_force, 1};
+    EXPECT_EQ(chosen_member(table(), {.worst = true}, forces, force), 2);
+    EXPECT_EQ(chosen_member(table(), {.case_name = "stiff", .worst = true}, forces, force), 1);
+    EXPECT_THAT(refusal([&] {
+                    chosen_member(table(), {.case_name = "stiff", .arrangement = 2, .worst = true}, forces, force);
+                }),
+                HasSubstr("None of these members has a mooring force over 1 s: its structure does not give way"));
+}
+
 TEST(ChosenMember, MustBeOne) {
-    EXPECT_THAT(refusal([] { chosen_member(table(), {}); }), HasSubstr("Which member?"));
-    EXPECT_THAT(refusal([] { chosen_member(table(), {.case_name = "soft"}); }), HasSubstr("--arrangement"));
-    EXPECT_THAT(refusal([] { chosen_member(table(), {.arrangement = 0}); }), HasSubstr("--case"));
-    EXPECT_THAT(refusal([] { chosen_member(table(), {.case_name = "hard"}); }),
+    EXPECT_THAT(refusal([] { chosen({}); }), HasSubstr("Which member?"));
+    EXPECT_THAT(refusal([] { chosen({.case_name = "soft"}); }), HasSubstr("--arrangement"));
+    EXPECT_THAT(refusal([] { chosen({.arrangement = 0}); }), HasSubstr("--case"));
+    EXPECT_THAT(refusal([] { chosen({.case_name = "hard"}); }),
                 HasSubstr("There is no case hard; the cases are soft, stiff."));
-    EXPECT_THAT(refusal([] { chosen_member(table(), {.arrangement = 3, .worst = true}); }),
-                HasSubstr("the arrangements are 0 to 2"));
+    EXPECT_THAT(refusal([] { chosen({.arrangement = 3, .worst = true}); }), HasSubstr("the arrangements are 0 to 2"));
 }
 
 TEST(ChosenTimes, AreTheRunUnlessSaidOtherwise) {

@@ -150,7 +150,7 @@ TEST_F(EndlessReplay, KeepsTheStartTheWorstMomentAndTheEnd) {
     const ReplaySubject again = subject();
     const KeyFrames frames = key_frames(again);
     EXPECT_THAT(differences(again, frames.result), IsEmpty());
-    EXPECT_NEAR(frames.worst.time, time_of_largest_load(again), 1e-12);
+    EXPECT_NEAR(frames.worst.time, time_of_largest(again), 1e-12);
     const IceLayout layout(frames.about.floes);
     for (const Frame* frame : {&frames.start, &frames.worst, &frames.end}) {
         ASSERT_FALSE(frame->ids.empty());

@@ -119,7 +119,7 @@ TEST_F(Replay, KeepsTheStartTheWorstMomentAndTheEnd) {
     EXPECT_EQ(frames.history.surge, frames.result.history.surge);
     EXPECT_EQ(frames.start.step, 0);
     EXPECT_EQ(frames.end.step, 300);
-    EXPECT_NEAR(frames.worst.time, time_of_largest_load(again), 1e-12);
+    EXPECT_NEAR(frames.worst.time, time_of_largest(again), 1e-12);
     EXPECT_EQ(-frames.worst.load.x(), again.stored.load.maximum);
     EXPECT_THAT(frames.start.utilisation, testing::Each(0.0));
     EXPECT_THAT(frames.worst.utilisation, testing::Each(testing::Le(1.0)));
@@ -135,7 +135,7 @@ TEST_F(Replay, KnowsWhenTheLoadWasLargest) {
     const MemberResult result = replay(again, {0, 0, 1}, place("e.h5"));
     const auto window = std::span(result.history.surge).subspan(50);
     const auto largest = std::ranges::max_element(window) - window.begin();
-    EXPECT_NEAR(time_of_largest_load(again), 0.02 * static_cast<double>(51 + largest), 1e-12);
+    EXPECT_NEAR(time_of_largest(again), 0.02 * static_cast<double>(51 + largest), 1e-12);
 }
 
 TEST_F(Replay, RefusesWhatThereIsNot) {

@@ -75,7 +75,9 @@ class Player {
     const {replay, time} = this;
     const load = replay.loadAt(frame);
     for (const name of ['surge', 'sway', 'heave', 'sum']) $(name).textContent = replay.unit.text(load[name]);
-    $('broken').textContent = `${this.stage.brokenFloes(time).size} of ${replay.header.floes}`;
+    const {floes, floes_there: there} = replay.header; // where floes come and go, of each frame
+    const [broken, all] = there.length > 0 ? there[frame] : [this.stage.brokenFloes(time).size, floes];
+    $('broken').textContent = `${broken} of ${all}`;
     const failures = replay.failuresUntil(time);
     $('failed').textContent = failures.length;
     $('failed').title = replay.header.modes.map((mode, i) => [failures.filter(one => one[1] === i).length, mode])

@@ -1,0 +1,88 @@
+#include "replay/asked.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "shapes/moorings.hpp"
+
+namespace floes {
+
+std::string Asked::words() const {
+    const char* what = "load";
+    switch (of) {
+        case AskedOf::load:
+            if (!averaged()) return "load of a step";
+            break;
+        case AskedOf::mooring_force:
+            what = "mooring force";
+            break;
+        case AskedOf::offset:
+            return "offset";
+        case AskedOf::tension:
+            return "line tension";
+    }
+    return averaged() ? fmt::format("{} over {:g} s", what, averaging) : what;
+}
+
+std::string Asked::text(double value) const {
+    if (of == AskedOf::offset) return fmt::format("{:.3g} m", value);
+    const double size = std::abs(value);
+    if (size >= 1e6) return fmt::format("{:.3g} MN", value / 1e6);
+    if (size >= 1e4) return fmt::format("{:.3g} kN", value / 1e3);
+    return fmt::format("{:.3g} N", value);
+}
+
+void HullHistory::add_last(const Simulation& run, const Moorings& moorings) {
+    if (!moorings.give_way()) return;
+    const MotionHistory& motion = run.motions();
+    mooring_force.push_back(std::hypot(motion.surge_mooring.back(), motion.sway_mooring.back()));
+    offset.push_back(
+        horizontal_offset(moorings, motion.surge_offset.back(), motion.sway_offset.back(), motion.yaw.back()));
+    yaw.push_back(motion.yaw.back());
+    if (moorings.line_count() == 0) return;
+    std::vector<FrameLine> lines;
+    run.structure().read_lines(lines);
+    double most = 0;
+    for (const FrameLine& line : lines) most = std::max(most, line.tension);
+    tension.push_back(most);
+}
+
+std::vector<double> running_mean(std::span<const double> values, std::size_t count) {
+    const std::size_t whole = std::min(count, values.size());
+    std::vector<double> sums{0};
+    for (const double value : values) sums.push_back(sums.back() + value);
+    std::vector<double> means;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const std::size_t first = std::min(k - std::min(k, whole / 2), values.size() - whole);
+        means.push_back((sums[first + whole] - sums[first]) / static_cast<double>(whole));
+    }
+    return means;
+}
+
+std::size_t averaged_values(const Asked& asked, double step) {
+    return asked.averaged() ? static_cast<std::size_t>(std::max(1.0, std::round(asked.averaging / step))) : 1;
+}
+
+std::vector<double> asked_history(const Asked& asked, std::span<const double> values, double step) {
+    const std::size_t count = averaged_values(asked, step);
+    if (count == 1) return {values.begin(), values.end()};
+    return running_mean(values, count);
+}
+
+std::vector<double> asked_history(const Asked& asked, const LoadHistory& loads, const HullHistory& hull, double step) {
+    switch (asked.of) {
+        case AskedOf::load:
+            break;
+        case AskedOf::mooring_force:
+            return asked_history(asked, hull.mooring_force, step);
+        case AskedOf::offset:
+            return hull.offset;
+        case AskedOf::tension:
+            return hull.tension;
+    }
+    return asked_history(asked, loads.surge, step);
+}
+
+}  // namespace floes
