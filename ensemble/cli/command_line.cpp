@@ -31,10 +31,15 @@ std::string hint(const std::string& word, const std::vector<std::string>& known,
 /// Throws CommandLineEnd for the first of these words that looks like an option and is none of `app`.
 void refuse_unknown_options(const CLI::App& app, const std::vector<std::string>& words) {
     std::vector<std::string> known;
-    for (const CLI::Option* one : app.get_options()) {
-        for (const std::string& name : one->get_lnames()) known.push_back("--" + name);
-        for (const std::string& name : one->get_snames()) known.push_back("-" + name);
-    }
+    const auto know = [&](const CLI::App& of) {
+        for (const CLI::Option* one : of.get_options()) {
+            for (const std::string& name : one->get_lnames()) known.push_back("--" + name);
+            for (const std::string& name : one->get_snames()) known.push_back("-" + name);
+        }
+    };
+    know(app);
+    for (const CLI::App* group : app.get_subcommands([](const CLI::App* one) { return one->get_name().empty(); }))
+        know(*group);
     for (const std::string& word : words) {
         const std::string name = word.substr(0, word.find('='));
         if (!name.starts_with('-') || std::ranges::find(known, name) != known.end()) continue;

@@ -116,18 +116,41 @@ namespace {
 struct ConfigOptions {
     bool defaults = false;
     bool reference = false;
+    std::string table;
     std::string check;
     std::string resolved;
     std::string format = "text";
     std::vector<std::string> overrides;
 };
 
-std::string reference_json() {
-    const Results keys = list("keys", "key default allowed meaning source", reference(),
+/// Of one table, or of all where it is "". Throws InputError for a table that no key is in.
+std::vector<KeyDescription> keys_of(const std::string& table) {
+    std::vector<KeyDescription> keys = reference();
+    if (table.empty()) return keys;
+    std::vector<std::string> tables;
+    for (const KeyDescription& one : keys)
+        if (const std::string name = one.key.substr(0, one.key.find('.')); tables.empty() || tables.back() != name)
+            tables.push_back(name);
+    if (std::ranges::find(tables, table) == tables.end())
+        throw InputError(fmt::format("there is no table {}; the tables are {}.", table, fmt::join(tables, ", ")));
+    std::erase_if(keys, [&](const KeyDescription& one) { return !one.key.starts_with(table + "."); });
+    return keys;
+}
+
+std::string reference_json(const std::string& table) {
+    const Results keys = list("keys", "key default allowed meaning source", keys_of(table),
                               [](const KeyDescription& one) -> std::vector<Datum> {
                                   return {one.key, one.default_value, one.allowed, one.meaning, one.source};
                               });
     return json(std::vector{Section{.results = {keys}}});
+}
+
+std::string reference_text(const std::string& table) {
+    const std::string all = reference_markdown();
+    if (keys_of(table).size() == reference().size()) return all;
+    const std::string heading = fmt::format("## [{}]", table);
+    const std::size_t begin = all.find(heading);
+    return all.substr(begin, all.find("\n## [", begin) - begin) + "\n";
 }
 
 std::string check_line(const Campaign& campaign) {
@@ -152,7 +175,8 @@ std::string check(Campaign campaign) {
 
 std::string answer(const ConfigOptions& options) {
     if (options.defaults) return default_configuration();
-    if (options.reference) return options.format == "json" ? reference_json() : reference_markdown();
+    if (options.reference)
+        return options.format == "json" ? reference_json(options.table) : reference_text(options.table);
     if (!options.check.empty()) return check(load_campaign(options.check, options.overrides));
     return write_campaign(load_campaign(options.resolved, options.overrides));
 }
@@ -166,6 +190,8 @@ void add_config(CommandLine& line) {
     action.flag("--defaults", options->defaults, "Print a complete commented configuration that runs");
     Option reference_flag =
         action.flag("--reference", options->reference, "Print every key: default, range, meaning, source");
+    verb.option("table", options->table, "With --reference: only the keys of this table, as moorings")
+        .needs(reference_flag);
     Option check = action.option("--check", options->check, "Check this configuration without running it");
     Option resolved =
         action.option("--resolved", options->resolved, "Print the complete configuration as it would run");

@@ -30,6 +30,22 @@ TEST(Config, PrintsDefaultsAndReference) {
     EXPECT_EQ(config({"--reference"}), reference_markdown());
 }
 
+TEST(Config, ReferenceOfOneTableHasItsKeysAlone) {
+    const std::string stop = config({"--reference", "stop"});
+    EXPECT_NE(reference_markdown().find(stop), std::string::npos);
+    EXPECT_TRUE(stop.starts_with("## [stop]\n")) << stop;
+    std::size_t rows = 0;
+    for (const KeyDescription& one : reference()) {
+        const bool has = stop.find("| `" + one.key + "` |") != std::string::npos;
+        EXPECT_EQ(has, one.key.starts_with("stop.")) << one.key;
+        rows += has ? 1 : 0;
+    }
+    const nlohmann::json keys = nlohmann::json::parse(config({"--reference", "stop", "--format", "json"})).at("keys");
+    EXPECT_EQ(keys.size(), rows);
+    EXPECT_THROW(config({"--reference", "stops"}), InputError);
+    EXPECT_THROW(config({"stop"}), CommandLineEnd);
+}
+
 TEST(Config, ReferenceAsJsonHasEveryKey) {
     const nlohmann::json keys = nlohmann::json::parse(config({"--reference", "--format", "json"})).at("keys");
     const std::vector<KeyDescription> expected = reference();

@@ -46,6 +46,9 @@ TEST(UnknownOptions, AreAnsweredWithTheNearest) {
                  "floes run: there is no option --thread; did you mean --threads?\n");
     EXPECT_STREQ(end_of({"run", "a.toml", "--thread=2"}).what(),
                  "floes run: there is no option --thread; did you mean --threads?\n");
+    EXPECT_STREQ(end_of({"config", "--chek", "a.toml"}).what(),
+                 "floes config: there is no option --chek; did you mean --check?\n")
+        << "one of several that exclude each other";
     EXPECT_STREQ(end_of({"--hlep"}).what(), "floes: there is no option --hlep; did you mean --help?\n");
     EXPECT_EQ(end_of({"--hlep"}).status(), 2);
     EXPECT_THAT(end_of({"report", "a.h5", "--zzzzzzzzz"}).what(),
