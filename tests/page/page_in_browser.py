@@ -14,7 +14,7 @@ from pathlib import Path
 
 PROBE = """
 <script>
-const found = [...document.querySelectorAll('svg')].map(svg => {
+const found = [...document.querySelectorAll('svg:not([aria-hidden])')].map(svg => {
   const box = svg.getBoundingClientRect();
   const texts = [...svg.querySelectorAll('text')];
   const out = texts.map(t => [t.textContent, t.getBoundingClientRect()])
