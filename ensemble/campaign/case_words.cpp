@@ -182,21 +182,14 @@ Words endless_words(const Scenario& scenario) {
 Words hull_words(const Scenario& scenario) {
     const Shape& shape = scenario.structure.shape;
     const Hydrostatics at_rest = hydrostatics(shape);
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-    Vec2 high = -low;
-    for (const std::vector<Vec2>& outline : shape.waterlines()) {
-        for (const Vec2& point : outline) {
-            low = low.cwiseMin(point);
-            high = high.cwiseMax(point);
-        }
-    }
+    const Vec2 size = waterline_size(shape);
     return Words::of(
         "the hull is {:.4g} m long and {:.4g} m wide at the waterline with a draught of {:.4g} m; it displaces {:.5g} "
         "m³, {:.5g} t, with the centre of buoyancy {:.4g} m below the water, and its waterplane of {:.4g} m² puts the "
         "metacentre {:.4g} m above that in roll and {:.4g} m in pitch",
-        high.x() - low.x(), high.y() - low.y(), shape.draught(), at_rest.volume,
-        scenario.water.density * at_rest.volume / unit::tonne, -at_rest.buoyancy.y(), at_rest.waterplane,
-        at_rest.metacentric_radius(), at_rest.longitudinal_metacentric_radius());
+        size.x(), size.y(), shape.draught(), at_rest.volume, scenario.water.density * at_rest.volume / unit::tonne,
+        -at_rest.buoyancy.y(), at_rest.waterplane, at_rest.metacentric_radius(),
+        at_rest.longitudinal_metacentric_radius());
 }
 
 /// How a moored hull swings, of one that floats with the height of its metacentres over its centre.
@@ -336,6 +329,18 @@ Words turn_words(const Path& path) {
     if (most - least < 1e-9) return {};
     return Words::of("{} by {:.3g}°", path.of == PathOf::ice ? "the drift turns" : "its path turns",
                      (most - least) / unit::degree);
+}
+
+Vec2 waterline_size(const Shape& shape) {
+    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
+    Vec2 high = -low;
+    for (const std::vector<Vec2>& outline : shape.waterlines()) {
+        for (const Vec2& point : outline) {
+            low = low.cwiseMin(point);
+            high = high.cwiseMax(point);
+        }
+    }
+    return high - low;
 }
 
 Words motion_words(const Scenario& scenario) {

@@ -16,6 +16,9 @@ Words floe_words(const Scenario& scenario);
 /// "the drift turns by 30°", between its most different headings; empty of a path that does not turn, or of a table.
 Words turn_words(const Path& path);
 
+/// Length and width of the hull at the calm water, m.
+Vec2 waterline_size(const Shape& shape);
+
 /// "towed at 0.1 m/s", "led along a path", or of a structure that gives way its mass, what is free, what holds it and
 /// how fast the ice comes.
 Words motion_words(const Scenario& scenario);

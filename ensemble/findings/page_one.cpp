@@ -322,7 +322,7 @@ std::string sentence_of(const Evidence& evidence, const std::vector<CaseFigure>&
     if (design.empty() && std::ranges::any_of(figures, &CaseFigure::of_design))
         parts.emplace_back("no design value yet");
     const CaseSummary& row = evidence.summary.cases[governs];
-    return fmt::format("{}: {} ({}).", capital(evidence.summary.label_of(governs)), fmt::join(parts, "; "),
+    return fmt::format("{}: {} ({}).", evidence.summary.label_of(governs), fmt::join(parts, "; "),
                        counted(row.done, "arrangement"));
 }
 

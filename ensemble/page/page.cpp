@@ -84,7 +84,7 @@ std::string provenance(const ReportData& data) {
                     html_escaped(data.evidence.origin.configuration)));
 }
 
-/// "Moored hull of 28000 t, 70 m at the waterline"; of cases that differ, that they do.
+/// "Moored hull of 31000 t, 150 m x 28 m at the waterline"; of cases that differ, that they do.
 std::string hull_words(const Campaign& campaign) {
     const auto words = [](const Case& one) {
         const Scenario& scenario = one.scenario;
@@ -92,8 +92,10 @@ std::string hull_words(const Campaign& campaign) {
                                      ? fmt::format("Moored hull of {:.6g} t", scenario.moorings.mass / unit::tonne)
                                      : std::string{"Hull"};
         const std::string turns = turn_words(scenario.path).text();
-        return fmt::format("{}, {:.4g} m at the waterline{}", hull, 2 * scenario.structure.shape.waterline_radius(),
-                           turns.empty() ? "" : "; " + turns);
+        const Vec2 size = waterline_size(scenario.structure.shape);
+        const bool round = std::abs(size.x() - size.y()) < 0.01 * size.x();
+        return fmt::format("{}, {}{:.4g} m at the waterline{}", hull, round ? "" : fmt::format("{:.4g} m x ", size.x()),
+                           size.y(), turns.empty() ? "" : "; " + turns);
     };
     const std::string first = words(campaign.cases.front());
     const bool alike = std::ranges::all_of(campaign.cases, [&](const Case& one) { return words(one) == first; });
