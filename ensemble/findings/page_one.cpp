@@ -322,8 +322,9 @@ std::string sentence_of(const Evidence& evidence, const std::vector<CaseFigure>&
     if (design.empty() && std::ranges::any_of(figures, &CaseFigure::of_design))
         parts.emplace_back("no design value yet");
     const CaseSummary& row = evidence.summary.cases[governs];
-    return fmt::format("{}: {} ({}).", evidence.summary.label_of(governs), fmt::join(parts, "; "),
-                       counted(row.done, "arrangement"));
+    const std::string label = evidence.summary.label_of(governs);  // a name stays as it is, words begin a sentence
+    return fmt::format("{}: {} ({}).", evidence.campaign.design.active() ? capital(label) : label,
+                       fmt::join(parts, "; "), counted(row.done, "arrangement"));
 }
 
 using Next = std::vector<std::pair<std::string, std::string>>;

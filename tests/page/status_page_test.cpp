@@ -50,7 +50,7 @@ TEST_F(StatusPage, TellsTheAnswerSoFarOfARunUnderWay) {
     for (const MemberRecord& record : synthetic::records(campaign_)) journal.append(record);
     journal.hand_over();
     EXPECT_THAT(page(), AllOf(HasSubstr(refresh), HasSubstr("Running: 2 ranks, 4 threads from node0"),
-                              HasSubstr("The answer so far"), HasSubstr("Open: mean load 750 N")));
+                              HasSubstr("The answer so far"), HasSubstr("open: mean load 750 N")));
     EXPECT_THAT(page(), HasSubstr("<i style=\"width:50.0%\"></i><i class=\"bad\" style=\"width:25.0%\">"));
     // 100.1, 400.1, 700.1 and 1000.1 N: t(3) s / √n = 3.182446 * 387.298 / 2 = 616.3
     EXPECT_THAT(page(), HasSubstr("<td>550 ± 616</td><td>112.0</td>"));
