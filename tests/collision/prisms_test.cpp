@@ -14,6 +14,7 @@ namespace floes {
 namespace prisms_test {
 
 using test::Dice;
+using test::regular;
 
 struct Placed {
     PrismShape shape;
@@ -21,15 +22,6 @@ struct Placed {
 
     PrismPlace prism() const { return {&shape, motion.position, motion.rotation}; }
 };
-
-Outline regular(int corners, double radius) {
-    Outline outline;
-    for (int k = 0; k < corners; ++k) {
-        const double angle = 2 * std::numbers::pi * (k + 0.5) / corners;
-        outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return outline;
-}
 
 void put(Placed& one, Dice& dice, double tilt) {
     const btTransform pose =

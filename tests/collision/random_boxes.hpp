@@ -1,11 +1,12 @@
 #pragma once
-// Boxes that move at random, for us and for Bullet.
+// Prisms that move at random, for us and for Bullet.
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <LinearMath/btTransform.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "collision/prism.hpp"
@@ -24,6 +25,16 @@ class Dice {
   private:
     std::mt19937 engine_;
 };
+
+/// About the origin, with a corner half a turn between corners from +x.
+inline Outline regular(int corners, double radius) {
+    Outline outline;
+    for (int k = 0; k < corners; ++k) {
+        const double angle = 2 * std::numbers::pi * (k + 0.5) / corners;
+        outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    }
+    return outline;
+}
 
 /// Moves the pose by `step` and turns it by `turn`, rad.
 inline btTransform moved(const btTransform& pose, const btVector3& step, const btVector3& turn) {

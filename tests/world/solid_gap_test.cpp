@@ -11,9 +11,9 @@
 #include <limits>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <vector>
 
+#include "collision/random_boxes.hpp"
 #include "world/bullet_shapes.hpp"
 #include "world/hull_contacts.hpp"
 
@@ -23,27 +23,6 @@ namespace solid_gap_test {
 constexpr double everything = std::numeric_limits<double>::infinity();
 constexpr double flatness = 1e-5;  ///< what the planes of a convex_hull() leave of depths
 constexpr double half_thickness = 0.0165;
-
-class Chance {
-  public:
-    explicit Chance(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) {
-        return low + (high - low) * (static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()));
-    }
-    Vec3 vector(double size) { return {between(-size, size), between(-size, size), between(-size, size)}; }
-
-  private:
-    std::mt19937 engine_;
-};
-
-Outline regular(int corners, double radius) {
-    Outline outline;
-    for (int k = 0; k < corners; ++k) {
-        const double angle = 2 * std::numbers::pi * (k + 0.5) / corners;
-        outline.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-    return outline;
-}
 
 Polyhedron block(const Vec3& half) {
     std::vector<Vec3> corners;
@@ -55,10 +34,11 @@ Polyhedron block(const Vec3& half) {
 
 /// As pieces of an STL file are: many small facets beside large ones.
 Polyhedron boulder(unsigned seed) {
-    Chance chance(seed);
+    Dice dice(seed);
     std::vector<Vec3> points;
-    for (int k = 0; k < 60; ++k) points.push_back(chance.vector(1).normalized().cwiseProduct(Vec3(0.5, 0.3, 0.4)));
-    for (int k = 0; k < 8; ++k) points.emplace_back(Vec3(0.45, 0.1, 0.1) + chance.vector(2e-3));
+    for (int k = 0; k < 60; ++k)
+        points.push_back(from_bullet(dice.vector(1)).normalized().cwiseProduct(Vec3(0.5, 0.3, 0.4)));
+    for (int k = 0; k < 8; ++k) points.emplace_back(Vec3(0.45, 0.1, 0.1) + from_bullet(dice.vector(2e-3)));
     return convex_hull(points);
 }
 
@@ -138,17 +118,17 @@ void check_itself(const Pair& pair, const SolidGap& found) {
     EXPECT_LT(outside(pair.solid.core(), on_solid), 1e-6) << "there it meets the solid";
 }
 
-std::unique_ptr<Pair> random_pair(Chance& chance, const ConvexSolid& solid, double most) {
-    const int sides = 4 + static_cast<int>(chance.between(0, 4.999));
-    const double radius = chance.between(0.08, 0.15);
-    const Outline outline = sides == 4 && chance.between(0, 1) < 0.5 ? corners_of(radius, chance.between(0.06, 0.15))
-                                                                     : regular(sides, radius);
-    const Vec3 way = chance.vector(1).normalized();
-    const Quat turn = Quat(Eigen::AngleAxisd(chance.between(-3, 3), Vec3::UnitY())) *
-                      Quat(Eigen::AngleAxisd(chance.between(0, 1.6), chance.vector(1).normalized()));
+std::unique_ptr<Pair> random_pair(Dice& dice, const ConvexSolid& solid, double most) {
+    const int sides = 4 + static_cast<int>(dice.between(0, 4.999));
+    const double radius = dice.between(0.08, 0.15);
+    const Outline outline =
+        sides == 4 && dice.between(0, 1) < 0.5 ? corners_of(radius, dice.between(0.06, 0.15)) : regular(sides, radius);
+    const Vec3 way = from_bullet(dice.vector(1)).normalized();
+    const Quat turn = Quat(Eigen::AngleAxisd(dice.between(-3, 3), Vec3::UnitY())) *
+                      Quat(Eigen::AngleAxisd(dice.between(0, 1.6), from_bullet(dice.vector(1)).normalized()));
     auto pair = std::make_unique<Pair>(solid, outline, way * 3, turn);
     // Along the way to where they have this gap.
-    const double wanted = chance.between(-most, 0.02);
+    const double wanted = dice.between(-most, 0.02);
     double far = 3;
     for (int i = 0; i < 60; ++i) {
         const double gap = pair->ours().gap - pair->margins();
@@ -160,7 +140,7 @@ std::unique_ptr<Pair> random_pair(Chance& chance, const ConvexSolid& solid, doub
 }
 
 TEST(SolidGap, IsBulletsOverManyPlaces) {
-    Chance chance(11);
+    Dice dice(11);
     int apart = 0;
     int deep = 0;
     int points = 0;
@@ -168,7 +148,7 @@ TEST(SolidGap, IsBulletsOverManyPlaces) {
     const std::vector<ConvexSolid> all = solids();
     for (const ConvexSolid& solid : all) {
         for (int i = 0; i < 300; ++i) {
-            const std::unique_ptr<Pair> made = random_pair(chance, solid, 0.012);
+            const std::unique_ptr<Pair> made = random_pair(dice, solid, 0.012);
             const Pair& pair = *made;
             const SolidGap found = pair.ours();
             const SolidGap other = bullets(pair);
@@ -296,11 +276,11 @@ TEST(SolidGap, OfTheRimOfADrumIsFromTheRim) {
 
 // Less is told where more is not asked for, and never that they are nearer than they are.
 TEST(SolidGap, IsABoundWhereItIsMoreThanEnough) {
-    Chance chance(12);
+    Dice dice(12);
     int bounds = 0;
     for (const ConvexSolid& solid : solids()) {
         for (int i = 0; i < 200; ++i) {
-            const std::unique_ptr<Pair> pair = random_pair(chance, solid, 0.005);
+            const std::unique_ptr<Pair> pair = random_pair(dice, solid, 0.005);
             const SolidGap whole = pair->ours();
             const SolidGap found = pair->ours(0.004);
             EXPECT_EQ(found.gap > 0.004, whole.gap > 0.004);
@@ -346,12 +326,12 @@ struct Contacts {
 
 // A pair whose gap its way since then cannot have closed is not looked at, and would have had no point.
 TEST(SolidGap, LetsNoPairBeLeftOutThatTouches) {
-    Chance chance(13);
+    Dice dice(13);
     int touching = 0;
     int first = 0;
     for (const ConvexSolid& solid : solids()) {
         for (int i = 0; i < 30; ++i) {
-            const std::unique_ptr<Pair> pair = random_pair(chance, solid, 0.0);
+            const std::unique_ptr<Pair> pair = random_pair(dice, solid, 0.0);
             Contacts usual(*pair, solid);
             Contacts wary(*pair, solid);
             std::array<BodyMotion, 2> motions{BodyMotion{}, motion_of(*pair)};
@@ -364,8 +344,8 @@ TEST(SolidGap, LetsNoPairBeLeftOutThatTouches) {
                 touching += expected.empty() ? 0 : 1;
                 first += before == 0 && !expected.empty() ? 1 : 0;
                 before = expected.size();
-                const Vec3 way = chance.vector(2e-3);
-                const Vec3 turn = chance.vector(5e-3);
+                const Vec3 way = from_bullet(dice.vector(2e-3));
+                const Vec3 turn = from_bullet(dice.vector(5e-3));
                 const Quat by(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
                 pair->place = to_bullet(
                     Pose{from_bullet(pair->place.getOrigin()) + way, by * Quat(from_bullet(pair->place.getBasis()))});
