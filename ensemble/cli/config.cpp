@@ -123,33 +123,30 @@ struct ConfigOptions {
     std::vector<std::string> overrides;
 };
 
-/// Of one table, or of all where it is "". Throws InputError for a table that no key is in.
-std::vector<KeyDescription> keys_of(const std::string& table) {
-    std::vector<KeyDescription> keys = reference();
-    if (table.empty()) return keys;
+/// Throws InputError for a table that no key is in; "": all of them.
+void expect_table(const std::string& table) {
     std::vector<std::string> tables;
-    for (const KeyDescription& one : keys)
+    for (const KeyDescription& one : reference())
         if (const std::string name = one.key.substr(0, one.key.find('.')); tables.empty() || tables.back() != name)
             tables.push_back(name);
-    if (std::ranges::find(tables, table) == tables.end())
+    if (!table.empty() && std::ranges::find(tables, table) == tables.end())
         throw InputError(fmt::format("there is no table {}; the tables are {}.", table, fmt::join(tables, ", ")));
-    std::erase_if(keys, [&](const KeyDescription& one) { return !one.key.starts_with(table + "."); });
-    return keys;
 }
 
 std::string reference_json(const std::string& table) {
-    const Results keys = list("keys", "key default allowed meaning source", keys_of(table),
-                              [](const KeyDescription& one) -> std::vector<Datum> {
-                                  return {one.key, one.default_value, one.allowed, one.meaning, one.source};
-                              });
+    std::vector<KeyDescription> wanted = reference();
+    std::erase_if(wanted, [&](const auto& one) { return !table.empty() && !one.key.starts_with(table + "."); });
+    const Results keys =
+        list("keys", "key default allowed meaning source", wanted, [](const KeyDescription& one) -> std::vector<Datum> {
+            return {one.key, one.default_value, one.allowed, one.meaning, one.source};
+        });
     return json(std::vector{Section{.results = {keys}}});
 }
 
 std::string reference_text(const std::string& table) {
     const std::string all = reference_markdown();
-    if (keys_of(table).size() == reference().size()) return all;
-    const std::string heading = fmt::format("## [{}]", table);
-    const std::size_t begin = all.find(heading);
+    if (table.empty()) return all;
+    const std::size_t begin = all.find(fmt::format("## [{}]", table));
     return all.substr(begin, all.find("\n## [", begin) - begin) + "\n";
 }
 
@@ -175,6 +172,7 @@ std::string check(Campaign campaign) {
 
 std::string answer(const ConfigOptions& options) {
     if (options.defaults) return default_configuration();
+    expect_table(options.table);
     if (options.reference)
         return options.format == "json" ? reference_json(options.table) : reference_text(options.table);
     if (!options.check.empty()) return check(load_campaign(options.check, options.overrides));

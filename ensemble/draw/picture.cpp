@@ -652,7 +652,8 @@ std::string moment_words(const Stage& stage, const Frame& frame, const PictureSt
         time = end;
     }
     if (!(largest > 0) || std::abs(frame.time - time) > step / 2) return "";
-    return fmt::format("largest {}: {}", stage.subject().asked.words(), stage.subject().asked.text(largest));
+    const Asked& asked_of = stage.subject().asked;
+    return fmt::format("largest {}: {}", asked_of.words(), Units(largest).text(largest, asked_of.unit()));
 }
 
 int picture_height(const PictureStyle& style, const RecordingSubject& subject) {

@@ -17,11 +17,6 @@
 
 namespace floes {
 
-double break_load(const Moorings& moorings, std::size_t line) {
-    const std::size_t weightless = moorings.lines.size();
-    return line < weightless ? moorings.lines[line].break_load : moorings.hanging.at(line - weightless).break_load;
-}
-
 bool has_lines_that_break(const Moorings& moorings) {
     for (std::size_t line = 0; line < moorings.line_count(); ++line)
         if (break_load(moorings, line) > 0) return true;

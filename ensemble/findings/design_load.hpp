@@ -65,8 +65,6 @@ struct DesignOf {
     double shown_factor() const { return unit == "rad" ? 1 / unit::degree : 1; }
 };
 
-/// N, of the line of that number, hanging ones last; 0: it never breaks.
-double break_load(const Moorings& moorings, std::size_t line);
 bool has_lines_that_break(const Moorings& moorings);
 
 /// The first one is the load.

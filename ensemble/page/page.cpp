@@ -263,7 +263,7 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
     const std::string refresh =
         status.at_work ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", status_page_seconds) : "";
     return html_page(counts_sentence(status), refresh,
-                     fmt::format("<h1>{}</h1>\n<p class=\"answer\">{}</p>\n", html_escaped(counts_sentence(status)),
+                     fmt::format("<h1>{}</h1>\n<p>{}</p>\n", html_escaped(counts_sentence(status)),
                                  html_escaped(work_sentence(status))) +
                          next_step(status, campaign_file.string()) + counts(status) + note(when) +
                          page_one_html(whole ? "The answer" : "The answer so far", find_page_one(evidence),

@@ -115,16 +115,17 @@ std::string drawn_cell(const Cell& cell, const std::string& heading, const std::
 }
 
 /// Ends of the scales below their columns.
-std::string scales_html(const Results& results, const std::vector<std::size_t>& shown, const Units& units) {
+std::string scales_html(const Results& results, const std::vector<std::size_t>& shown,
+                        const std::vector<StripScale>& scales, const Units& units) {
     std::string cells;
     bool any = false;
-    for (const std::size_t column : shown) {
-        const StripScale scale(results, column);
-        const bool drawn = results.columns[column].holds == ResultColumn::Holds::estimates && scale.any();
+    for (std::size_t c = 0; c < shown.size(); ++c) {
+        const ResultColumn& column = results.columns[shown[c]];
+        const bool drawn = column.holds == ResultColumn::Holds::estimates && scales[c].any();
         any = any || drawn;
         cells += drawn ? fmt::format("<td><span class=\"scale\"><i>{}</i><i>{}</i></span></td>",
-                                     units.number(scale.low, results.columns[column].unit, 2),
-                                     units.number(scale.high, results.columns[column].unit, 2))
+                                     units.number(scales[c].low, column.unit, 2),
+                                     units.number(scales[c].high, column.unit, 2))
                        : "<td></td>";
     }
     return any ? fmt::format("<tr class=\"scales\">{}</tr>\n", cells) : "";
@@ -138,6 +139,8 @@ std::string drawn_table(const Results& results, const Units& units) {
     std::vector<std::size_t> shown;
     for (std::size_t k = 0; k < results.columns.size(); ++k)
         if (!results.columns[k].words.empty()) shown.push_back(k);
+    std::vector<StripScale> scales;
+    for (const std::size_t column : shown) scales.emplace_back(results, column);
     std::string rows;
     for (const Cell& cell : table.front()) rows += fmt::format("<th>{}</th>", html_escaped(cell.value));
     rows = "<tr>" + rows + "</tr>\n";
@@ -148,15 +151,14 @@ std::string drawn_table(const Results& results, const Units& units) {
             const ResultColumn& column = results.columns[shown[c]];
             const auto* one = std::get_if<Estimate>(&value.get());
             const auto* none = std::get_if<Undefined>(&value.get());
-            rows += drawn_cell(
-                table[r + 1][c], table.front()[c].value,
-                one ? strip_svg(*one, StripScale(results, shown[c]), column.limit, colour(of_cases ? r : c - 1)) : "",
-                none != nullptr && !none->why.empty());
+            rows += drawn_cell(table[r + 1][c], table.front()[c].value,
+                               one ? strip_svg(*one, scales[c], column.limit, colour(of_cases ? r : c - 1)) : "",
+                               none != nullptr && !none->why.empty());
         }
         rows += "</tr>\n";
     }
     return fmt::format("<div class=\"wide drawn{}\"><table>{}{}</table></div>\n", shown.size() <= few ? " few" : "",
-                       rows, scales_html(results, shown, units));
+                       rows, scales_html(results, shown, scales, units));
 }
 
 /// The results, and below them the rows that are closed at first.

@@ -26,14 +26,6 @@ std::string Asked::words() const {
     return averaged() ? fmt::format("{} over {:g} s", what, averaging) : what;
 }
 
-std::string Asked::text(double value) const {
-    if (of == AskedOf::offset) return fmt::format("{:.3g} m", value);
-    const double size = std::abs(value);
-    if (size >= 1e6) return fmt::format("{:.3g} MN", value / 1e6);
-    if (size >= 1e4) return fmt::format("{:.3g} kN", value / 1e3);
-    return fmt::format("{:.3g} N", value);
-}
-
 void HullHistory::add_last(const Simulation& run, const Moorings& moorings) {
     if (!moorings.give_way()) return;
     const MotionHistory& motion = run.motions();
@@ -42,10 +34,10 @@ void HullHistory::add_last(const Simulation& run, const Moorings& moorings) {
         horizontal_offset(moorings, motion.surge_offset.back(), motion.sway_offset.back(), motion.yaw.back()));
     yaw.push_back(motion.yaw.back());
     if (moorings.line_count() == 0) return;
-    std::vector<FrameLine> lines;
-    run.structure().read_lines(lines);
     double most = 0;
-    for (const FrameLine& line : lines) most = std::max(most, line.tension);
+    for (std::size_t k = 0; k < moorings.line_count(); ++k)
+        if (const std::optional<LinePull> line = run.structure().moored()->line(k))
+            most = std::max(most, line->tension);
     tension.push_back(most);
 }
 

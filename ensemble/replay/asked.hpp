@@ -34,8 +34,6 @@ struct Asked {
     std::string words() const;
     /// SI.
     std::string_view unit() const { return of == AskedOf::offset ? "m" : "N"; }
-    /// "4.56 MN", "12.3 m".
-    std::string text(double value) const;
 
     friend bool operator==(const Asked&, const Asked&) = default;
 };

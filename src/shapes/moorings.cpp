@@ -354,6 +354,12 @@ LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset) 
                : pull(moorings.hanging[number - moorings.lines.size()], offset, moorings.turret);
 }
 
+double break_load(const Moorings& moorings, std::size_t number) {
+    const std::size_t weightless = moorings.lines.size();
+    return number < weightless ? moorings.lines[number].break_load
+                               : moorings.hanging.at(number - weightless).break_load;
+}
+
 std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec3& fairlead, const Vec3& anchor) {
     const Vec3 way = anchor - fairlead;
     const Vec3 level(way.x(), 0, way.z());

@@ -217,6 +217,9 @@ LinePull pull(const HangingLine& line, const Vec6& offset, const Turret& turret 
 /// Of all lines by their numbers, hanging ones last.
 LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset);
 
+/// N, of a line by its number; 0: it never breaks.
+double break_load(const Moorings& moorings, std::size_t number);
+
 /// Where a line of that number runs between these ends (m), from its fairlead: straight, or hanging.
 std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec3& fairlead, const Vec3& anchor);
 

@@ -128,7 +128,11 @@ void LinearMotion::advance(MooredState& state, const Vec6& load) const {
 double LinearMotion::acceleration(Motion motion, const Vec6& force) const {
     const auto own = std::ranges::find(directions_, static_cast<int>(motion));
     if (own == directions_.end()) return 0;
-    return inverse_.row(own - directions_.begin()).dot(force(directions_));
+    const auto row = own - directions_.begin();
+    double sum = 0;
+    for (std::size_t b = 0; b < directions_.size(); ++b)
+        sum += inverse_(row, static_cast<Eigen::Index>(b)) * force[directions_[b]];
+    return sum;
 }
 
 void LinearMotion::accelerate(MooredState& state, const Vec6& force, double time) const {
@@ -366,8 +370,7 @@ void MooredMotion::break_lines(double time) {
         if (!std::isnan(state_.broken_at[i])) continue;
         const double now = pulls_[i].tension;
         largest_[i] = std::max(largest_[i], now);
-        const double most = i < moorings_.lines.size() ? moorings_.lines[i].break_load
-                                                       : moorings_.hanging[i - moorings_.lines.size()].break_load;
+        const double most = break_load(moorings_, i);
         if (most > 0 && now > most) state_.broken_at[i] = time;
     }
 }
