@@ -13,10 +13,15 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "member/design_of.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 
 namespace floes {
+
+const DesignOf* StopRule::design_of() const {
+    return of.starts_with(design_prefix) ? find_design_of(std::string_view{of}.substr(design_prefix.size())) : nullptr;
+}
 
 int member_count(const Campaign& campaign) {
     return campaign.arrangements * static_cast<int>(campaign.cases.size());

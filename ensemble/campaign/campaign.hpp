@@ -18,8 +18,11 @@
 
 namespace floes {
 
-/// What StopRule::of says for the largest load in an exposure, which is no quantity of a member.
-inline constexpr std::string_view design_load_word = "design_load";
+struct DesignOf;
+
+/// What StopRule::of begins with for the largest value in an exposure, which is no quantity of a member: a word of
+/// design_ofs (member/design_of.hpp) follows.
+inline constexpr std::string_view design_prefix = "design_";
 
 struct StopRule {
     double half_width = 0;             ///< of the 95 % interval, relative to the mean; 0: all arrangements are run
@@ -29,11 +32,12 @@ struct StopRule {
     int minimum = 0;                   ///< arrangements before the rule is applied; 0: by half_width, at least 20
     int look_ahead = 5;                ///< further arrangements for which it must stay satisfied
     int batch = 10;                    ///< arrangements handed out before any later one
-    double exposure = 3 * unit::hour;  ///< s, of a design load
-    double averaging = 1;              ///< s, that a design load is averaged over
-    double quantile = 0.9;  ///< probability that a design load is not exceeded in the exposure; 0: the expected largest
+    double exposure = 3 * unit::hour;  ///< s, of a design value
+    double averaging = 1;              ///< s, that the load is averaged over for a design load
+    double quantile = 0.9;  ///< probability that a design value is not exceeded in it; 0: the expected largest
 
-    bool of_design_load() const { return of == design_load_word; }
+    /// What a design value is wanted of; nullptr of a quantity of members.
+    const DesignOf* design_of() const;
     bool active() const { return half_width > 0; }
     friend bool operator==(const StopRule&, const StopRule&) = default;
 };

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/case_words.hpp"
 #include "keys/key.hpp"
+#include "member/design_of.hpp"
 #include "member/quantity.hpp"
 #include "scenario/keys.hpp"
 
@@ -17,8 +19,43 @@ namespace floes {
 
 namespace {
 
-/// For a design load.
-std::optional<std::string> design_load_fault(const Campaign& campaign) {
+/// Of what is asked of the cases one by one.
+std::vector<const Case*> named_cases(const Campaign& campaign) {
+    std::vector<const Case*> named;
+    for (const Case& one : campaign.cases)
+        if (campaign.stop.case_name == "all" || campaign.stop.case_name == one.name) named.push_back(&one);
+    return named;
+}
+
+/// Of a design load: why the case does not measure it.
+std::optional<std::string> averaging_fault(const StopRule& stop, const Case& one) {
+    const std::vector<double> times = one.scenario.averaging_times();
+    if (std::ranges::find(times, stop.averaging) != times.end()) return {};
+    const double segment = one.scenario.analysis.window / one.scenario.analysis.segments;
+    if (stop.averaging > segment)
+        return fmt::format(
+            "stop.averaging_s = {:g} is longer than a segment of case {}, {:.6g} s (analysis.window_s, "
+            "analysis.segments), so nothing can be averaged over it",
+            stop.averaging, one.name, segment);
+    return fmt::format(
+        "stop.of = \"{}\" wants peaks of the load averaged over stop.averaging_s = {:g} s, which case {} does not "
+        "take; {}",
+        stop.of, stop.averaging, one.name,
+        times.empty() ? std::string{"it averages over no time (analysis.averaging_s)"}
+                      : fmt::format("its times are {} s (analysis.averaging_s)", fmt::join(times, ", ")));
+}
+
+/// Of another design value: why a case that has it would never tell it.
+std::optional<std::string> window_fault(const StopRule& stop, const DesignOf& of, const Case& one) {
+    const double period = period_of(one.scenario, of);
+    if (period * fewest_periods <= one.scenario.analysis.window) return {};
+    return fmt::format(
+        "stop.of = \"{}\" would never be known: the window of case {} is shorter than three natural periods of {:.4g} "
+        "s; take analysis.window_s = {:.4g} or more",
+        stop.of, one.name, period, fewest_periods * period);
+}
+
+std::optional<std::string> design_fault(const Campaign& campaign, const DesignOf& of) {
     constexpr double lowest_quantile = 0.001;
     const StopRule& stop = campaign.stop;
     if (stop.contrast != "none")
@@ -28,41 +65,50 @@ std::optional<std::string> design_load_fault(const Campaign& campaign) {
             stop.of, stop.contrast);
     if (stop.quantile > 0 && stop.quantile < lowest_quantile)
         return fmt::format(
-            "stop.quantile = {:g} is below {:g}; it is the probability that the load is not exceeded, 0.9 say, or 0 "
-            "for the expected largest load",
-            stop.quantile, lowest_quantile);
-    for (const Case& one : campaign.cases) {
-        const std::vector<double> times = one.scenario.averaging_times();
-        if (std::ranges::find(times, stop.averaging) != times.end()) continue;
-        const double segment = one.scenario.analysis.window / one.scenario.analysis.segments;
-        if (stop.averaging > segment)
-            return fmt::format(
-                "stop.averaging_s = {:g} is longer than a segment of case {}, {:.6g} s (analysis.window_s, "
-                "analysis.segments), so nothing can be averaged over it",
-                stop.averaging, one.name, segment);
-        return fmt::format(
-            "stop.of = \"{}\" wants peaks of the load averaged over stop.averaging_s = {:g} s, which case {} does not "
-            "take; {}",
-            stop.of, stop.averaging, one.name,
-            times.empty() ? std::string{"it averages over no time (analysis.averaging_s)"}
-                          : fmt::format("its times are {} s (analysis.averaging_s)", fmt::join(times, ", ")));
+            "stop.quantile = {:g} is below {:g}; it is the probability that the {} is not exceeded, 0.9 say, or 0 "
+            "for the expected largest",
+            stop.quantile, lowest_quantile, of.noun);
+    bool any = of.value == nullptr;
+    for (const Case* one : named_cases(campaign)) {
+        if (!of.is_of(one->scenario)) continue;  // "all": that have it
+        any = true;
+        if (auto fault = of.value == nullptr ? averaging_fault(stop, *one) : window_fault(stop, of, *one)) return fault;
     }
-    return {};
+    if (any) return {};
+    return fmt::format(
+        "stop.of = \"{}\" is the {}, which {}: it is of structures that give way (moorings.mass_t) in {}{}{}; "
+        "write \"{}load\", or name another case in stop.case",
+        stop.of, of.largest, stop.case_name == "all" ? "no case has" : fmt::format("case {} has not", stop.case_name),
+        motion_names.at(at(of.motions[0])),
+        of.motions[0] == of.motions[1] ? "" : fmt::format(" or {}", motion_names.at(at(of.motions[1]))),
+        of.has == nullptr ? "" : " on lines with a break load", design_prefix);
+}
+
+/// "mean_load", "design_load" and all others that a rule may be of.
+std::vector<std::string> stoppable() {
+    std::vector<std::string> known;
+    for (const Quantity& one : quantities)
+        if (one.stops) known.emplace_back(one.key.view());
+    for (const DesignOf& one : design_ofs)
+        if (!one.part) known.push_back(fmt::format("{}{}", design_prefix, one.word));
+    return known;
 }
 
 }  // namespace
 
 std::optional<std::string> stop_quantity_fault(const Campaign& campaign) {
-    if (campaign.stop.of_design_load()) return design_load_fault(campaign);
+    if (const DesignOf* of = campaign.stop.design_of()) return design_fault(campaign, *of);
     const std::string given = fmt::format("stop.of = \"{}\"", campaign.stop.of);
     const std::optional<Quantity> quantity = any_quantity(campaign.stop.of);
-    if (!quantity || !quantity->stops) {
-        std::vector<std::string> known;
-        for (const Quantity& one : quantities)
-            if (one.stops) known.push_back(fmt::format("\"{}\"", one.key.view()));
-        return fmt::format("{} is not allowed; use {}, one that is averaged, such as \"mean_maximum_0.5s\", or \"{}\"",
-                           given, fmt::join(known, " or "), design_load_word);
-    }
+    if (!quantity || !quantity->stops)
+        return fmt::format("{} is not allowed; use {}, or one that is averaged, such as \"mean_maximum_0.5s\"", given,
+                           fmt::join(stoppable(), ", "));
+    for (const Case* one : named_cases(campaign))
+        if (quantity->of_moored && !one->scenario.moorings.give_way())
+            return fmt::format(
+                "{} is of structures that give way (moorings.mass_t), and case {} does not; name another case in "
+                "stop.case",
+                given, one->name);
     if (quantity->averaging == 0) return {};
     for (const Case& one : campaign.cases) {
         const std::vector<double> times = one.scenario.averaging_times();
@@ -83,14 +129,12 @@ constexpr std::pair<std::string_view, std::string_view> shorthands[]{
     {"cfm", "joint.cfm"}, {"elastic_modulus_MPa", "ice.elastic_modulus_MPa"}};
 
 std::string about_stop_of() {
-    std::vector<std::string_view> stoppable;
-    for (const Quantity& one : quantities)
-        if (one.stops) stoppable.push_back(one.key.view());
     return fmt::format(
-        "Member result to which the rule applies: {}; sd_load, maximum_load and mean_maximum also averaged over a time "
-        "of analysis.averaging_s, as \"mean_maximum_0.5s\". Or \"{}\": the largest load in stop.exposure_h, as "
-        "floes design gives it by both tails.",
-        fmt::join(stoppable, ", "), design_load_word);
+        "What has to be precise, one of {}; sd_load, maximum_load and mean_maximum also averaged over a time of "
+        "analysis.averaging_s, as \"mean_maximum_0.5s\". Those that begin with \"{}\" are the largest value in "
+        "stop.exposure_h, as floes design gives it by both tails; all but the load are of structures that give way. "
+        "floes run --until sets this rule in words.",
+        fmt::join(stoppable(), ", "), design_prefix);
 }
 
 constexpr const char* about_files =
@@ -169,7 +213,7 @@ Keys describe(StopRule& stop) {
                                "Minimum number of arrangements before the rule is applied: with fewer, the estimate of "
                                "the scatter is itself uncertain. 0: at least 20, and so many that a kind of member in "
                                "a share of half_width_percent of all is among them with 95 % (59 for 5 %): such "
-                               "members with twice the load move the mean by that much. Of a design load: at "
+                               "members with twice the load move the mean by that much. Of a design value: at "
                                "least 59."));
     keys.push_back(integer_key("stop.look_ahead", stop.look_ahead, 0, 1000000, source,
                                "Number of further arrangements for which the rule must stay satisfied, so that the "
@@ -177,17 +221,18 @@ Keys describe(StopRule& stop) {
     keys.push_back(integer_key("stop.batch", stop.batch, 1, 1000000, "a few per core",
                                "Number of arrangements that are handed out together, longest members first. A small "
                                "batch wastes fewer members beyond the stop; a large one leaves fewer cores idle. A "
-                               "design load is looked at when a batch ends."));
-    keys.push_back(number_key("stop.exposure_h", stop.exposure, unit::hour, at_least(1e-3).at_most(1e6), "floes design",
-                              "For of = \"design_load\": the time whose largest load it is, at the campaign's scale "
-                              "(that at full scale over the square root of the scale)."));
+                               "design value is looked at when a batch ends."));
+    keys.push_back(
+        number_key("stop.exposure_h", stop.exposure, unit::hour, at_least(1e-3).at_most(1e6), "floes design",
+                   "For design values: the time whose largest value it is, at the campaign's scale (that at full "
+                   "scale over the square root of the scale)."));
     keys.push_back(
         number_key("stop.averaging_s", stop.averaging, unit::one, above(0), "floes design",
                    "For of = \"design_load\": what the load is averaged over, one of analysis.averaging_s."));
     keys.push_back(
         number_key("stop.quantile", stop.quantile, unit::one, at_least(0).at_most(0.99999), "floes design",
-                   "For of = \"design_load\": the probability that the load is not exceeded in the exposure, "
-                   "0.001 or more. 0: the expected largest."));
+                   "For design values: the probability that the value is not exceeded in the exposure, 0.001 or "
+                   "more. 0: the expected largest."));
     return keys;
 }
 

@@ -1,6 +1,7 @@
 #include "campaign_file/read.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -13,6 +14,7 @@
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
 #include "hdf5/handle.hpp"
+#include "member/design_of.hpp"
 #include "member/member_outputs.hpp"
 #include "statistics/load_statistics.hpp"
 
@@ -342,6 +344,53 @@ std::span<const double> in_window(const StoredHistory& history, const Analysis& 
     return history.values.last(std::min(count, history.values.size()));
 }
 
+namespace {
+
+/// What responses_of() takes, and where a file has it.
+struct StoredMotion {
+    std::vector<double> MotionHistory::*history;
+    const ArrayOutput* array;
+};
+constexpr std::array<StoredMotion, 5> horizontal_motion{
+    {{&MotionHistory::yaw, &array_output("history/structure_yaw")},
+     {&MotionHistory::surge_offset, &array_output("history/surge_offset")},
+     {&MotionHistory::sway_offset, &array_output("history/sway_offset")},
+     {&MotionHistory::surge_mooring, &array_output("history/surge_mooring")},
+     {&MotionHistory::sway_mooring, &array_output("history/sway_mooring")}}};
+constexpr std::array<StoredMotion, 3> vertical_motion{{{&MotionHistory::heave, &array_output("history/heave_offset")},
+                                                       {&MotionHistory::pitch, &array_output("history/pitch")},
+                                                       {&MotionHistory::roll, &array_output("history/roll")}}};
+constexpr StoredMotion use_of_lines{&MotionHistory::line_use, &array_output("history/line_use")};
+
+/// The responses of members that have the same histories, in the windows of the table.
+void measure_responses(const CampaignFile& file, CampaignTable& table, bool floats, bool breaks) {
+    std::vector<StoredMotion> motions(horizontal_motion.begin(), horizontal_motion.end());
+    if (floats) motions.insert(motions.end(), vertical_motion.begin(), vertical_motion.end());
+    if (breaks) motions.push_back(use_of_lines);
+    std::vector<const ArrayOutput*> arrays;
+    for (const StoredMotion& one : motions) arrays.push_back(one.array);
+    const auto scenario_of = [&](int member) -> const Scenario& {
+        return file.campaign()
+            .cases[static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(member)).case_index)]
+            .scenario;
+    };
+    const auto wanted = [&](int member) {
+        const Moorings& moorings = scenario_of(member).moorings;
+        return moorings.give_way() && moorings.floats() == floats && has_lines_that_break(moorings) == breaks;
+    };
+    for_each_histories(file, arrays, wanted, [&](const StoredHistories& found) {
+        MemberRow& row = table.members.at(static_cast<std::size_t>(found.member));
+        Scenario scenario = scenario_of(found.member);
+        scenario.analysis = table.cases.at(static_cast<std::size_t>(row.case_index)).analysis;
+        MotionHistory motion;
+        for (std::size_t k = 0; k < motions.size(); ++k)
+            (motion.*motions[k].history).assign(found.values[k].begin(), found.values[k].end());
+        row.responses = responses_of(scenario, motion);
+    });
+}
+
+}  // namespace
+
 CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const std::vector<Analysis>& windows) {
     for (std::size_t k = 0; k < table.cases.size(); ++k) table.cases[k].analysis = windows.at(k);
     for_each_history(file, [&](const StoredHistory& history) {
@@ -354,6 +403,8 @@ CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const
                             about.name, about.analysis.history_stride));
         measure(row, in_window(history, about.analysis), history.step, about.analysis, table.levels);
     });
+    for (const bool floats : {false, true})
+        for (const bool breaks : {false, true}) measure_responses(file, table, floats, breaks);
     return table;
 }
 

@@ -21,7 +21,7 @@
 namespace floes {
 
 /// What says that an HDF5 file is a campaign file.
-inline constexpr hdf5::FileKind campaign_kind{"floes campaign", {1, 17}, 14, "campaign of floes"};
+inline constexpr hdf5::FileKind campaign_kind{"floes campaign", {1, 18}, 14, "campaign of floes"};
 
 // A campaign file, open for reading. To open it costs: its digests of pages are read, or without them a process of its
 // own tries whether HDF5 survives it. So who reads several things of a file opens it once.
@@ -135,7 +135,7 @@ CampaignTable read_campaign_file(const CampaignFile& file);
 /// The part of a history that lies in the window, which ends the run.
 std::span<const double> in_window(const StoredHistory& history, const Analysis& analysis);
 
-/// The table of the file with every done member's surge load, and the steps that it counted above levels,
+/// The table of the file with every done member's surge load, the steps that it counted above levels, and its responses
 /// measured anew in the window of its case: `windows`, one a case, each ending the run. Nothing else changes. Throws
 /// InputError for histories that are thinned, since maxima and deviations need every step.
 CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const std::vector<Analysis>& windows);

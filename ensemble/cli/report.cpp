@@ -1,6 +1,7 @@
 // Pictures of the worst moments of a campaign for its report: members computed again, side by side on all cores.
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 
 #include <tbb/parallel_for.h>
@@ -17,18 +18,28 @@ namespace {
 
 constexpr double round_worst = 10;  // s of load history beside the largest
 
-/// For each case, the member with the largest load or, unless `all`, only that of the campaign.
-std::vector<int> pictured_members(const Evidence& evidence, bool all) {
-    if (!all) {
-        const std::optional<int> worst = most_loaded_member(evidence);
-        return worst ? std::vector{*worst} : std::vector<int>{};
+/// What is asked of the worst moment: the mooring force where some structure gives way and springs or lines hold it,
+/// else the load of a step.
+Asked asked_of(const Evidence& evidence) {
+    const bool moored = std::ranges::any_of(evidence.campaign.cases, [](const Case& one) {
+        const Moorings& moorings = one.scenario.moorings;
+        return moorings.give_way() && one.scenario.analysis.keep_history && moorings.stiffness()(0, 0) > 0;
+    });
+    return moored ? Asked{AskedOf::mooring_force, 1} : Asked{};
+}
+
+/// For each case, the member with the largest value or, unless `all`, only that of the campaign.
+std::vector<int> pictured_members(const Evidence& evidence, const Asked& asked, bool all) {
+    const std::vector<double> values = largest_values(evidence.file, evidence.table, asked);
+    std::vector<std::optional<int>> worst(all ? evidence.table.cases.size() : 1);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (!evidence.table.members[k].done() || std::isnan(values[k])) continue;
+        std::optional<int>& of_case = worst[all ? evidence.case_of(static_cast<int>(k)) : 0];
+        if (!of_case || values[k] > values[static_cast<std::size_t>(*of_case)]) of_case = static_cast<int>(k);
     }
     std::vector<int> members;
-    for (int k = 0; k < std::ssize(evidence.table.cases); ++k) {
-        const auto worst =
-            member_with_largest_load(evidence.table, [k](const MemberRow& row) { return row.case_index == k; });
-        if (worst) members.push_back(*worst);
-    }
+    for (const std::optional<int>& one : worst)
+        if (one) members.push_back(*one);
     return members;
 }
 
@@ -46,30 +57,38 @@ std::vector<MomentPicture> pictures_of(const KeyFrames& frames) {
                             .height = 650,
                             .from = std::max(0.0, worst - round_worst),
                             .to = std::min(worst + round_worst, frames.end.time)};
-    return {
-        {drawn(stage, frames.worst, near),
-         "The largest load of a step. Arrows are the load on the structure and its surge, sway and heave parts, lines "
-         "the forces on floes at their contacts."},
-        {drawn(stage, frames.start, plan), "The same floes before the tow."},
-        {drawn(stage, frames.end, plan), "And at its end."}};
+    return {{drawn(stage, frames.worst, near),
+             fmt::format(
+                 "The largest {}. Arrows are the load on the structure and its surge, sway and heave parts, lines the "
+                 "forces on floes at their contacts.",
+                 frames.about.asked.words())},
+            {drawn(stage, frames.start, plan), "The same floes before the tow."},
+            {drawn(stage, frames.end, plan), "And at its end."}};
 }
 
 /// Fills data.moments; `all`: of each case, else of the campaign. Costs as much as the members did.
 void add_moments(const std::filesystem::path& file, bool all, ReportData& data) {
+    const Asked asked = asked_of(data.evidence);
     std::vector<ReplaySubject> subjects;
-    for (const int member : pictured_members(data.evidence, all))
+    std::vector<double> times;  // found one by one: the file is read by one thread
+    for (const int member : pictured_members(data.evidence, asked, all)) {
         subjects.push_back(replay_subject(file, data.evidence.table, member));
+        subjects.back().about.asked = asked;
+        times.push_back(time_of_largest(subjects.back()));
+    }
     if (subjects.empty()) return;
-    const WaitingNote patience(std::cerr,
-                               fmt::format("computing {} again for pictures of the largest loads; --pictures none "
-                                           "leaves them out",
-                                           counted(std::ssize(subjects), "member")));
+    const WaitingNote patience(
+        std::cerr, fmt::format("computing {} again for pictures of the largest {}; --pictures none leaves them out",
+                               counted(std::ssize(subjects), "member"), asked.words()));
     std::vector<KeyFrames> frames(subjects.size());
-    tbb::parallel_for(std::size_t{0}, subjects.size(), [&](std::size_t k) { frames[k] = key_frames(subjects[k]); });
+    tbb::parallel_for(std::size_t{0}, subjects.size(),
+                      [&](std::size_t k) { frames[k] = key_frames(subjects[k], times[k]); });
     for (std::size_t k = 0; k < subjects.size(); ++k)
-        data.moments.push_back({.member = subjects[k].about.member,
-                                .pictures = pictures_of(frames[k]),
-                                .differences = differences(subjects[k], frames[k].result)});
+        data.moments.push_back(
+            {.member = subjects[k].about.member,
+             .of = asked == Asked{} ? "" : std::string{asked_names.at(static_cast<std::size_t>(asked.of))},
+             .pictures = pictures_of(frames[k]),
+             .differences = differences(subjects[k], frames[k].result)});
 }
 
 // floes report: a complete or incomplete campaign as one HTML page.
@@ -131,9 +150,10 @@ void add_report(CommandLine& line) {
     verb.option("--author", options->author, "Who is named below the title");
     verb.flag("--no-plate-tests", options->skip_plate_tests,
               "Omit the E-Σ curve of this ice, whose plate tests take some seconds");
-    verb.option("--pictures", options->pictures,
-                "Pictures of the member with the largest load, which is computed again for them: worst, the one "
-                "of the campaign; all, that of each case; none")
+    verb.option(
+            "--pictures", options->pictures,
+            "Pictures of the member with the largest load or, of a moored hull, mooring force, which is computed again "
+            "for them: worst, the one of the campaign; all, that of each case; none")
         .one_of({"none", "worst", "all"})
         .shows_default();
     verb.runs([options, exposure, quantile, averaging] {

@@ -12,6 +12,7 @@
 
 #include "campaign/case_words.hpp"
 #include "cli/commands.hpp"
+#include "cli/until.hpp"
 #include "findings/answer.hpp"
 #include "run/calibrate.hpp"
 #include "run/link.hpp"
@@ -122,6 +123,7 @@ struct RunVerb {
     bool no_file = false;
     std::string part;
     std::string isolation;
+    std::string until;
     double time_left = 0;
     std::vector<std::string> overrides;
 };
@@ -267,9 +269,18 @@ void add_run(CommandLine& line, std::span<char* const> command) {
     verb.option("--time-left", options->time_left,
                 "Seconds until the run must have ended; default inside a Slurm job: the time left according to Slurm")
         .positive();
+    verb.option("--until", options->until,
+                "Run until the question is answered: \"mooring_force 3 h +- 15 %\" for a design value of every case "
+                "(load, mooring_force, offset, yaw, line_tension ...), \"mean_load +- 5 %\" for a mean; takes as many "
+                "arrangements as that needs, at most 1000 unless --set campaign.arrangements says how many");
     add_overrides(verb, options->overrides);
     verb.runs([options, &line, command] {
         if (options->ranks > 0 && !started_by_mpi()) return run_ranks(options->ranks, command);
+        if (!options->until.empty()) {
+            // What is set by hand comes after, so it counts.
+            const std::vector<std::string> settings = until_settings(options->until);
+            options->overrides.insert(options->overrides.begin(), settings.begin(), settings.end());
+        }
         if (!options->isolation.empty()) options->overrides.push_back("run.isolation=" + options->isolation);
         return run(*options, line.program_name());
     });

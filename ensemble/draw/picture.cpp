@@ -405,7 +405,19 @@ Stage::Stage(RecordingSubject subject, RecordingOutcome outcome)
       asked_(asked_history(subject_.asked, outcome_.history, outcome_.hull, subject_.scenario.general.time_step)),
       strips_(strips_of(subject_, outcome_)),
       layout_(subject_.floes),
-      sheets_(in_parts(subject_.channel().sheets, subject_.scenario.floe.length)) {}
+      sheets_(in_parts(subject_.channel().sheets, subject_.scenario.floe.length)) {
+    const Scenario& scenario = subject_.scenario;
+    if (scenario.path.any()) way_ = places_of(scenario.path, scenario.general.time_step, scenario.step_count());
+}
+
+std::string Stage::ice_words(double time) const {
+    if (way_.empty()) return "";
+    const auto step = static_cast<std::size_t>(std::lround(time / subject_.scenario.general.time_step));
+    const Vec2& velocity = way_[std::min(step, way_.size() - 1)].velocity;
+    if (velocity.norm() == 0) return "ice at rest";
+    const double from = std::atan2(velocity.y(), velocity.x()) / unit::degree;
+    return fmt::format("ice from {:.0f}° at {:.2g} m/s", from, velocity.norm());
+}
 
 std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection, const Vec2& size,
                                Colouring colouring) const {
@@ -478,7 +490,10 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
     const double left = 16 * unit;
     const std::string moment = moment_words(stage, frame, style);
     draw_ground(canvas, {0, 0}, {440 * unit, (moment.empty() ? 84 : 105) * unit});
-    canvas.text({left, 28 * unit}, fmt::format("t = {:.2f} s", frame.time), bright, 20 * unit, Align::left, true);
+    const double next =
+        left + 14 * unit +
+        canvas.text({left, 28 * unit}, fmt::format("t = {:.2f} s", frame.time), bright, 20 * unit, Align::left, true);
+    canvas.text({next, 28 * unit}, stage.ice_words(frame.time), bright, 14 * unit);
     canvas.text({left, 51 * unit},
                 fmt::format("{}, case {}, arrangement {} (member {})", subject.campaign, subject.case_name,
                             subject.arrangement, subject.member),

@@ -53,6 +53,9 @@ class Stage {
     const std::vector<HistoryStrip>& strips() const { return strips_; }
     const RecordingSubject& subject() const { return subject_; }
     const RecordingOutcome& outcome() const { return outcome_; }
+    /// "ice from 20° at 0.5 m/s" in the step that ends at `time` s, 0° ahead along +x, 90° from +z; empty of the
+    /// straight tow, whose ice comes from ahead all the time.
+    std::string ice_words(double time) const;
 
   private:
     RecordingSubject subject_;
@@ -63,6 +66,7 @@ class Stage {
     std::vector<HistoryStrip> strips_;
     IceLayout layout_;
     std::vector<SheetPart> sheets_;
+    std::vector<PathPlace> way_;  ///< empty of the straight tow
 };
 
 /// Metres that a newton of the load is long in a picture of this size (pixels): no load of the run leaves it. 0

@@ -12,104 +12,25 @@
 #include "findings/conditions.hpp"
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
-#include "member/array_output.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {
 
-bool has_lines_that_break(const Moorings& moorings) {
-    for (std::size_t line = 0; line < moorings.line_count(); ++line)
-        if (break_load(moorings, line) > 0) return true;
-    return false;
-}
-
-namespace {
-
-double as_it_is(const Moorings&, std::span<const double> of) {
-    return of[0];
-}
-
-double either_way(const Moorings&, std::span<const double> of) {
-    return std::abs(of[0]);
-}
-
-double resultant(const Moorings&, std::span<const double> of) {
-    return std::hypot(of[0], of[1]);
-}
-
-double offset_of(const Moorings& moorings, std::span<const double> of) {
-    return horizontal_offset(moorings, of[0], of[1], of[2]);
-}
-
-/// Tension over break load of the line that is nearest to its own; lines that never break are left out.
-double most_loaded_line(const Moorings& moorings, std::span<const double> of) {
-    Vec6 offset = Vec6::Zero();
-    offset[at(Motion::surge)] = -of[0];
-    for (const auto& [motion, place] :
-         {std::pair{Motion::sway, 1U}, std::pair{Motion::yaw, 2U}, std::pair{Motion::heave, 3U},
-          std::pair{Motion::pitch, 4U}, std::pair{Motion::roll, 5U}})
-        offset[at(motion)] = of[place];
-    double most = 0;
-    for (std::size_t line = 0; line < moorings.line_count(); ++line)
-        if (const double strength = break_load(moorings, line); strength > 0)
-            most = std::max(most, pull(moorings, line, offset).tension / strength);
-    return most;
-}
-
-/// Of a structure that gives way; no history: there are no more.
-consteval DesignOf simulated(std::string_view word, std::string_view title, std::string_view largest,
-                             std::string_view noun, std::string_view unit, std::array<const char*, 6> histories,
-                             decltype(DesignOf::value) value, std::array<Motion, 2> motions, bool part = false,
-                             decltype(DesignOf::has) has = nullptr) {
-    DesignOf made{word, title, largest, noun, unit, {}, value, motions, part, has};
-    for (std::size_t k = 0; k < histories.size(); ++k)
-        if (histories[k] != nullptr) made.histories[k] = &array_output(histories[k]);
-    return made;
-}
-
-constexpr std::array in_surge{Motion::surge, Motion::surge};
-constexpr std::array in_sway{Motion::sway, Motion::sway};
-constexpr std::array horizontally{Motion::surge, Motion::sway};
-
-}  // namespace
-
-constinit const std::array<DesignOf, 12> design_ofs{
-    DesignOf{"load", "Design load", "load", "load", "N", {}, nullptr, in_surge},
-    simulated("mooring_force", "Design mooring force", "horizontal resultant of springs, lines and turret", "force",
-              "N", {"history/surge_mooring", "history/sway_mooring"}, resultant, horizontally),
-    simulated("surge_mooring", "Design mooring force along the tow", "force of springs, lines and turret along the tow",
-              "force", "N", {"history/surge_mooring"}, as_it_is, in_surge, true),
-    simulated("sway_mooring", "Design mooring force across the tow",
-              "force of springs, lines and turret across the tow", "force", "N", {"history/sway_mooring"}, either_way,
-              in_sway, true),
-    simulated("offset", "Design offset", "horizontal offset of the turret, without one of the hull's axis", "offset",
-              "m", {"history/surge_offset", "history/sway_offset", "history/structure_yaw"}, offset_of, horizontally),
-    simulated("surge_offset", "Design offset along the tow", "offset of the hull's axis along the surge load", "offset",
-              "m", {"history/surge_offset"}, as_it_is, in_surge, true),
-    simulated("sway_offset", "Design offset abeam", "offset of the hull's axis abeam either way", "offset", "m",
-              {"history/sway_offset"}, either_way, in_sway, true),
-    simulated("yaw", "Design yaw", "yaw either way", "yaw", "rad", {"history/structure_yaw"}, either_way,
-              {Motion::yaw, Motion::yaw}),
-    simulated("heave", "Design heave", "heave up or down", "heave", "m", {"history/heave_offset"}, either_way,
-              {Motion::heave, Motion::heave}),
-    simulated("pitch", "Design pitch", "pitch either way", "pitch", "rad", {"history/pitch"}, either_way,
-              {Motion::pitch, Motion::pitch}),
-    simulated("roll", "Design roll", "roll either way", "roll", "rad", {"history/roll"}, either_way,
-              {Motion::roll, Motion::roll}),
-    simulated("line_tension", "Design tension of a line over its break load",
-              "tension of a line over its break load, of any line", "ratio", "1",
-              {"history/surge_offset", "history/sway_offset", "history/structure_yaw", "history/heave_offset",
-               "history/pitch", "history/roll"},
-              most_loaded_line, horizontally, false, has_lines_that_break),
-};
-
-constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N", {}, nullptr, in_surge};
+constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N"};
 
 void CasePeaks::add(int member, int arrangement, const AveragedLoad& averaged, double mean) {
     rows.push_back({averaged.peaks, averaged.segment_maximum});
     arrangements.push_back(arrangement);
     members.push_back(member);
     measured.mean += mean;
+}
+
+void CasePeaks::add(int member, int arrangement, const Response& response) {
+    rows.push_back({response.peaks, response.segment_maximum});
+    arrangements.push_back(arrangement);
+    members.push_back(member);
+    trends.push_back(member_trend(response));
+    measured.mean += response.mean;
 }
 
 void CasePeaks::average() {

@@ -14,7 +14,7 @@
 #include "findings/steady.hpp"
 #include "findings/summary.hpp"
 #include "inference/design_load.hpp"
-#include "shapes/moorings.hpp"
+#include "member/design_of.hpp"
 #include "tables/section.hpp"
 #include "tables/units.hpp"
 
@@ -29,6 +29,8 @@ struct CasePeaks {
 
     /// A row of a member whose load has this mean; average() then makes the mean of all.
     void add(int member, int arrangement, const AveragedLoad& averaged, double mean);
+    /// The same of a response, with its trend.
+    void add(int member, int arrangement, const Response& response);
     void average();
 };
 
@@ -39,36 +41,6 @@ Measured measured_in(const Analysis& analysis, double separation);
 CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time);
 
 // The design load of each case: the largest averaged load in an exposure, by every method, and what it rests on.
-
-struct ArrayOutput;
-
-/// What a design value is of. All but the load are of structures that give way.
-struct DesignOf {
-    std::string_view word;     ///< of the option --of
-    std::string_view title;    ///< "Design offset"
-    std::string_view largest;  ///< "offset along the surge load"
-    std::string_view noun;     ///< of one value: "offset"
-    std::string_view unit;     ///< SI
-    /// That it follows from, null where there are no more; all null: of other loads. Those past the third are of hulls
-    /// that heave, pitch and roll, and 0 of others.
-    std::array<const ArrayOutput*, 6> histories;
-    double (*value)(const Moorings& moorings, std::span<const double> of_histories);  ///< of one moment; null likewise
-    /// It is of structures that give way in one of them, and its peaks are their longest natural period apart.
-    std::array<Motion, 2> motions;
-    bool part = false;  ///< along one axis, of what another is the whole of: told where it is asked for
-    bool (*has)(const Moorings& moorings) = nullptr;  ///< whether a structure has it; null: each has
-
-    /// Of the scale, by Froude.
-    int power() const { return unit == "N" ? 3 : unit == "m" ? 1 : 0; }
-    /// For people, who are shown angles in degrees.
-    std::string_view shown_unit() const { return unit == "rad" ? "°" : unit; }
-    double shown_factor() const { return unit == "rad" ? 1 / unit::degree : 1; }
-};
-
-bool has_lines_that_break(const Moorings& moorings);
-
-/// The first one is the load.
-extern const std::array<DesignOf, 12> design_ofs;
 
 /// The mooring force k x that stored loads of a fixed hull make.
 extern const DesignOf design_of_k_x;

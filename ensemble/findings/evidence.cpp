@@ -104,9 +104,9 @@ std::string undrawn_text(const Summary& summary) {
                : fmt::format(" Only the {} cases with the largest mean loads are shown.", most_drawn_cases);
 }
 
-std::string replay_command(const Evidence& evidence, int member) {
-    return fmt::format("floes replay {} {} --worst -o worst.html", shell_word(evidence.file.filename().string()),
-                       member);
+std::string replay_command(const Evidence& evidence, int member, std::string_view of) {
+    return fmt::format("floes replay {} {} --worst{} -o worst.html", shell_word(evidence.file.filename().string()),
+                       member, of.empty() ? "" : fmt::format(" --of {}", of));
 }
 
 std::optional<int> most_loaded_member(const Evidence& evidence) {

@@ -77,8 +77,8 @@ std::vector<std::size_t> drawn_cases(const Summary& summary);
 /// A sentence on the cases that have none; empty where all have.
 std::string undrawn_text(const Summary& summary);
 
-/// What plays the worst moment of a member in a browser.
-std::string replay_command(const Evidence& evidence, int member);
+/// What plays the worst moment of a member in a browser; `of`: as floes replay --of, empty: the load of a step.
+std::string replay_command(const Evidence& evidence, int member, std::string_view of = {});
 
 /// The done member with the largest load; none where none is done.
 std::optional<int> most_loaded_member(const Evidence& evidence);

@@ -54,81 +54,22 @@ bool anywhere(const Evidence& evidence, std::string_view key) {
 
 // What springs, lines and turret of structures that gave way in the simulation bear, and how far they let go.
 
-/// Peaks nearer than a natural period, or than the time in which the hull's own damping lets a swing fall to 1/e, are
-/// one event, as of a hull that stored loads move. Without damping of its own only the ice lets it fade.
-double separation_of(const Analysis& analysis, const Moorings& moorings, double period) {
-    const double fade = moorings.damping > 0 ? period / (2 * std::numbers::pi * moorings.damping) : 0;
-    return std::max({analysis.peak_separation, period, fade});
-}
-
-/// s, of the mode that is mostly this motion, the longest where none is; 0 where the motion is held.
-double period_of(const Scenario& scenario, Motion motion) {
-    if (!scenario.moorings.give_way() || !scenario.moorings.is_free(motion)) return 0;
-    if (!scenario.moorings.floats() && !scenario.moorings.turret.any()) return scenario.moorings.period(motion);
-    double longest = 0;
-    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
-        if (weathervanes(scenario.moorings, mode)) continue;
-        if (mode.motion == motion) return mode.period;
-        longest = std::max(longest, mode.period);
-    }
-    return longest;
-}
-
-/// Whether a case has the design value, with stored histories.
+/// Whether a case has the design value.
 bool has(const Case& one, const DesignOf& of) {
-    const Moorings& moorings = one.scenario.moorings;
-    return moorings.give_way() && one.scenario.analysis.keep_history &&
-           std::ranges::any_of(of.motions, [&](Motion motion) { return moorings.is_free(motion); }) &&
-           (of.has == nullptr || of.has(moorings));
-}
-
-/// The longest of them.
-double period_of(const Scenario& scenario, std::span<const Motion> motions) {
-    double longest = 0;
-    for (const Motion motion : motions) longest = std::max(longest, period_of(scenario, motion));
-    return longest;
-}
-
-/// What it is the largest of, over the run of each member that has its histories.
-void for_each_value(const Evidence& evidence, const DesignOf& of,
-                    const std::function<void(const StoredHistory&)>& use) {
-    constexpr std::ptrdiff_t of_all = 3;  // that hulls have which do not float
-    const auto count = std::ranges::find(of.histories, nullptr) - of.histories.begin();
-    std::vector<double> made;
-    std::vector<char> taken(evidence.table.members.size());
-    std::array<double, std::tuple_size_v<decltype(of.histories)>> at_once{};
-    const auto take = [&](const StoredHistories& found) {
-        if (std::exchange(taken.at(static_cast<std::size_t>(found.member)), 1) != 0) return;
-        at_once.fill(0);
-        const Moorings& moorings = evidence.campaign.cases[evidence.case_of(found.member)].scenario.moorings;
-        made.clear();
-        for (std::size_t k = 0; k < found.values.front().size(); ++k) {
-            for (std::size_t j = 0; j < found.values.size(); ++j) at_once.at(j) = found.values[j][k];
-            made.push_back(of.value(moorings, at_once));
-        }
-        use({found.member, found.step, made});
-    };
-    for_each_histories(evidence.file, {of.histories.begin(), of.histories.begin() + count}, take);
-    if (count > of_all) for_each_histories(evidence.file, {of.histories.begin(), of.histories.begin() + of_all}, take);
+    return of.value != nullptr && of.is_of(one.scenario);
 }
 
 bool by_thrusters_alone(const Case& one) {
     return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()(0, 0) == 0;
 }
 
-/// The largest of a segment, of each member, by case; empty where the file keeps no histories.
+/// The largest of a segment, of each member, by case.
 std::map<std::size_t, std::vector<double>> segment_maxima(const Evidence& evidence, std::string_view word) {
     std::map<std::size_t, std::vector<double>> found;
-    if (evidence.file.empty()) return found;
-    const DesignOf& of = *std::ranges::find(design_ofs, word, &DesignOf::word);
-    for_each_value(evidence, of, [&](const StoredHistory& history) {
-        const std::size_t index = evidence.case_of(history.member);
-        if (!has(evidence.campaign.cases[index], of)) return;
-        const Analysis& analysis = evidence.table.cases[index].analysis;
-        found[index].push_back(
-            averaged_once(in_window(history, analysis), history.step, analysis, history.step, analysis.peak_separation)
-                .mean_maximum);
-    });
+    const DesignOf& of = *find_design_of(word);
+    for (const MemberRow& row : evidence.table.members)
+        if (const Response* response = response_of(row, of); response && !response->segment_maximum.empty())
+            found[static_cast<std::size_t>(row.case_index)].push_back(mean_of(response->segment_maximum));
     return found;
 }
 
@@ -415,41 +356,47 @@ Section moored_spectrum(const Evidence& evidence, double damping_ratio, double a
             .figures = {figure_of(evidence, points, "Dashed: the moorings feel the load as it is.")}};
 }
 
+namespace {
+
+/// Why no member has it, a sentence or two.
+std::string no_response(const Evidence& evidence, const DesignOf& of) {
+    if (std::ranges::any_of(evidence.campaign.cases, [&](const Case& one) { return has(one, of); }))
+        return fmt::format(
+            "{}: no member has it: none is done, or they are of floes 3.0 or earlier, which kept no responses; run "
+            "them again.",
+            of.title);
+    return fmt::format(
+        "{}: no case gives way in {}. moorings.mass_t makes a structure give way, moorings.free says in which motions. "
+        "--mooring-kN-m, --mass-t and --damping-percent move a hull by the stored loads of a fixed one.{}",
+        of.title,
+        of.motions[0] == of.motions[1]
+            ? std::string(motion_names.at(at(of.motions[0])))
+            : fmt::format("{} or {}", motion_names.at(at(of.motions[0])), motion_names.at(at(of.motions[1]))),
+        of.has == nullptr ? "" : " Lines that never break (a break load of 0) have none.");
+}
+
+}  // namespace
+
 std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of) {
     const CampaignTable& table = evidence.table;
     std::vector<CasePeaks> all(table.cases.size());
-    std::vector<double> periods;
     for (std::size_t index = 0; index < all.size(); ++index) {
-        const Analysis& analysis = table.cases[index].analysis;
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
-        periods.push_back(has(evidence.campaign.cases[index], of) ? period_of(scenario, of.motions) : 0);
-        all[index].measured = measured_in(analysis, separation_of(analysis, scenario.moorings, periods.back()));
-    }
-    const auto take = [&](const StoredHistory& history) {
-        const MemberRow& member = table.members[static_cast<std::size_t>(history.member)];
-        const auto index = static_cast<std::size_t>(member.case_index);
-        if (periods[index] == 0) return;  // held in this motion, or without such a value
         const Analysis& analysis = table.cases[index].analysis;
-        if (const std::string words = period_refusal(analysis, history.step, periods[index], 1); !words.empty())
+        if (!has(evidence.campaign.cases[index], of)) continue;
+        all[index].measured = measured_in(analysis, separation_of(scenario, of));
+        if (const std::string words = period_refusal(analysis, scenario.general.time_step, period_of(scenario, of), 1);
+            !words.empty())
             throw InputError(fmt::format("{}: {}: {}.", of.title, evidence.summary.label_of(index), words));
-        const std::span<const double> amounts = in_window(history, analysis);
-        CasePeaks& made = all[index];
-        made.add(history.member, member.arrangement,
-                 averaged_once(amounts, history.step, analysis, history.step, made.measured.separation),
-                 mean_of(amounts));
-        made.trends.push_back(member_trend(amounts, history.step, analysis.segments));
-    };
-    for_each_value(evidence, of, take);
+    }
+    for (std::size_t member = 0; member < table.members.size(); ++member) {
+        const MemberRow& row = table.members[member];
+        const Response* response = response_of(row, of);
+        if (row.done() && response != nullptr && !response->segment_maximum.empty())
+            all[static_cast<std::size_t>(row.case_index)].add(static_cast<int>(member), row.arrangement, *response);
+    }
     if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
-        throw InputError(fmt::format(
-            "{0}: no case gives way in {1} with stored histories. moorings.mass_t makes a structure give way, "
-            "moorings.free says in which motions, analysis.history_steps of 1 or more stores them. --mooring-kN-m, "
-            "--mass-t and --damping-percent move a hull by the stored loads of a fixed one.{2}",
-            of.title,
-            of.motions[0] == of.motions[1]
-                ? std::string(motion_names.at(at(of.motions[0])))
-                : fmt::format("{} or {}", motion_names.at(at(of.motions[0])), motion_names.at(at(of.motions[1]))),
-            of.has == nullptr ? "" : " Lines that never break (a break load of 0) have none."));
+        throw InputError(no_response(evidence, of));
     for (CasePeaks& one : all) one.average();
     return all;
 }
@@ -504,8 +451,7 @@ bool SimulatedDesign::known() const {
 const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence) {
     if (evidence.simulated) return *evidence.simulated;
     std::vector<SimulatedDesign>& found = evidence.simulated.emplace();
-    if (evidence.file.empty()) return found;
-    for (const DesignOf& of : std::span(design_ofs).subspan(1)) {
+    for (const DesignOf& of : response_kinds()) {
         if (of.part || std::ranges::none_of(evidence.campaign.cases, [&](const Case& one) { return has(one, of); }))
             continue;
         SimulatedDesign& one = found.emplace_back(evidence.design_request.value_or(DesignLoadRequest{}));

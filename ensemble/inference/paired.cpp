@@ -207,21 +207,24 @@ Interval mean_change(std::span<const double> changes) {
     return change;
 }
 
-MemberTrend member_trend(const MemberOutputs& outputs, double window) {
-    const std::vector<double>& maxima =
-        outputs.averaged.empty() ? outputs.load.segment_maximum : outputs.averaged.front().segment_maximum;
-    return {.mean = outputs.load.mean,
-            .rise = outputs.load.trend * window,
+namespace {
+
+MemberTrend trend_of(double mean, double rise, const std::vector<double>& maxima) {
+    return {.mean = mean,
+            .rise = rise,
             .growth = maxima.size() < 2 ? undefined : maxima.back() - maxima.front(),
             .largest = maxima.empty() ? 0 : mean_of(maxima)};
 }
 
-MemberTrend member_trend(std::span<const double> values, double step, int segments) {
-    const LoadStatistics found = load_statistics(values, step, segments);
-    return {.mean = found.mean,
-            .rise = found.trend * step * static_cast<double>(values.size()),
-            .growth = segments < 2 ? undefined : found.segment_maximum.back() - found.segment_maximum.front(),
-            .largest = found.mean_maximum};
+}  // namespace
+
+MemberTrend member_trend(const MemberOutputs& outputs, double window) {
+    return trend_of(outputs.load.mean, outputs.load.trend * window,
+                    outputs.averaged.empty() ? outputs.load.segment_maximum : outputs.averaged.front().segment_maximum);
+}
+
+MemberTrend member_trend(const Response& response) {
+    return trend_of(response.mean, response.rise, response.segment_maximum);
 }
 
 JointTrend joint_trend(std::span<const MemberTrend> members, std::string_view noun) {

@@ -102,8 +102,8 @@ struct MemberTrend {
 /// Maxima of the load averaged over the shortest time where members have them, else of single steps. `window`: s.
 MemberTrend member_trend(const MemberOutputs& outputs, double window);
 
-/// Of values of any unit, `step` s apart in the window, of which each of the segments has two or more.
-MemberTrend member_trend(std::span<const double> values, double step, int segments);
+/// Of a response, in its unit.
+MemberTrend member_trend(const Response& response);
 
 struct JointTrend {
     std::string_view noun = "load";  ///< what rises or falls; what follows is in its unit

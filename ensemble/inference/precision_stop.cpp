@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "inference/interval.hpp"
+#include "member/design_of.hpp"
 #include "member/quantity.hpp"
 #include "statistics/distributions.hpp"
 
@@ -29,31 +30,37 @@ Exposure exposure_of(const Campaign& campaign) {
 
 }  // namespace
 
-LoadPrecision::LoadPrecision(const Campaign& campaign, std::vector<bool> watched)
-    : exposure_(exposure_of(campaign)),
+DesignPrecision::DesignPrecision(const Campaign& campaign, std::vector<bool> watched)
+    : of_(campaign.stop.design_of()),
+      exposure_(exposure_of(campaign)),
       averaging_(campaign.stop.averaging),
       of_expected_(campaign.stop.quantile == 0),
       half_width_(undefined) {
     for (std::size_t k = 0; k < campaign.cases.size(); ++k)
         cases_.push_back({.name = campaign.cases[k].name,
                           .analysis = campaign.cases[k].scenario.analysis,
+                          .separation = separation_of(campaign.cases[k].scenario, *of_),
                           .watched = watched.at(k)});
 }
 
-std::optional<MemberLoad> LoadPrecision::member_load(std::size_t case_index, const MemberOutputs& outputs) const {
+std::optional<MeasuredPeaks> DesignPrecision::peaks_of(std::size_t case_index, const MemberOutputs& outputs) const {
+    if (const Response* response = response_of(outputs, *of_)) {
+        if (response->segment_maximum.empty()) return {};
+        return MeasuredPeaks{{response->peaks, response->segment_maximum}, member_trend(*response)};
+    }
     const auto averaged = std::ranges::find(outputs.averaged, averaging_, &AveragedLoad::time);
-    if (averaged == outputs.averaged.end()) return {};
-    return MemberLoad{{averaged->peaks, averaged->segment_maximum},
-                      member_trend(outputs, cases_.at(case_index).analysis.window)};
+    if (of_->value != nullptr || averaged == outputs.averaged.end()) return {};
+    return MeasuredPeaks{{averaged->peaks, averaged->segment_maximum},
+                         member_trend(outputs, cases_.at(case_index).analysis.window)};
 }
 
-void LoadPrecision::add(std::size_t case_index, MemberLoad member) {
+void DesignPrecision::add(std::size_t case_index, MeasuredPeaks member) {
     OneCase& one = cases_.at(case_index);
     one.rows.push_back(std::move(member.peaks));
     one.trends.push_back(member.trend);
 }
 
-void LoadPrecision::judge() {
+void DesignPrecision::judge() {
     half_width_ = 0;
     obstacle_.clear();
     for (const OneCase& one : cases_) {
@@ -62,14 +69,14 @@ void LoadPrecision::judge() {
     }
 }
 
-double LoadPrecision::half_width_of(const OneCase& one) {
-    const JointTrend trend = joint_trend(one.trends);
+double DesignPrecision::half_width_of(const OneCase& one) {
+    const JointTrend trend = joint_trend(one.trends, of_->noun);
     if (trend.rises()) {
-        obstacle_ = fmt::format("case {}: {}, so it has no design load", one.name, trend_text(trend));
+        obstacle_ = fmt::format("case {}: {}, so it has no design value", one.name, trend_text(trend));
         return undefined;
     }
-    const Measured measured{one.analysis.window, one.analysis.window / one.analysis.segments,
-                            one.analysis.peak_separation, trend.mean};
+    const Measured measured{one.analysis.window, one.analysis.window / one.analysis.segments, one.separation,
+                            trend.mean};
     const DesignLoad load = load_by_both_tails(one.rows, measured, exposure_);
     if (!load.valid()) {
         obstacle_ = fmt::format("case {}: {} members with {} peaks above the threshold are too few for a tail",
@@ -80,7 +87,8 @@ double LoadPrecision::half_width_of(const OneCase& one) {
     const LoadFigure& figure = of_expected_ ? made.expected : made.quantiles.front();
     const double longer = std::max(figure.interval.high - figure.value, figure.value - figure.interval.low);
     const double half_width = longer / std::abs(figure.value);
-    if (!std::isfinite(half_width)) obstacle_ = fmt::format("case {}: its expected largest load is infinite", one.name);
+    if (!std::isfinite(half_width))
+        obstacle_ = fmt::format("case {}: its expected largest {} is infinite", one.name, of_->noun);
     return half_width;
 }
 
@@ -91,7 +99,7 @@ constexpr double normal_half = 1.959963984540054;  // lower bound of t: a target
 constexpr int fewest_by_default = 20;  // with fewer, the scatter is itself uncertain
 
 // A kind of member in such a share decides a design load, however wide an interval may be.
-constexpr double seen_for_a_design_load = 0.05;
+constexpr double seen_for_a_design_value = 0.05;
 
 // How the judgements of a design load follow one another, see the header.
 constexpr double of_the_needed = 0.5;
@@ -117,15 +125,18 @@ PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string
 
 PrecisionStop::PrecisionStop(const Campaign& campaign)
     : PrecisionStop(campaign.stop, names_of(campaign), sharing_groups(campaign)) {
-    if (!rule_.of_design_load()) return;
+    if (rule_.design_of() == nullptr) return;
     std::vector<bool> watched(cases_, false);
-    for (const Target& target : targets_) watched[static_cast<std::size_t>(target.case_index)] = true;
-    loads_.emplace(campaign, std::move(watched));
+    for (const Target& target : targets_) {
+        const auto k = static_cast<std::size_t>(target.case_index);
+        watched[k] = rule_.design_of()->is_of(campaign.cases[k].scenario);
+    }
+    design_.emplace(campaign, std::move(watched));
     next_ = end_of_batch(std::min(minimum_, fewest_by_default));
 }
 
 double PrecisionStop::share_seen(const StopRule& rule) {
-    return rule.of_design_load() ? std::min(rule.half_width, seen_for_a_design_load) : rule.half_width;
+    return rule.design_of() == nullptr ? rule.half_width : std::min(rule.half_width, seen_for_a_design_value);
 }
 
 /// Where the member's value goes; nullptr where it is known or no longer wanted.
@@ -133,7 +144,7 @@ PrecisionStop::Waiting* PrecisionStop::place_for(int arrangement, int case_index
     if (met_ || arrangement < arrangements_) return nullptr;
     Waiting& row = waiting_[arrangement];
     row.values.resize(cases_, undefined);
-    row.loads.resize(cases_);
+    row.peaks.resize(cases_);
     row.known.resize(cases_, false);
     const auto place = static_cast<std::size_t>(case_index);
     if (row.known[place]) return nullptr;
@@ -149,14 +160,14 @@ void PrecisionStop::put(int arrangement, int case_index, double value) {
 }
 
 void PrecisionStop::put_member(int arrangement, int case_index, const MemberOutputs* outputs) {
-    if (!loads_) {
+    if (!design_) {
         put(arrangement, case_index, outputs == nullptr ? undefined : any_quantity(rule_.of)->of(*outputs));
         return;
     }
     Waiting* row = place_for(arrangement, case_index);
     if (row == nullptr) return;
     const auto place = static_cast<std::size_t>(case_index);
-    if (outputs != nullptr) row->loads[place] = loads_->member_load(place, *outputs);
+    if (outputs != nullptr) row->peaks[place] = design_->peaks_of(place, *outputs);
     take_leading();
 }
 
@@ -166,20 +177,20 @@ void PrecisionStop::take_leading() {
     while (!met_ && !waiting_.empty() && waiting_.begin()->first == arrangements_ && whole(waiting_.begin()->second)) {
         Waiting row = std::move(waiting_.begin()->second);
         waiting_.erase(waiting_.begin());
-        if (loads_)
-            take_loads(std::move(row.loads));
+        if (design_)
+            take_peaks(std::move(row.peaks));
         else
             take(row.values);
     }
 }
 
-void PrecisionStop::take_loads(std::vector<std::optional<MemberLoad>> loads) {
-    for (std::size_t k = 0; k < loads.size(); ++k)
-        if (loads[k]) loads_->add(k, std::move(*loads[k]));
+void PrecisionStop::take_peaks(std::vector<std::optional<MeasuredPeaks>> members) {
+    for (std::size_t k = 0; k < members.size(); ++k)
+        if (members[k]) design_->add(k, std::move(*members[k]));
     ++arrangements_;
     if (arrangements_ < next_) return;
     look();
-    const bool holds = arrangements_ >= minimum_ && loads_->half_width() <= rule_.half_width;
+    const bool holds = arrangements_ >= minimum_ && design_->half_width() <= rule_.half_width;
     if (!holds) held_from_ = 0;
     if (holds && held_from_ == 0) held_from_ = arrangements_;
     met_ = holds && arrangements_ - held_from_ >= rule_.look_ahead;
@@ -187,9 +198,9 @@ void PrecisionStop::take_loads(std::vector<std::optional<MemberLoad>> loads) {
 }
 
 void PrecisionStop::look() {
-    if (!loads_ || judged_ == arrangements_) return;
+    if (!design_ || judged_ == arrangements_) return;
     judged_ = arrangements_;
-    loads_->judge();
+    design_->judge();
 }
 
 /// The first end of a batch at or after so many arrangements.
@@ -199,7 +210,7 @@ int PrecisionStop::end_of_batch(double arrangements) const {
 
 int PrecisionStop::next_judgement(bool holds) const {
     if (holds) return end_of_batch(std::max(arrangements_ + 1, held_from_ + rule_.look_ahead));
-    const double missed = loads_->half_width() / rule_.half_width;
+    const double missed = design_->half_width() / rule_.half_width;
     const double factor =
         std::isfinite(missed) ? std::clamp(of_the_needed * missed * missed, least_growth, most_growth) : least_growth;
     constexpr double most = 1e6;  // arrangements of a campaign
@@ -222,7 +233,7 @@ void PrecisionStop::take(const std::vector<double>& values) {
 }
 
 double PrecisionStop::achieved() const {
-    if (loads_) return loads_->half_width();
+    if (design_) return design_->half_width();
     double largest = 0;
     for (const Target& target : targets_) {
         const double one = target.half_width_over_mean();

@@ -1,6 +1,7 @@
 #pragma once
-// How well the design load of each case is known: the longer side of the 95 % interval of the estimate by both tails,
-// over the estimate. It is what floes design gives for the same members, with its defaults.
+// How well the design value of each case is known, of the load or of how a structure gives way: the longer side of the
+// 95 % interval of the estimate by both tails, over the estimate. It is what floes design gives for the same members,
+// with its defaults.
 
 #include <cstddef>
 #include <map>
@@ -14,27 +15,27 @@
 
 namespace floes {
 
-/// What a member says of a design load.
-struct MemberLoad {
+/// What a member says of a design value.
+struct MeasuredPeaks {
     PeakRow peaks;
     MemberTrend trend;
 };
 
-class LoadPrecision {
+class DesignPrecision {
   public:
-    /// For the design load of the campaign's stop rule, in the cases with `watched`.
-    LoadPrecision(const Campaign& campaign, std::vector<bool> watched);
+    /// For the design value of the campaign's stop rule, in the cases with `watched`.
+    DesignPrecision(const Campaign& campaign, std::vector<bool> watched);
 
-    /// What the member of a case says; none if it did not average its load over the rule's time.
-    std::optional<MemberLoad> member_load(std::size_t case_index, const MemberOutputs& outputs) const;
+    /// What the member of a case says; none if it did not measure it.
+    std::optional<MeasuredPeaks> peaks_of(std::size_t case_index, const MemberOutputs& outputs) const;
 
     /// Adds the next member of a case, in index order.
-    void add(std::size_t case_index, MemberLoad member);
+    void add(std::size_t case_index, MeasuredPeaks member);
 
     /// Fits the tails of all watched cases: tenths of a second each. Deterministic.
     void judge();
 
-    /// From the last judge(): the largest over the watched cases, a fraction; NaN if one has no design load, and
+    /// From the last judge(): the largest over the watched cases, a fraction; NaN if one has no design value, and
     /// before.
     double half_width() const { return half_width_; }
     /// Why it is NaN, "case E60: the load rises, …", without a full stop; empty if it is known or was not judged.
@@ -44,6 +45,7 @@ class LoadPrecision {
     struct OneCase {
         std::string name;
         Analysis analysis;
+        double separation = 0;  ///< s, of peaks
         bool watched = false;
         std::vector<PeakRow> rows = {};
         std::vector<MemberTrend> trends = {};
@@ -51,6 +53,7 @@ class LoadPrecision {
 
     double half_width_of(const OneCase& one);
 
+    const DesignOf* of_;
     Exposure exposure_;
     double averaging_;
     bool of_expected_;
@@ -73,7 +76,7 @@ class LoadPrecision {
 // chance. After K. Hoad, S. Robinson and R. Davies, "Automated selection of the number of replications for a
 // discrete-event simulation", J. Oper. Res. Soc. 61 (2010) 1632-1644.
 //
-// For a design load it is the longer side of its interval over its estimate, for each case that
+// For a design value it is the longer side of its interval over its estimate, for each case that
 // the rule names. A tail is fitted in tenths of a second to seconds, so it is judged at ends of batches only, and not
 // at each while the target is far: the next judgement is at half of the arrangements that an interval would need that
 // shrinks as 1/√n, but a tenth to four tenths more than now. Once it holds it must hold again after `look_ahead`
@@ -93,7 +96,7 @@ class PrecisionStop {
     /// of one member the first counts.
     void put_member(int arrangement, int case_index, const MemberOutputs* outputs);
 
-    /// The same with the value that is to be precise, NaN if the member failed; not of a design load.
+    /// The same with the value that is to be precise, NaN if the member failed; not of a design value.
     void put(int arrangement, int case_index, double value);
 
     /// The rule is met: the campaign ends after arrangements().
@@ -103,14 +106,14 @@ class PrecisionStop {
     int arrangements() const { return arrangements_; }
 
     /// Largest half-width over its mean, of all targets, at judged(); a fraction. NaN before there are two values of
-    /// each, and where there is no design load.
+    /// each, and where there is no design value.
     double achieved() const;
 
-    /// Number of leading arrangements that achieved() is of: arrangements(), or fewer where it is of a design load.
-    int judged() const { return loads_ ? judged_ : arrangements_; }
+    /// Number of leading arrangements that achieved() is of: arrangements(), or fewer where it is of a design value.
+    int judged() const { return design_ ? judged_ : arrangements_; }
 
     /// Why achieved() is not known, without a full stop; empty if that is plain.
-    std::string obstacle() const { return loads_ ? loads_->obstacle() : std::string{}; }
+    std::string obstacle() const { return design_ ? design_->obstacle() : std::string{}; }
 
     /// Brings achieved() to arrangements(), for who wants to know; when the rule is met does not depend on it.
     void look();
@@ -145,14 +148,14 @@ class PrecisionStop {
 
     struct Waiting {
         std::vector<double> values;
-        std::vector<std::optional<MemberLoad>> loads;
+        std::vector<std::optional<MeasuredPeaks>> peaks;
         std::vector<bool> known;
     };
 
     Waiting* place_for(int arrangement, int case_index);
     void take_leading();
     void take(const std::vector<double>& values);
-    void take_loads(std::vector<std::optional<MemberLoad>> loads);
+    void take_peaks(std::vector<std::optional<MeasuredPeaks>> members);
     int end_of_batch(double arrangements) const;
     int next_judgement(bool holds) const;
 
@@ -165,10 +168,10 @@ class PrecisionStop {
     int held_for_ = 0;  ///< consecutive arrangements
     bool met_ = false;
 
-    std::optional<LoadPrecision> loads_;  ///< of a design load
-    int judged_ = 0;                      ///< arrangements of its last judgement
-    int next_ = 0;                        ///< of the next one that counts
-    int held_from_ = 0;                   ///< of the first one of those that hold now; 0: it does not hold
+    std::optional<DesignPrecision> design_;  ///< of a design value
+    int judged_ = 0;                         ///< arrangements of its last judgement
+    int next_ = 0;                           ///< of the next one that counts
+    int held_from_ = 0;                      ///< of the first one of those that hold now; 0: it does not hold
 };
 
 }  // namespace floes

@@ -45,7 +45,7 @@ std::string worst_moments(const ReportData& data) {
             body += note("The member computed for these pictures is not to the bit the one in the file: " +
                          moment.differences.front());
         body += fmt::format("<p>To watch it: <code>{}</code></p>\n",
-                            html_escaped(replay_command(data.evidence, moment.member)));
+                            html_escaped(replay_command(data.evidence, moment.member, moment.of)));
     }
     if (body.empty()) return "";
     return section(data.moments.size() > 1 ? "The worst moments" : "The worst moment", body);

@@ -15,9 +15,10 @@ struct MomentPicture {
     std::string caption;  ///< what is to be seen
 };
 
-/// A member with a large load in pictures: how the floes lay before, at the largest load, and at the end.
+/// The worst moment of a member in pictures: how the floes lay before, then, and at the end.
 struct Moment {
     int member = 0;
+    std::string of;  ///< what is largest then, as floes replay --of; empty: the load of a step
     std::vector<MomentPicture> pictures;
     std::vector<std::string> differences;  ///< of the member computed for them from the one in the file
 };

@@ -255,7 +255,7 @@ MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const
     return result;
 }
 
-KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) {
+KeyFrames key_frames(const ReplaySubject& subject, double worst_at, const std::stop_token& stop) {
     const Scenario& scenario = subject.about.scenario;
     const bool endless = scenario.field.endless();
     KeyFrames kept;
@@ -275,7 +275,9 @@ KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop) 
         add_last(run.loads(), kept.history);
         kept.hull.add_last(run, scenario.moorings);
         const double load = run.loads().surge.back();
-        if (run.steps() > scenario.first_window_step() && load > largest) {
+        const bool worst = std::isnan(worst_at) ? run.steps() > scenario.first_window_step() && load > largest
+                                                : run.steps() == std::lround(worst_at / scenario.general.time_step);
+        if (worst) {
             largest = load;
             roll = begun;
             read(run, kept.worst);

@@ -80,7 +80,7 @@ MemberResult replay(const ReplaySubject& subject, const FrameSteps& steps, const
 /// What a report shows of a member, in memory.
 struct KeyFrames {
     Frame start;
-    Frame worst;  ///< of the largest surge load in the window
+    Frame worst;  ///< of the worst moment
     Frame end;
     LoadHistory history;  ///< of every step
     HullHistory hull;     ///< likewise
@@ -89,8 +89,9 @@ struct KeyFrames {
     std::vector<BreakEvent> breaks;  ///< of these floes
 };
 
-/// Computes the member and keeps these frames; may run in many threads at once. Throws Interrupted on a stop.
-KeyFrames key_frames(const ReplaySubject& subject, const std::stop_token& stop = {});
+/// Computes the member and keeps these frames; may run in many threads at once. `worst_at`: s, as time_of_largest();
+/// NaN: where the surge load of a step is largest in the window. Throws Interrupted on a stop.
+KeyFrames key_frames(const ReplaySubject& subject, double worst_at, const std::stop_token& stop = {});
 
 // Which member of a campaign file is to be replayed, and from when to when.
 

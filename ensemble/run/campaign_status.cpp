@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "inference/precision_stop.hpp"
+#include "member/design_of.hpp"
 #include "run/inventory.hpp"
 #include "run/parts.hpp"
 #include "run/progress.hpp"
@@ -89,11 +90,13 @@ std::string work_sentence(const CampaignStatus& status) {
 
 std::string what_of(const StopRule& rule) {
     std::string text = rule.of;
-    if (rule.of_design_load())
-        text = fmt::format("the {} load in {:g} h, averaged over {:g} s,",
-                           rule.quantile == 0 ? "expected largest"
-                                              : fmt::format("{:g} % quantile of the largest", 100 * rule.quantile),
-                           rule.exposure / unit::hour, rule.averaging);
+    if (const DesignOf* of = rule.design_of()) {
+        const std::string largest = rule.quantile == 0
+                                        ? "expected largest"
+                                        : fmt::format("{:g} % quantile of the largest", 100 * rule.quantile);
+        text = fmt::format("the {} {} in {:g} h{}", largest, of->largest, rule.exposure / unit::hour,
+                           of->value == nullptr ? fmt::format(", averaged over {:g} s,", rule.averaging) : "");
+    }
     if (rule.case_name != "none") text += rule.case_name == "all" ? " of every case" : " of case " + rule.case_name;
     if (rule.contrast != "none") {
         text += rule.case_name != "none" ? " and" : "";

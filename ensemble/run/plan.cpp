@@ -19,7 +19,9 @@
 #include "core/random.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "inference/precision_stop.hpp"
 #include "member/array_output.hpp"
+#include "run/campaign_status.hpp"
 #include "run/link.hpp"
 #include "run/scheduler.hpp"
 #include "run/writer.hpp"
@@ -700,6 +702,22 @@ PlannedMembers expected_members(const Campaign& campaign) {
                           scatter(draw(campaign, number), costs.variation);
     }
     return planned;
+}
+
+std::string stop_forecast(const Campaign& campaign, int done, double pace, int cores) {
+    const int least = std::min(PrecisionStop(campaign).minimum() + campaign.stop.look_ahead, campaign.arrangements);
+    const int cases = static_cast<int>(campaign.cases.size());
+    const MemberCosts costs = measured_member_costs();
+    double seconds = 0;  // of all members of an arrangement
+    for (int number = 0; number < cases; ++number)
+        seconds += expected_cost(campaign, number) *
+                   (pace > 0 ? pace : time_per_unit(campaign.cases[static_cast<std::size_t>(number)].scenario, costs));
+    const double left = std::max(0.0, least - static_cast<double>(done) / cases);
+    const std::string most = campaign.arrangements > least ? fmt::format(", at most {}", campaign.arrangements) : "";
+    return fmt::format("until {} is known within {:g} %: at least {}{}; about {} on {} for {}", what_of(campaign.stop),
+                       100 * campaign.stop.half_width, counted(least, "arrangement"), most,
+                       duration_text(left * seconds / cores), counted(cores, "core"),
+                       done > 0 ? "what is left of these" : "these");
 }
 
 PlannedMembers measured_members(const Campaign& campaign, const MeasuredRun& run) {

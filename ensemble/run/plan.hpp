@@ -139,6 +139,11 @@ struct PlannedMembers {
 /// sentence, with the scatter observed there.
 PlannedMembers expected_members(const Campaign& campaign);
 
+/// What a stop rule will take, a sentence: the arrangements before which it does not end, and how long their members
+/// that are not done take on so many cores. `done`: members that are; `pace`: s a unit of expected cost that they took;
+/// 0: not known.
+std::string stop_forecast(const Campaign& campaign, int done, double pace, int cores);
+
 /// Run times from a run of this or a similar campaign. A member draws one of the times measured for the case of the
 /// same name, or for all cases if there is none, scaled by the expected cost. The draws depend only on the campaign's
 /// seed and the member's number. Throws InputError if no member is done yet.

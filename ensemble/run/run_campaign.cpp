@@ -28,6 +28,7 @@
 #include "run/crew.hpp"
 #include "run/link.hpp"
 #include "run/messages.hpp"
+#include "run/plan.hpp"
 #include "run/progress.hpp"
 #include "run/recorder.hpp"
 #include "run/scheduler.hpp"
@@ -652,6 +653,8 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         muster(link, campaign, groups, journal_path(options.places.campaign_file), own, options.patience);
     expect_to_see_pieces(groups, journal_path(options.places.campaign_file));
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
+    if (const Inventory& found = recorder.tally().found(); campaign.stop.active() && !found.precise())
+        progress.say(stop_forecast(campaign, found.done, found.pace, mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder.tally().found()));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
     if (recorder.journal().damaged_bytes() > 0) {

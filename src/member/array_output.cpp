@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "member/design_of.hpp"
 #include "member/quantity.hpp"
 #include "member/result.hpp"
 #include "statistics/load_map.hpp"
@@ -56,6 +57,12 @@ constexpr const char* pose_words[]{"x", "z", "yaw"};
 constexpr auto property_words = [] {
     std::array<const char*, floe_properties.size()> words{};
     for (std::size_t k = 0; k < words.size(); ++k) words[k] = floe_properties[k].name;
+    return words;
+}();
+
+const auto response_words = [] {
+    std::array<const char*, design_ofs.size() - 1> words{};
+    for (std::size_t k = 0; k < words.size(); ++k) words[k] = design_ofs[k + 1].word.data();
     return words;
 }();
 
@@ -117,6 +124,10 @@ const ArrayAxis motion_axis = history_axis<[](const Scenario& scenario) { return
 const ArrayAxis mooring_axis = history_axis<[](const Scenario& scenario) { return scenario.moorings.give_way(); }>(
     "mooring_time", "end of the time steps of a value, of moored structures");
 
+const ArrayAxis line_use_axis = history_axis<[](const Scenario& scenario) {
+    return scenario.moorings.give_way() && has_lines_that_break(scenario.moorings);
+}>("line_use_time", "end of the time steps of a value, of structures on lines that break");
+
 const ArrayAxis thrust_axis = history_axis<[](const Scenario& scenario) {
     return scenario.moorings.give_way() && scenario.moorings.thrusters.any();
 }>("thrust_time", "end of the time steps of a value, of structures with thrusters");
@@ -130,6 +141,17 @@ const ArrayAxis line_axis{
     [](const Scenario& scenario) {
         return counted_to(scenario.moorings.give_way() ? scenario.moorings.line_count() : std::size_t{0});
     }};
+
+const ArrayAxis response_axis{
+    "response",
+    "1",
+    "how a structure gives way, or what holds it; units: N, m, rad, 1",
+    AxisKind::counted,
+    [](const Scenario& scenario) {
+        return counted_to(scenario.moorings.give_way() ? response_words.size() : std::size_t{0});
+    },
+    true,
+    response_words};
 
 const ArrayAxis height_axis{"height",
                             "1",

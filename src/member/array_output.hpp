@@ -42,7 +42,7 @@ struct ArrayAxis {
 
 extern const ArrayAxis segment_axis, level_axis, averaging_axis, peak_axis, floe_axis, coordinate_axis, property_axis,
     part_axis, time_axis, motion_axis, mooring_axis, thrust_axis, floating_axis, line_axis, height_axis, angle_axis,
-    tow_axis, break_axis, piece_axis;
+    tow_axis, break_axis, piece_axis, response_axis, line_use_axis;
 
 /// Those of which a member alone knows how far they go.
 inline constexpr std::array<const ArrayAxis*, 3> found_axes{&peak_axis, &break_axis, &piece_axis};
@@ -294,6 +294,24 @@ inline constexpr std::array array_outputs{
                 .axes = {&averaging_axis, &peak_axis},
                 .access = at_rows<&MemberOutputs::averaged, &AveragedLoad::peaks>(),
                 .in_table = true},
+    table_output<&MemberOutputs::responses, &Response::mean>("responses/mean", "SI",
+                                                             "mean of the response over the window", response_axis),
+    table_output<&MemberOutputs::responses, &Response::rise>(
+        "responses/rise", "SI", "slope of the response over the window, times its length", response_axis),
+    ArrayOutput{.path = "responses/segment_maximum",
+                .unit = "SI",
+                .long_name = "largest response in each segment of the window",
+                .axes = {&response_axis, &segment_axis},
+                .access = at_rows<&MemberOutputs::responses, &Response::segment_maximum>(),
+                .chunks = ArrayChunks::of_its_own,
+                .in_table = true},
+    ArrayOutput{.path = "responses/peaks",
+                .unit = "SI",
+                .long_name = "declustered peaks of the response above its mean, falling",
+                .axes = {&response_axis, &peak_axis},
+                .access = at_rows<&MemberOutputs::responses, &Response::peaks>(),
+                .chunks = ArrayChunks::of_its_own,
+                .in_table = true},
     table_output<&MemberOutputs::parts, &PartLoad::mean>("parts/mean_load", "N",
                                                          "mean surge load on the part over the window", part_axis),
     table_output<&MemberOutputs::parts, &PartLoad::sd>(
@@ -353,6 +371,9 @@ inline constexpr std::array array_outputs{
                                                 "force of springs and lines against the sway load", mooring_axis),
     motion_output<&MotionHistory::yaw_mooring>("history/yaw_mooring", "N m",
                                                "moment of springs and lines against the yaw load", mooring_axis),
+    motion_output<&MotionHistory::line_use>("history/line_use", "1",
+                                            "largest tension of a line over its break load, of the lines that hold",
+                                            line_use_axis),
     motion_output<&MotionHistory::surge_thrust>(
         "history/surge_thrust", "N", "force of thrusters against the surge load, in the structure's axes", thrust_axis),
     motion_output<&MotionHistory::sway_thrust>(

@@ -2,6 +2,7 @@
 // The numbers that a member measures. quantity.hpp lists those with a name and where they appear.
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "ice/failure_mode.hpp"
@@ -11,6 +12,15 @@
 #include "statistics/work_shares.hpp"
 
 namespace floes {
+
+/// How a structure gave way, or what then held it, in the window: of one of response_kinds() (design_of.hpp), in its
+/// unit and of single steps. NaN and empty: not measured.
+struct Response {
+    double mean = std::numeric_limits<double>::quiet_NaN();
+    double rise = std::numeric_limits<double>::quiet_NaN();  ///< slope of least squares times the window
+    std::vector<double> segment_maximum{};                   ///< largest of each segment of the window
+    std::vector<double> peaks{};                             ///< declustered, above the mean, falling
+};
 
 /// For a failed member only the order of its floes, the failures and the peaks are valid: they were recorded before it
 /// failed.
@@ -33,12 +43,13 @@ struct MemberOutputs {
     double floes_astern = 0;   ///< that did so; likewise
     double fracture_work = 0;  ///< J, taken by cracks over the run
     std::array<double, failure_mode_names.size()> failures{};  ///< failed joints by mode
-    double local_order = 0;     ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
-    double coverage_ahead = 0;  ///< share of the structure's path covered by ice at t = 0, 0-1
-    WorkShares work;            ///< where the work of the tow went in the window
-    double mean_sweeps = 0;     ///< of the solver a step, over the run
-    MooredResponse moored;      ///< of a structure that gives way
-    PeakReactions peaks;        ///< over all joints and the whole run
+    double local_order = 0;           ///< of the arrangement, arrangement/order.hpp; its psi4 is stored with the poses
+    double coverage_ahead = 0;        ///< share of the structure's path covered by ice at t = 0, 0-1
+    WorkShares work;                  ///< where the work of the tow went in the window
+    double mean_sweeps = 0;           ///< of the solver a step, over the run
+    MooredResponse moored;            ///< of a structure that gives way
+    std::vector<Response> responses;  ///< likewise, one of each of response_kinds()
+    PeakReactions peaks;              ///< over all joints and the whole run
 };
 
 }  // namespace floes

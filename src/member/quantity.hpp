@@ -101,6 +101,7 @@ struct Quantity {
     int since = 0;            ///< minor version of the file's layout 1 that introduced it
     double (*averaged)(const AveragedLoad&) = nullptr;  ///< the same of the averaged load; none: not taken
     double averaging = 0;                               ///< s, that the load is averaged over; 0: every step
+    bool of_moored = false;                             ///< of structures that give way alone
     bool for_programs = false;                          ///< in CSV and JSON, but in no table for people
 
     /// NaN where the outputs do not have that averaging time.
@@ -222,6 +223,13 @@ constexpr Quantity motion_quantity(const char* key, std::string_view unit, std::
     return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = no_least, .since = 13};
 }
 
+/// The same, of which a stop rule can ask a precision relative to its mean.
+constexpr Quantity stopping_motion(const char* key, std::string_view unit, std::string_view long_name, Place place) {
+    Quantity quantity = motion_quantity(key, unit, long_name, place);
+    quantity.stops = quantity.of_moored = true;
+    return quantity;
+}
+
 /// Thrust; NaN in other members.
 constexpr Quantity thrust_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
     Quantity quantity = motion_quantity(key, unit, long_name, place);
@@ -237,7 +245,7 @@ constexpr Quantity floating_quantity(const char* key, std::string_view unit, std
 }
 
 inline constexpr std::array motion_quantities{
-    motion_quantity("mean_surge_offset", "m", "mean offset of the moored structure along the surge load",
+    stopping_motion("mean_surge_offset", "m", "mean offset of the moored structure along the surge load",
                     at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::mean>()),
     motion_quantity("sd_surge_offset", "m",
                     "population standard deviation of the offset of the moored structure along the surge load",
@@ -260,7 +268,7 @@ inline constexpr std::array motion_quantities{
     motion_quantity("largest_yaw", "rad",
                     "largest amount of the yaw of the moored structure, positive where +z turns to +x",
                     at<&MemberOutputs::moored, &MooredResponse::yaw, &Swing::largest>()),
-    motion_quantity("mean_surge_mooring", "N", "mean force of springs and lines against the surge load",
+    stopping_motion("mean_surge_mooring", "N", "mean force of springs and lines against the surge load",
                     at<&MemberOutputs::moored, &MooredResponse::surge_mooring, &Swing::mean>()),
     motion_quantity("sd_surge_mooring", "N",
                     "population standard deviation of the force of springs and lines against the surge load",
@@ -276,13 +284,13 @@ inline constexpr std::array motion_quantities{
     motion_quantity("largest_sway_mooring", "N",
                     "largest amount of the force of springs and lines against the sway load",
                     at<&MemberOutputs::moored, &MooredResponse::sway_mooring, &Swing::largest>()),
-    motion_quantity("mean_maximum_surge_mooring", "N",
+    stopping_motion("mean_maximum_surge_mooring", "N",
                     "mean of the segment maxima of the force of springs and lines against the surge load",
                     at<&MemberOutputs::moored, &MooredResponse::mean_maximum>()),
     motion_quantity("rms_surge_velocity", "m s-1",
                     "root mean square of the moored structure's velocity in surge, relative to its anchors",
                     at<&MemberOutputs::moored, &MooredResponse::rms_velocity>()),
-    motion_quantity("largest_line_tension", "N",
+    stopping_motion("largest_line_tension", "N",
                     "largest tension of a mooring line over the run, horizontal where it has no weight",
                     at<&MemberOutputs::moored, &MooredResponse::line_tension>()),
     Quantity{.key = "broken_lines",
@@ -405,7 +413,7 @@ inline constexpr std::array load_quantities{
              .long_name = "broken floes over all floes that were computed, at the end of the run",
              .place = at<&MemberOutputs::failure_ratio>(),
              .shown = Shown::in_headlines,
-             .label = "failure ratio",
+             .label = "broken floes",
              .most = 1,
              .percent = true,
              .stops = true,

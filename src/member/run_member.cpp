@@ -11,6 +11,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
+#include "member/design_of.hpp"
 #include "member/quantity.hpp"
 #include "member/result.hpp"
 #include "simulation/simulation.hpp"
@@ -124,6 +125,7 @@ void take_thrust(MooredResponse& response, const MotionHistory& motion, const Sc
 
 /// The response of a structure on moorings that give way.
 void take_response(MemberResult& result, const Scenario& scenario) {
+    result.responses = responses_of(scenario, result.motion);
     const auto in_window = window_of(scenario);
     const MotionHistory& motion = result.motion;
     const double step = scenario.general.time_step;

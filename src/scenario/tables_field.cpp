@@ -122,8 +122,8 @@ void add_field(Keys& keys, Field& field) {
     const Range place = at_least(-farthest).at_most(farthest);
     keys.push_back(integer_key(
         "field.floes", field.floes, 1, most_floes, "Table 3",
-        "Number of floes. The failure ratio is relative to all of them. Of a field without end: of each part "
-        "that is laid; the failure ratio is relative to the floes that were computed."));
+        "Number of floes. Shares of broken floes are of all of them. Of a field without end: of each part "
+        "that is laid; shares are of the floes that were computed."));
     keys.push_back(number_key(
         "field.concentration_percent", field.concentration, unit::percent, above(0).at_most(100), "Table 1",
         "Covered area fraction of the field. Together with the number and size of floes it sets the field's length."));

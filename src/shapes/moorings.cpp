@@ -360,6 +360,12 @@ double break_load(const Moorings& moorings, std::size_t number) {
                                : moorings.hanging.at(number - weightless).break_load;
 }
 
+bool has_lines_that_break(const Moorings& moorings) {
+    for (std::size_t line = 0; line < moorings.line_count(); ++line)
+        if (break_load(moorings, line) > 0) return true;
+    return false;
+}
+
 std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec3& fairlead, const Vec3& anchor) {
     const Vec3 way = anchor - fairlead;
     const Vec3 level(way.x(), 0, way.z());

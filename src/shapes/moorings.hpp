@@ -220,6 +220,8 @@ LinePull pull(const Moorings& moorings, std::size_t number, const Vec6& offset);
 /// N, of a line by its number; 0: it never breaks.
 double break_load(const Moorings& moorings, std::size_t number);
 
+bool has_lines_that_break(const Moorings& moorings);
+
 /// Where a line of that number runs between these ends (m), from its fairlead: straight, or hanging.
 std::vector<Vec3> course(const Moorings& moorings, std::size_t number, const Vec3& fairlead, const Vec3& anchor);
 

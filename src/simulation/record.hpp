@@ -45,6 +45,9 @@ struct MotionHistory {
     std::vector<double> pitch;  ///< likewise, positive with the bow up, rad
     std::vector<double> roll;   ///< likewise, positive with starboard (+z) down, rad
 
+    /// Largest tension of a line over its break load, of those that held until the step; empty where no line breaks.
+    std::vector<double> line_use;
+
     std::vector<double> surge_thrust;  ///< of thrusters against the surge load, in the structure's axes: ahead, N
     std::vector<double> sway_thrust;   ///< likewise against the sway load, N
     std::vector<double> yaw_thrust;    ///< likewise against the yaw load, N m
@@ -62,6 +65,7 @@ inline constexpr std::array motion_histories{&MotionHistory::x,
                                              &MotionHistory::heave,
                                              &MotionHistory::pitch,
                                              &MotionHistory::roll,
+                                             &MotionHistory::line_use,
                                              &MotionHistory::surge_thrust,
                                              &MotionHistory::sway_thrust,
                                              &MotionHistory::yaw_thrust};

@@ -359,6 +359,7 @@ void Simulation::record_motion() {
     motions_.surge_mooring.push_back(restoring[0]);
     motions_.sway_mooring.push_back(-restoring[1]);
     motions_.yaw_mooring.push_back(-restoring[2]);
+    if (motion_.moored()->breaks()) motions_.line_use.push_back(motion_.moored()->line_use());
     if (motion_.moored()->floats()) {
         motions_.heave.push_back(pose.position.y());
         motions_.pitch.push_back(pose.pitch);

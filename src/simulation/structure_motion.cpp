@@ -222,7 +222,8 @@ MooredMotion::MooredMotion(const Moorings& moorings, const Mat6& water, double s
       springs_(moorings.surge, moorings.sway, moorings.yaw),
       water_(water),
       stiffness_(linear_stiffness(moorings)),
-      round_(is_round(moorings.inertia()) && is_round(moorings.radiation())) {
+      round_(is_round(moorings.inertia()) && is_round(moorings.radiation())),
+      breaks_(has_lines_that_break(moorings)) {
     linear_.emplace(0, linear_at(0));
     for (int k = 0; k < 3; ++k)
         thrusters_.push_back(moorings.free.at(static_cast<std::size_t>(k))
@@ -366,12 +367,15 @@ void MooredMotion::advance(const Vec6& load, double time) {
 }
 
 void MooredMotion::break_lines(double time) {
+    line_use_ = 0;
     for (std::size_t i = 0; i < pulls_.size(); ++i) {
         if (!std::isnan(state_.broken_at[i])) continue;
         const double now = pulls_[i].tension;
         largest_[i] = std::max(largest_[i], now);
         const double most = break_load(moorings_, i);
-        if (most > 0 && now > most) state_.broken_at[i] = time;
+        if (most <= 0) continue;
+        line_use_ = std::max(line_use_, now / most);
+        if (now > most) state_.broken_at[i] = time;
     }
 }
 

@@ -89,9 +89,15 @@ class MooredMotion {
     /// What a line pulls with; nothing where it has broken.
     std::optional<LinePull> line(std::size_t number) const;
     std::size_t lines() const { return moorings_.line_count(); }
+    /// Whether a line may break.
+    bool breaks() const { return breaks_; }
 
     /// The largest pull of each line so far, N.
     const std::vector<double>& largest_tensions() const { return largest_; }
+
+    /// The largest pull over its break load at the end of the last step, of the lines that held until then and break at
+    /// all; 0 where there are none.
+    double line_use() const { return line_use_; }
 
   private:
     std::vector<LinearMotion> linear_at(double heading) const;
@@ -118,6 +124,8 @@ class MooredMotion {
     std::vector<LinePull> pulls_;  ///< of all lines at the offset, broken ones too
     std::vector<Vec6> level_;      ///< what they pull down and turn at rest, against which the hull lies level
     std::vector<double> largest_;
+    bool breaks_;
+    double line_use_ = 0;
 };
 
 // Where the structure is from step to step: on the straight tow, on its path, and beside these on its moorings.

@@ -6,6 +6,7 @@
 #include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
+#include "member/design_of.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
@@ -44,13 +45,13 @@ TEST(StopKeys, MayNameAnAveragedLoadThatEveryCaseTakes) {
               "0.2, 1 s (analysis.averaging_s)");
     for (const char* word : {"trend", "trend_0.5s", "load", "mean_maximum_0.50s"})
         EXPECT_THAT(refusal([&] { read("[stop]\nof = \"" + std::string{word} + "\"\n"); }),
-                    testing::HasSubstr("is not allowed; use \"mean_load\" or \"sd_load\" or"));
+                    testing::HasSubstr("is not allowed; use mean_load, sd_load, "));
 }
 
 TEST(StopKeys, MayNameADesignLoad) {
     const std::string rule = "[stop]\nhalf_width_percent = 20\nof = \"design_load\"\n";
     const StopRule usual = read(rule).stop;
-    EXPECT_TRUE(usual.of_design_load());
+    EXPECT_EQ(usual.design_of(), find_design_of("load"));
     EXPECT_EQ(usual.exposure, 3 * 3600);
     EXPECT_EQ(usual.averaging, 1);
     EXPECT_EQ(usual.quantile, 0.9);
@@ -74,6 +75,38 @@ TEST(StopKeys, RefuseADesignLoadThatNobodyMeasures) {
     EXPECT_THAT(said("quantile = 0.0001\n"), testing::HasSubstr("stop.quantile = 0.0001 is below 0.001"));
     EXPECT_THAT(said("contrast = \"all\"\n"), testing::HasSubstr("has no paired difference"));
     EXPECT_THAT(said("quantile = 1\n"), testing::HasSubstr("stop.quantile"));
+}
+
+constexpr const char* moored =
+    "[moorings]\nmass_t = 2\ngyration_m = 0.5\nsurge_kN_m = 10\nsway_kN_m = 10\nyaw_kN_m_rad = 5\n";
+
+TEST(StopKeys, MayNameADesignValueOfAStructureThatGivesWay) {
+    const std::string rule = "[stop]\nhalf_width_percent = 20\nof = \"design_mooring_force\"\n";
+    EXPECT_EQ(read(rule + moored).stop.design_of(), find_design_of("mooring_force"));
+    EXPECT_THAT(
+        refusal([&] { read(rule); }),
+        testing::HasSubstr("a.toml:3: stop.of = \"design_mooring_force\" is the horizontal resultant of springs, "
+                           "lines and turret, which no case has: it is of structures that give way "
+                           "(moorings.mass_t) in surge or sway; write"));
+    EXPECT_THAT(refusal([&] { read("[stop]\nof = \"design_line_tension\"\n" + std::string{moored}); }),
+                testing::HasSubstr("on lines with a break load"));
+    EXPECT_THAT(
+        refusal([&] { read(rule + moored + "[analysis]\nwindow_s = 3\nsegments = 1\n", {"moorings.mass_t=2000"}); }),
+        testing::HasSubstr("is shorter than three natural periods of"));
+    EXPECT_EQ(read("[stop]\nof = \"mean_surge_mooring\"\n" + std::string{moored}).stop.design_of(), nullptr);
+    EXPECT_THAT(refusal([&] { read("[stop]\nof = \"mean_surge_mooring\"\n"); }),
+                testing::HasSubstr("is of structures that give way (moorings.mass_t), and case"));
+}
+
+// Of all cases it is those that have the design value.
+TEST(StopKeys, AskOfTheCasesThatHaveADesignValue) {
+    const std::string cases = "[[case]]\nname = \"fixed\"\n[[case]]\nname = \"soft\"\nmoorings.mass_t = 2\n";
+    const std::string held = "[moorings]\ngyration_m = 0.5\nsurge_kN_m = 10\nsway_kN_m = 10\nyaw_kN_m_rad = 5\n";
+    const std::string rule = "[stop]\nhalf_width_percent = 20\nof = \"design_offset\"\n";
+    EXPECT_EQ(read(rule + "case = \"soft\"\n" + held + cases).stop.case_name, "soft");
+    EXPECT_EQ(read(rule + held + cases).stop.case_name, "all");
+    EXPECT_THAT(refusal([&] { read(rule + "case = \"fixed\"\n" + held + cases); }),
+                testing::HasSubstr("which case fixed has not: it is of structures that give way"));
 }
 
 TEST(StopKeys, RefuseCasesThatTellNothing) {

@@ -138,6 +138,7 @@ void publish_moored(const std::filesystem::path& file, double sideways = 0, doub
             motion.sway_mooring.back() = -sideways * motion.surge_mooring.back();
             motion.sway_offset.back() = sideways * motion.surge_offset.back();
         }
+        record.result.responses = responses_of(scenario, motion);
     }
     records.front().result.moored.broken_lines = 1;
     publish(file, campaign, records, std::vector<Session>{synthetic::session()});
@@ -169,10 +170,7 @@ TEST_F(Design, ExtrapolatesTheMooringForceOfAHullThatGivesWay) {
 TEST_F(Design, TakesTheResultantAndThePlaceOfTheTurret) {
     const auto largest = [&](std::string_view word) {
         const Evidence evidence = read_evidence(CampaignFile(file_));
-        return simulated_peaks(evidence, *std::ranges::find(design_ofs, word, &DesignOf::word))
-            .at(0)
-            .rows.at(1)
-            .peaks.front();
+        return simulated_peaks(evidence, *find_design_of(word)).at(0).rows.at(1).peaks.front();
     };
     publish_moored(file_, 4.0 / 3);
     EXPECT_NEAR(largest("mooring_force"), 5.0 / 3 * largest("surge_mooring"), 1e-6);
@@ -189,9 +187,7 @@ TEST_F(Design, TakesTheResultantAndThePlaceOfTheTurret) {
 TEST_F(Design, ExtrapolatesMotionsInTheirOwnUnits) {
     publish_moored(file_);
     const Evidence evidence = read_evidence(CampaignFile(file_));
-    const auto peaks_of = [&](std::string_view word) {
-        return simulated_peaks(evidence, *std::ranges::find(design_ofs, word, &DesignOf::word)).at(0);
-    };
+    const auto peaks_of = [&](std::string_view word) { return simulated_peaks(evidence, *find_design_of(word)).at(0); };
     EXPECT_NEAR(peaks_of("surge_offset").measured.mean, 0.5, 1e-3);
     EXPECT_NEAR(peaks_of("surge_offset").rows.at(1).peaks.front(), 0.52, 1e-3);
     EXPECT_NEAR(peaks_of("yaw").rows.at(1).peaks.front(), 0.02, 1e-3);
@@ -200,7 +196,7 @@ TEST_F(Design, ExtrapolatesMotionsInTheirOwnUnits) {
         HasSubstr("Design offset along the tow: the largest offset of the hull's axis along the surge load in 3 h"));
     DesignLoadRequest request{.scale = 9};
     for (const auto& [word, factor] : {std::pair("load", 729.0), {"surge_offset", 9.0}, {"yaw", 1.0}}) {
-        request.of = *std::ranges::find(design_ofs, word, &DesignOf::word);
+        request.of = *find_design_of(word);
         EXPECT_DOUBLE_EQ(request.factor(), factor) << word;
     }
     const std::string told = design("--of yaw --format json", no_load);

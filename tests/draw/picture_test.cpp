@@ -71,6 +71,17 @@ void expect_colour(const Colour& found, const Colour& wanted) {
     EXPECT_NEAR(found.blue, wanted.blue, 0.02);
 }
 
+// Ice comes from where the structure goes; a straight tow does not say so.
+TEST(Stage, SaysFromWhereTheIceComes) {
+    EXPECT_EQ(Stage(subject(), {}).ice_words(1), "");
+    RecordingSubject turning = subject();
+    turning.scenario.path.legs = {{.heading = 0, .speed = 0.4, .time = 4}, {.heading = 0.5, .speed = 0.2, .time = 2}};
+    const Stage stage(turning, {});
+    EXPECT_EQ(stage.ice_words(1), "ice from 0° at 0.4 m/s");
+    EXPECT_EQ(stage.ice_words(5), "ice from 29° at 0.2 m/s");
+    EXPECT_EQ(stage.ice_words(7), "ice at rest");
+}
+
 TEST(Projection, PutsTheTargetInTheMiddleAndAMetreToScale) {
     for (const View view : {View::perspective, View::above, View::side, View::below, View::plan}) {
         const Camera seen = camera(view, subject(), 2);

@@ -181,7 +181,7 @@ TEST(SummaryTable, ShowsTheFigures) {
     EXPECT_THAT(text, testing::ContainsRegex("mean, N +27\\.00 \\[22\\.89, 31\\.11\\] +32\\.00 – +26\\.00 "));
     EXPECT_THAT(text, testing::ContainsRegex("against E60, % +-15\\.6 +0\\.0 +-18\\.8"));
     EXPECT_THAT(text, testing::ContainsRegex("mean maximum, N +108\\.0 "));
-    EXPECT_THAT(text, testing::ContainsRegex("failure ratio, % +2\\.0 "));
+    EXPECT_THAT(text, testing::ContainsRegex("broken floes, % +2\\.0 "));
     EXPECT_THAT(text, testing::ContainsRegex("joints failed in bending +2\\.5 \\[0\\.4, 4\\.6\\] +5\\.5 – +8\\.5 "));
 }
 

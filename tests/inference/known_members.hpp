@@ -24,7 +24,7 @@ inline Campaign load_campaign(double half_width) {
     scenario.analysis = {.window = window, .segments = 3, .averaging = {1}, .peak_separation = separation};
     made.cases.push_back({"one", scenario});
     made.stop.half_width = half_width;
-    made.stop.of = design_load_word;
+    made.stop.of = "design_load";
     return made;
 }
 

@@ -126,7 +126,7 @@ TEST(LoadStop, DoesNotStopWhileTheLoadRises) {
     EXPECT_FALSE(stop.met());
     EXPECT_TRUE(std::isnan(stop.achieved()));
     EXPECT_THAT(stop.obstacle(), HasSubstr("case one: the load rises, +"));
-    EXPECT_THAT(stop.obstacle(), HasSubstr(" (60 members), so it has no design load"));
+    EXPECT_THAT(stop.obstacle(), HasSubstr(" (60 members), so it has no design value"));
 }
 
 TEST(LoadStop, DoesNotStopWithTooFewPeaks) {

@@ -148,7 +148,7 @@ TEST_F(EndlessReplay, OfAPartHasItsFloesAloneAndTheSidesBesideThem) {
 
 TEST_F(EndlessReplay, KeepsTheStartTheWorstMomentAndTheEnd) {
     const ReplaySubject again = subject();
-    const KeyFrames frames = key_frames(again);
+    const KeyFrames frames = key_frames(again, std::nan(""));
     EXPECT_THAT(differences(again, frames.result), IsEmpty());
     EXPECT_NEAR(frames.worst.time, time_of_largest(again), 1e-12);
     const IceLayout layout(frames.about.floes);

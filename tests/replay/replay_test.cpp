@@ -114,7 +114,7 @@ TEST_F(Replay, HasContactsThatAddUpToTheLoad) {
 
 TEST_F(Replay, KeepsTheStartTheWorstMomentAndTheEnd) {
     const ReplaySubject again = subject(0);
-    const KeyFrames frames = key_frames(again);
+    const KeyFrames frames = key_frames(again, std::nan(""));
     EXPECT_THAT(differences(again, frames.result), IsEmpty());
     EXPECT_EQ(frames.history.surge, frames.result.history.surge);
     EXPECT_EQ(frames.start.step, 0);

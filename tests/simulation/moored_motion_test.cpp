@@ -314,6 +314,7 @@ TEST(MooredMotion, LineBreaksOnceAndForAll) {
     for (; k < 400 && std::isnan(state().broken_at[0]); ++k) motion.advance(in_plane({-4500, 0, 0}), step * (k + 1));
     EXPECT_NEAR(state().broken_at[0], step * k, 1e-9);
     EXPECT_GT(motion.largest_tensions()[0], 7000);
+    EXPECT_DOUBLE_EQ(motion.line_use(), motion.largest_tensions()[0] / 7000) << "of the step in which it breaks";
     EXPECT_TRUE(std::isnan(state().broken_at[1]));
     const double broken = state().broken_at[0];
     const double without = pull(two_lines(), two_lines().lines[1], state().offset).force[0];
