@@ -127,12 +127,58 @@ out=$(cd / && PATH=$bin:$PATH linked config --defaults 2>/dev/null)
 check "symbolic link" "program <config> <--defaults>" "$out"
 check "symbolic link: the project it leads to" "" "$(calls)"
 
-# -- a project that moved is configured afresh
+# -- a copied clone runs the program that came with it; what it builds itself leaves the copied build as it is
+: >"$stage/calls"
+copy="$stage/a copy"
+copied() { out=$(cd "$stage" && PATH=$bin:$PATH "$copy/floes" "$@" 2>"$stage/err"); status=$?; err=$(<"$stage/err"); }
+cp -a "$home" "$copy"
+copied status c.h5
+check "a copied clone: its program" "program <status> <c.h5>" "$out"
+check "a copied clone: nothing is built or said" "" "$(calls)$err"
+echo precious >"$copy/build/release/precious"
+sleep 0.01
+touch "$copy/src/changed.cpp"
+copied status c.h5
+check "a changed copy is configured afresh" "cmake --preset release
+cmake --build $copy/build/release --target floes" "$(calls)"
+check "a changed copy: its program" "program <status> <c.h5>" "$out"
+check "a changed copy: the build that came with it" precious "$(cat "$copy/build/release.copied/precious")"
+check_has "a changed copy: what is said" \
+    "the build in $copy/build/release was made in $home; it is kept as $copy/build/release.copied" "$err"
+: >"$stage/calls"
+copied status c.h5
+check "a changed copy is built once" "" "$(calls)"
+rm -rf -- "$copy/build"
+cp -a "$home/build" "$copy/build"
+sed -i 's/ [0-9.]* / 1.5 /' "$copy/build/release/current"  # as a copy that did not keep the times
+copied status c.h5
+check_has "a copy without times is built" "cmake --preset release" "$(calls)"
+rm -rf -- "$copy"
+
+# -- a project that moved takes its program along
 : >"$stage/calls"
 mv "$home" "$home moved" && mkdir "$home" && mv "$home moved" "$home/inside"
 out=$(PATH=$bin:$PATH "$home/inside/floes" config 2>/dev/null)
-check "moved project" "cmake --preset release
-cmake --build $home/inside/build/release --target floes" "$(calls)"
+check "moved project" "program <config>" "$out"
+check "moved project: nothing is built" "" "$(calls)"
+
+# -- whoever calls it from a program may forbid builds
+machine
+FLOES_BUILD=never launch status c.h5
+check "no build allowed, none there: status" 2 "$status"
+check_has "no build allowed, none there: why" "is not built yet, and whoever called it allows no build" "$err"
+check_has "no build allowed, none there: what to do" "build it in a terminal, in some minutes: $home/floes version" "$err"
+check "no build allowed: nothing was tried" "" "$(calls)"
+launch status c.h5
+FLOES_BUILD=never launch status c.h5
+check "no build allowed, an up-to-date program" "program <status> <c.h5>" "$out"
+sleep 0.01
+touch "$home/src/changed.cpp"
+: >"$stage/calls"
+FLOES_BUILD=never launch status c.h5
+check "no build allowed, an old program: status" 2 "$status"
+check_has "no build allowed, an old program: why" "is older than its sources" "$err"
+check "no build allowed, an old program: nothing was tried" "" "$(calls)$out"
 
 # -- packages are missing, no root
 machine
@@ -331,11 +377,13 @@ stub cmake <<'STUB'
 if [[ $1 == --preset ]]; then mkdir -p "build/$2"; exit; fi
 echo "[0/2 0.013] Re-checking globbed directories..."
 echo "[30/120 60.5] Building CXX object a.o"
+echo "[31/120 61.0] Building CXX object b.o"
 printf '#!/bin/sh\n' >"$2/floes"
 chmod +x "$2/floes"
 STUB
 FLOES_TOLD_EACH=0 launch run c.toml
 check_has "progress in lines" "floes: building floes: 30 of 120, 3:00 left" "$err"
+check "a build without a terminal is told once, however far it is" 1 "$(grep -c "building floes: 120 steps" "$stage/err")"
 
 ((failures == 0)) && echo "launcher: all checks passed"
 exit $((failures > 0))
