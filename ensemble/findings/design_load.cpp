@@ -246,24 +246,31 @@ std::string value_key(const DesignLoadRequest& request) {
     return request.of.unit == "N" ? "load" : std::string(request.of.word);
 }
 
-/// A row for each case, method and figure, for programs.
+/// A row for each case, method and figure, for programs; of a case without a load those of both tails, undefined, with
+/// the reason.
 Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                   const DesignLoadRequest& request) {
     Results results{.place = "design/loads",
                     .columns = program_columns("case method averaging exposure_h scale figure probability of unit")};
     results.columns.push_back(estimates(value_key(request), "", std::string(request.of.unit)));
+    results.columns.push_back(program_columns("reason").front());
     const Datum averaging = is_averaged(request) ? Datum(request.averaging) : Undefined{};
-    for (const CaseDesignLoad& design : designs)
-        for (const DesignLoadEstimate& made : design.load.estimates) {
+    const LoadFigure undefined{std::nan(""), {std::nan(""), std::nan("")}};
+    const DesignLoadEstimate none{LargestBy::both_tails, undefined, {request.quantiles.size(), undefined}};
+    for (const CaseDesignLoad& design : designs) {
+        const bool has = design.load.valid();
+        const Datum reason = has ? Datum(Undefined{}) : none_text(design, summary.cases[design.case_index].about);
+        for (const DesignLoadEstimate& made : has ? design.load.estimates : std::vector{none}) {
             const auto add = [&](const char* figure, double probability, const LoadFigure& load) {
                 results.add({summary.named(design.case_index), name_of(made.method), averaging,
                              request.exposure / unit::hour, request.scale, figure, probability, request.of.word,
-                             request.of.unit, shown_figure(load, request.factor(), true)});
+                             request.of.unit, shown_figure(load, request.factor(), true), reason});
             };
             add("expected", std::nan(""), made.expected);
             for (std::size_t k = 0; k < made.quantiles.size(); ++k)
                 add("quantile", request.quantiles[k], made.quantiles[k]);
         }
+    }
     return results;
 }
 

@@ -127,8 +127,8 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
                               const DesignLoadRequest& request);
 
 /// The loads, what they rest on, and the differences between cases with the same arrangements whose members are of one
-/// kind. For programs "design/loads" at full scale, and at the scale of the campaign "design/basis",
-/// "design/over_thresholds" and "design/rates".
+/// kind. For programs "design/loads" at full scale, with a `reason` in the place of a load that there is not, and at
+/// the scale of the campaign "design/basis", "design/over_thresholds" and "design/rates".
 std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                                           const DesignLoadRequest& request);
 

@@ -62,8 +62,19 @@ TEST_F(Design, SaysWhereThereAreTooFewPeaks) {
     EXPECT_THAT(design("--averaging-s 0.4", no_load), HasSubstr(" arrangements would do."));
     EXPECT_THAT(design("--averaging-s 0.4", no_load), testing::StartsWith("! 1 of 12 members failed"));
     EXPECT_THAT(design("--averaging-s 0.4", no_load), testing::Not(HasSubstr("nan")));
-    EXPECT_TRUE(
-        nlohmann::json::parse(design("--averaging-s 0.4 --format json", no_load)).at("design").at("loads").empty());
+}
+
+// Whoever reads the answer by a program finds a row for what was asked, not none.
+TEST_F(Design, GivesProgramsTheReasonInThePlaceOfALoad) {
+    const std::string asked = "--averaging-s 0.4 --quantile 0.5,0.9 --format ";
+    const auto rows = nlohmann::json::parse(design(asked + "json", no_load)).at("design").at("loads");
+    EXPECT_EQ(rows.size(), 3u * 3);  // cases; expected load and two quantiles
+    for (const auto& row : rows) {
+        EXPECT_TRUE(row.at("load").is_null()) << row;
+        EXPECT_THAT(row.at("reason").get<std::string>(),
+                    HasSubstr(row.at("case") == "stiff" ? "2 of the 4 arrangements" : "too few peaks ("));
+    }
+    EXPECT_THAT(design(asked + "csv", no_load), HasSubstr(",,,,too few peaks ("));
 }
 
 TEST_F(Design, RefusesWhatItCannotAnswer) {
@@ -201,7 +212,7 @@ TEST_F(Design, ExtrapolatesMotionsInTheirOwnUnits) {
     }
     const std::string told = design("--of yaw --format json", no_load);
     const auto rows = nlohmann::json::parse(told).at("design").at("loads");
-    EXPECT_EQ(rows.size(), 0u);  // four members of six peaks are too few to fit
+    EXPECT_TRUE(rows.at(0).at("yaw").is_null());  // four members of six peaks are too few to fit
     EXPECT_THAT(refusal([&] { design("--of heave"); }),
                 testing::AllOf(HasSubstr("Design heave: no case gives way in heave"), HasSubstr("moorings.free")));
 }

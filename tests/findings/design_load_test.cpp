@@ -77,8 +77,10 @@ TEST(DesignFinding, HasEveryCaseMethodAndFigure) {
     EXPECT_EQ(told.at("design").at("basis").at(0).at("arrangements"), 40);
     EXPECT_EQ(told.at("design").at("basis").at(0).at("peaks"), 200);
     // Only both tails have an interval that holds.
-    for (const auto& one : told.at("design").at("loads"))
+    for (const auto& one : told.at("design").at("loads")) {
         EXPECT_EQ(one.at("load_low").is_null(), one.at("method") != "both tails") << one;
+        EXPECT_TRUE(one.at("reason").is_null()) << one;
+    }
 }
 
 TEST(DesignFinding, GrowsByFroude) {
