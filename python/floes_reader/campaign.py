@@ -245,10 +245,26 @@ class Campaign:
         return rows if reference is None or rows.empty else rows[rows["first"] == reference].reset_index(drop=True)
 
     def design_loads(self, **options: Any) -> pandas.DataFrame:
-        """The largest load in an exposure, by the program (`floes design`): a row for each case and method. `options`
-        as on the command line: exposure_h=10, quantile=[0.5, 0.9], averaging_s=2, scale=36, of="mooring_force". Empty
-        where no case has a design load; `design_basis` says why."""
-        return pandas.DataFrame(program.ask("design", self.path, **options)["design"]["loads"])
+        """The largest load in an exposure, by the program (`floes design`): a row for each case, method and figure.
+        `options` as on the command line: exposure_h=10, quantile=[0.5, 0.9], averaging_s=2, scale=36,
+        of="mooring_force". A case that has none, such as one whose load still rises, has the same rows by "both tails"
+        with NaN, and the `reason` in words."""
+        loads = pandas.DataFrame(program.ask("design", self.path, **options)["design"]["loads"])
+        values = loads.columns[loads.columns.get_loc("unit") + 1:-1]  # of the load, its interval: NaN, also where all are
+        return loads.astype(dict.fromkeys(values, float)).assign(reason=loads.reason.fillna(""))
+
+    def design_load(self, case: str | None = None, **options: Any) -> pandas.Series:
+        """The one to quote of a case, which may be left out where there is one: the first `quantile` by "both tails",
+        with its 95 % interval (`load`, `load_low`, `load_high`; of="yaw": `yaw` and so on). `options` as of
+        design_loads. Raises Refused where there is none, with the reason."""
+        if case is None and len(self._cases) > 1:
+            raise CampaignError(f"Which case? {self.path} has {', '.join(self._cases.index)}.")
+        name = self._cases.index[0] if case is None else self._checked(case)
+        loads = self.design_loads(**options)
+        found = loads[(loads.case == name) & (loads.method == "both tails") & (loads.figure == "quantile")].iloc[0]
+        if found.reason:
+            raise program.Refused(f"{name}: {found.reason}")
+        return found.drop("reason")
 
     def design_basis(self, **options: Any) -> pandas.DataFrame:
         """What the design loads rest on: a row for each case, with the time that was run, peaks, trend and tail."""
@@ -259,7 +275,7 @@ class Campaign:
         largest = [key for key in ("mean_maximum_1s", "mean_maximum") if key in self._quantities.index][:1]
         summary, lines = self.summary(), {}
         for case in self._cases.index:
-            line = {"done": int((self._members.status[self._members.case == case] == "done").sum())}
+            line: dict[str, Any] = {"done": int((self._members.status[self._members.case == case] == "done").sum())}
             for key in ["mean_load", *largest, "failure_ratio"]:
                 one = summary.loc[(case, key)]
                 percent = key == "failure_ratio"

@@ -166,8 +166,8 @@ check "moved project: nothing is built" "" "$(calls)"
 machine
 FLOES_BUILD=never launch status c.h5
 check "no build allowed, none there: status" 2 "$status"
-check_has "no build allowed, none there: why" "is not built yet, and whoever called it allows no build" "$err"
-check_has "no build allowed, none there: what to do" "build it in a terminal, in some minutes: $home/floes version" "$err"
+check_has "no build allowed, none there: why" "is not built yet, and FLOES_BUILD=never allows no build here" "$err"
+check_has "no build allowed, none there: what to do" "build it in a terminal, which takes some minutes at first: $home/floes version" "$err"
 check "no build allowed: nothing was tried" "" "$(calls)"
 launch status c.h5
 FLOES_BUILD=never launch status c.h5

@@ -12,5 +12,5 @@ if(TARGET floes)
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/workbook.py $<TARGET_FILE:floes>
                    $<TARGET_FILE:synthetic_file>)
   set_tests_properties(tables.workbook PROPERTIES LABELS all TIMEOUT 120 PROCESSORS 2)
-  set_tests_properties(python.reader PROPERTIES LABELS all TIMEOUT 300 PROCESSORS 2)
+  set_tests_properties(python.reader PROPERTIES LABELS all TIMEOUT 600 PROCESSORS 2)
 endif()

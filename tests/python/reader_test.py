@@ -20,6 +20,7 @@ import pandas
 from campaigns import DESIGN, EMPTY, FLOES, FULL, MOORED, PROJECT, SMOKE, run
 from figures import Figures  # noqa: F401
 from refusals import Refusals  # noqa: F401
+from runs import Background, Dicts, Refusing  # noqa: F401
 from scipy import stats
 
 import floes_reader
@@ -110,15 +111,25 @@ class Program(unittest.TestCase):
                             for ask in (campaign.design_loads, campaign.design_basis))
             with self.assertRaisesRegex(floes_reader.CampaignError, "did you mean --exposure-h"):
                 campaign.design_loads(exposure=10)
+            rises = campaign.design_loads(quantile=[0.5, 0.9])
+            with self.assertRaisesRegex(floes_reader.Refused, "^E60: .*so it is not known how high it gets later"):
+                campaign.design_load("E60")
+            quoted = campaign.design_load("E60", rising=True, exposure_h=10, peaks=0.5)
+            with self.assertRaisesRegex(floes_reader.CampaignError, "^Which case. .* has E30, E60, E200"):
+                campaign.design_load()
+        self.assertEqual(len(rises), 3 * 3)  # cases; the expected load and two quantiles
+        self.assertTrue(rises.load.isna().all() and rises.reason.str.contains("measure later", case=False).all(), rises)
         command = [FLOES, "design", output, "--format", "json", "--exposure-h", "10", "--rising", "--peaks", "0.5"]
         expected = json.loads(run(*command))["design"]["loads"]
         self.assertGreater(len(expected), 0)
         self.assertEqual(list(loads["load"]), [record["load"] for record in expected])
+        self.assertEqual(set(loads.reason), {""})
+        self.assertEqual(quoted.load, [one for one in expected if one["case"] == "E60" and one["figure"] == "quantile"][0]["load"])
         self.assertEqual(list(basis["exposure"]), [36000.0] * 3)
         with self.assertRaisesRegex(floes_reader.CampaignError, "did you mean campaign.arrangements"):
             floes_reader.run(smoke, output, set={"campaign.arrangement": 1}, overwrite=True)
         with floes_reader.open(SMOKE) as campaign:
-            self.assertTrue(campaign.design_loads().empty)  # too few peaks
+            self.assertIn("too few peaks (3 of 20)", campaign.design_loads().reason[0])
 
 
 class Progress(unittest.TestCase):
