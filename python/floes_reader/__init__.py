@@ -19,7 +19,8 @@ from .program import Refused
 from .runs import Configuration, Progress, Run, begun, show
 from .stored import CampaignError, LAYOUT, NewerLayoutWarning
 
-__all__ = ["Campaign", "CampaignError", "LAYOUT", "NewerLayoutWarning", "Progress", "Refused", "Run", "open", "run", "start"]
+__all__ = ["Campaign", "CampaignError", "LAYOUT", "NewerLayoutWarning", "Progress", "Refused", "Run", "open", "run",
+           "start"]
 
 __version__ = "3.0.0"  # of floes
 
@@ -36,17 +37,18 @@ def run(configuration: Configuration, output: str | os.PathLike | None = None, s
         **options: Any) -> Campaign:
     """Computes a campaign by the program (`floes run`) and opens it. Progress goes to standard error.
 
-    `configuration`: a file, or its tables as a dict ({"ice": {"thickness_m": 0.03}, "case": [{"name": "a"}, …]}, or with
-    the keys of Campaign.keys), which is kept beside the campaign file with the ending .toml. `output`: the campaign file;
-    by default CONFIG.h5 in this folder, of a dict campaign.h5. `set`: keys over those of the configuration. `options` as
-    on the command line: threads=4, ranks=2, resume=True, overwrite=True.
+    `configuration`: a file, or its tables as a dict ({"ice": {"thickness_m": 0.03}, "case": [{"name": "a"}, …]}, or
+    with the keys of Campaign.keys), which is kept beside the campaign file with the ending .toml: files that it names
+    are looked for from there. `output`: the campaign file; by default CONFIG.h5 in this folder, of a dict campaign.h5.
+    `set`: keys over those of the configuration. `options` as on the command line: threads=4, ranks=2, resume=True,
+    overwrite=True.
 
     Raises Refused where the program refuses the configuration or its output, with its sentences, before anything is
     computed; CampaignError where the run ends early."""
     under_way = begun(configuration, output, set or {}, True, False, options)
     try:
         show(under_way.said())
-    except KeyboardInterrupt:
+    except BaseException:  # also where a cell of a notebook is interrupted
         under_way.stop()
         raise
     return under_way.wait()
@@ -54,7 +56,7 @@ def run(configuration: Configuration, output: str | os.PathLike | None = None, s
 
 def start(configuration: Configuration, output: str | os.PathLike | None = None, set: dict[str, Any] | None = None,
           outlives: bool = False, **options: Any) -> Run:
-    """The same without waiting for it: the run in the background, with its `progress`, stop() and wait(). A configuration
-    that the program refuses is Refused at once. `outlives`: the run goes on where Python ends before it; otherwise it is
-    stopped then."""
+    """The same without waiting for it: the run in the background, with its `progress`, stop() and wait(). A
+    configuration that the program refuses is Refused at once. `outlives`: the run goes on where Python ends before it;
+    otherwise it is stopped then."""
     return begun(configuration, output, set or {}, False, outlives, options)

@@ -250,7 +250,7 @@ class Campaign:
         of="mooring_force". A case that has none, such as one whose load still rises, has the same rows by "both tails"
         with NaN, and the `reason` in words."""
         loads = pandas.DataFrame(program.ask("design", self.path, **options)["design"]["loads"])
-        values = loads.columns[loads.columns.get_loc("unit") + 1:-1]  # of the load, its interval: NaN, also where all are
+        values = loads.columns[loads.columns.get_loc("unit") + 1:-1]  # load and interval: NaN, also where all are
         return loads.astype(dict.fromkeys(values, float)).assign(reason=loads.reason.fillna(""))
 
     def design_load(self, case: str | None = None, **options: Any) -> pandas.Series:

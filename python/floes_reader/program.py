@@ -56,8 +56,8 @@ def surroundings() -> dict[str, str]:
 
 
 def words_of(options: dict[str, Any]) -> list[str]:
-    """Options of the command line: exposure_h=10 is --exposure-h 10, True is a flag, lists are comma-separated, and what
-    is None or False is left out."""
+    """Options of the command line: exposure_h=10 is --exposure-h 10, True is a flag, lists are comma-separated, and
+    what is None or False is left out."""
     words = []
     for name, value in options.items():
         if value is None or value is False:
@@ -92,7 +92,7 @@ def ask(verb: str, path: str | os.PathLike, **options: Any) -> dict[str, Any]:
 
 
 def check(configuration: str | os.PathLike, changes: dict[str, Any]) -> None:
-    """Refused where `floes config --check` finds fault with the file. A name without an ending may be that of an installed
-    one, of which the run itself says what it thinks."""
+    """Refused where `floes config --check` finds fault with the file. A name without an ending may be that of an
+    installed one, of which the run itself says what it thinks."""
     if os.path.exists(configuration) or pathlib.Path(configuration).suffix:
         called("config", "--check", os.fspath(configuration), *changes_of(changes))

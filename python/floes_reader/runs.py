@@ -46,13 +46,15 @@ class Run:
         if live:
             around["FLOES_PROGRESS"] = "live"  # as on a terminal, where a state ends with \r; text=True splits there
         # A session of its own: what interrupts a cell of a notebook does not reach it.
-        self._process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=self._log or subprocess.PIPE, env=around,
-                                         text=True, errors="replace", stdin=subprocess.DEVNULL, start_new_session=True)
+        self._process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                         stderr=self._log or subprocess.PIPE, text=True, errors="replace", env=around,
+                                         start_new_session=True)
         self._lines: list[str] = []
         self._watch: subprocess.Popen | None = None
         if not outlives:
-            self._watch = subprocess.Popen(["/bin/sh", "-c", ORPHANED, str(self._process.pid)], stdin=subprocess.PIPE,
-                                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+            self._watch = subprocess.Popen(["/bin/sh", "-c", ORPHANED, str(self._process.pid)],
+                                           stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                           stderr=subprocess.DEVNULL, start_new_session=True)
             atexit.register(self._end)
 
     def __enter__(self) -> "Run":
@@ -63,7 +65,7 @@ class Run:
 
     def __repr__(self) -> str:
         status = self.poll()
-        state = "under way" if status is None else "stopped" if status == program.STOPPED else f"ended with status {status}"
+        state = {None: "under way", program.STOPPED: "stopped"}.get(status, f"ended with status {status}")
         return f"<run into {self.path}: {state}, {self.progress}>"
 
     @property
@@ -92,8 +94,8 @@ class Run:
         return status
 
     def wait(self, timeout: float | None = None) -> Campaign:
-        """Its campaign, opened, once every member is done or set aside. `timeout`: s, after which TimeoutError is raised
-        and the run goes on. Raises Refused where the program refuses it, CampaignError where it ends early."""
+        """Its campaign, opened, once every member is done or set aside. `timeout`: s, after which TimeoutError is
+        raised and the run goes on. Raises Refused where the program refuses it, CampaignError where it ends early."""
         try:
             status = self._process.wait(timeout)
         except subprocess.TimeoutExpired:
@@ -104,7 +106,8 @@ class Run:
         if status == program.STOPPED:
             raise CampaignError(f"The run was stopped; resume=True goes on with {self.path}.")
         if status < 0:
-            raise CampaignError(f"The run was ended by {signal.Signals(-status).name}; resume=True goes on with {self.path}.")
+            name = signal.Signals(-status).name
+            raise CampaignError(f"The run was ended by {name}; resume=True goes on with {self.path}.")
         if status not in (0, 1) or not self.path.exists():
             last = (self.messages or ["it said nothing"])[-1]
             raise CampaignError(f"floes run ended with status {status}: {last}")
@@ -148,7 +151,8 @@ class Run:
 
     def _end(self) -> None:
         if self.poll() is None:
-            print(f"floes: the run into {self.path} is stopped, since Python ends; resume=True goes on with it", file=sys.stderr)
+            print(f"floes: the run into {self.path} is stopped, since Python ends; resume=True goes on with it",
+                  file=sys.stderr)
             self.stop()
 
 
@@ -168,16 +172,18 @@ def show(lines: Iterable[str]) -> None:
         print(file=sys.stderr)
 
 
-def begun(configuration: Configuration, output: str | os.PathLike | None, changes: dict[str, Any], live: bool, outlives: bool,
-          options: dict[str, Any]) -> Run:
+def begun(configuration: Configuration, output: str | os.PathLike | None, changes: dict[str, Any], live: bool,
+          outlives: bool, options: dict[str, Any]) -> Run:
     """Checks the configuration, and starts its run."""
-    tables = isinstance(configuration, Mapping)
-    if output is None:
-        output = "campaign.h5" if tables else pathlib.Path(configuration).stem + ".h5"  # type: ignore[arg-type]
-    path = pathlib.Path(output)
-    file = _written(configuration, path) if isinstance(configuration, Mapping) else pathlib.Path(configuration)
+    if isinstance(configuration, Mapping):
+        path = pathlib.Path("campaign.h5" if output is None else output)
+        file = _written(configuration, path)
+    else:
+        file = pathlib.Path(configuration)
+        path = pathlib.Path(file.stem + ".h5" if output is None else output)
     program.check(file, changes)
-    return Run(path, [str(file), "-o", str(path), *program.words_of(options), *program.changes_of(changes)], live, outlives)
+    words = [str(file), "-o", str(path), *program.words_of(options), *program.changes_of(changes)]
+    return Run(path, words, live, outlives)
 
 
 def _written(tables: Mapping[str, Any], output: pathlib.Path) -> pathlib.Path:

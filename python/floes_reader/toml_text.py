@@ -27,8 +27,8 @@ def value_text(value: Any) -> str:
 
 
 def toml_text(tables: Mapping[str, Any]) -> str:
-    """{"ice": {"thickness_m": 0.03}}, or {"ice.thickness_m": 0.03}, as TOML with a line for each key, so that what floes
-    refuses has a line of its own. A list of dicts is an array of tables, such as "case"."""
+    """{"ice": {"thickness_m": 0.03}}, or {"ice.thickness_m": 0.03}, as TOML with a line for each key, so that what
+    floes refuses has a line of its own. A list of dicts is an array of tables, such as "case"."""
     lines, blocks = [], []
     for name, value in tables.items():
         if isinstance(value, Mapping):

@@ -19,10 +19,14 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME docs.moored_hull
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/docs/moorings.md)
-  add_test(NAME docs.notebook
-           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/notebook_test.py $<TARGET_FILE:floes>
-                   ${PROJECT_SOURCE_DIR})
-  set_tests_properties(docs.tutorial PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2)
+  foreach(name design_load optimum served)
+    add_test(NAME docs.notebook.${name}
+             COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/notebook_test.py $<TARGET_FILE:floes>
+                     ${PROJECT_SOURCE_DIR} ${name})
+  endforeach()
+  set_tests_properties(docs.tutorial docs.notebook.optimum docs.notebook.served
+                       PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2)
   # Some minutes: campaigns at full scale, of a year and of a notebook.
-  set_tests_properties(docs.moored_hull docs.year_tutorial docs.notebook PROPERTIES LABELS slow TIMEOUT 1800 PROCESSORS 2)
+  set_tests_properties(docs.moored_hull docs.year_tutorial docs.notebook.design_load
+                       PROPERTIES LABELS slow TIMEOUT 1800 PROCESSORS 2)
 endif()

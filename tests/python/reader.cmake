@@ -8,6 +8,10 @@ if(TARGET floes)
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/notebook.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR})
   set_tests_properties(python.notebook PROPERTIES LABELS all TIMEOUT 300 PROCESSORS 2)
+  add_test(NAME python.types
+           COMMAND /usr/bin/python3 -m mypy --cache-dir=/dev/null --ignore-missing-imports --check-untyped-defs
+                   --disallow-untyped-defs ${PROJECT_SOURCE_DIR}/python/floes_reader)
+  set_tests_properties(python.types PROPERTIES LABELS all TIMEOUT 120)
   add_test(NAME tables.workbook
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/workbook.py $<TARGET_FILE:floes>
                    $<TARGET_FILE:synthetic_file>)

@@ -133,6 +133,9 @@ class Program(unittest.TestCase):
 
 
 class Progress(unittest.TestCase):
+    def setUp(self):
+        os.environ["FLOES"] = str(FLOES)
+
     def compute(self, script, **options):
         """What floes_reader says of a program that is this shell script, and its error."""
         with tempfile.TemporaryDirectory() as folder:

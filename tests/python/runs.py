@@ -217,8 +217,9 @@ class Background(InAFolder):
 
     def in_python(self, how):
         """A Python of its own that starts a run: its process, and the run's."""
-        python = subprocess.Popen(["/usr/bin/python3", "-c", IN_PYTHON, self.folder / f"{how}.h5", how], stdin=subprocess.PIPE,
-                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        command = ["/usr/bin/python3", "-c", IN_PYTHON, self.folder / f"{how}.h5", how]
+        python = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                  text=True)
         self.addCleanup(python.communicate)
         return python, int(python.stdout.readline())
 
