@@ -24,11 +24,11 @@ from floes_reader.toml_text import toml_text
 TWO = {"campaign.arrangements": 2}  # of three cases
 CONFIGURATION = PROJECT / "configs/smoke.toml"
 IN_PYTHON = f"""
-import sys
+import sys, time
 sys.path.insert(0, {str(SITE)!r})
 import floes_reader
 run = floes_reader.start({str(CONFIGURATION)!r}, sys.argv[1], {TWO}, threads=1, outlives=sys.argv[2] == "outlives")
-while run.progress.done < 1: pass
+while run.progress.done < 1: time.sleep(0.05)
 print(run._process.pid, flush=True)
 if sys.argv[2] == "killed": sys.stdin.read()
 """
@@ -109,9 +109,13 @@ class Dicts(InAFolder):
 
 
 class Refusing(InAFolder):
-    def refused(self, words, configuration, **options):
+    def refused(self, words, configuration, by_start=True, **options):
+        """By start() itself, or by the run that it starts. Its sentences."""
         with self.assertRaises(floes_reader.Refused) as caught:
-            floes_reader.start(configuration, self.folder / "bad.h5", **options).wait()
+            started = floes_reader.start(configuration, self.folder / "bad.h5", **options)
+            self.addCleanup(started.stop)
+            if not by_start:
+                started.wait()
         self.assertIn(words, str(caught.exception))
         self.assertFalse((self.folder / "bad.h5").exists())
         return caught.exception.sentences
@@ -125,10 +129,10 @@ class Refusing(InAFolder):
         self.refused("bad.toml:4: ice.thicknes_m = 3 is not a key", {"ice": {"thicknes_m": 3}})
         self.refused("did you mean campaign.arrangements", CONFIGURATION, set={"campaign.arrangement": 1})
         self.refused("none.toml: this file cannot be read", self.folder / "none.toml")
-        self.refused("none: this file cannot be read", "none")
+        self.refused("none: this file cannot be read", "none", by_start=False)
 
     def test_words_and_outputs(self):
-        self.refused("did you mean --threads?", CONFIGURATION, thread=1)
+        self.refused("did you mean --threads?", CONFIGURATION, by_start=False, thread=1)
         with self.started("bad.h5") as begun:
             begun.stop()
             with self.assertRaisesRegex(floes_reader.Refused, "^.*bad.h5 exists already: --resume continues it"):
