@@ -261,7 +261,7 @@ std::string after_text(const Evidence& evidence, const std::vector<CaseFigure>& 
     const bool designs = std::ranges::any_of(figures, [](const CaseFigure& one) { return one.of_design(); });
     std::string text = "Brackets: 95 % intervals over arrangements (n).";
     if (designs)
-        text += fmt::format(" Design values: exceeded with {:.3g} % in {:g} h.",
+        text += fmt::format(" Design values: exceeded with {:.3g} % in {:.3g} h.",
                             (1 - asked.quantiles.front()) / unit::percent, asked.exposure / unit::hour);
     const auto lines = std::ranges::find(figures, "design_line_tension",
                                          [](const CaseFigure& one) { return std::string_view(one.about.key); });
@@ -315,7 +315,7 @@ std::string sentence_of(const Evidence& evidence, const std::vector<CaseFigure>&
     std::vector<std::string> parts;
     const DesignLoadRequest asked = evidence.design_request.value_or(DesignLoadRequest{});
     if (!design.empty())
-        parts.push_back(fmt::format("in {:g} h {} {} exceeded with {:.3g} %", asked.exposure / unit::hour,
+        parts.push_back(fmt::format("in {:.3g} h {} {} exceeded with {:.3g} %", asked.exposure / unit::hour,
                                     fmt::join(design, ", "), design.size() == 1 ? "is" : "are each",
                                     (1 - asked.quantiles.front()) / unit::percent));
     parts.push_back(fmt::format("{}", fmt::join(mean, ", ")));

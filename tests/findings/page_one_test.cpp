@@ -5,11 +5,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "campaign_file/publish.hpp"
+#include "core/random.hpp"
 #include "findings/example.hpp"
+#include "member/design_of.hpp"
 #include "simulation/record.hpp"
 #include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
@@ -130,6 +133,61 @@ TEST_F(MooredPageOne, HasTheTensionOfEachLineOverItsBreakLoad) {
 TEST_F(MooredPageOne, HasTheTensionOverTheBreakLoadThatTheRunsHad) {
     const CasePeaks peaks = simulated_peaks(evidence_, *find_design_of("line_tension")).at(0);
     EXPECT_NEAR(peaks.rows.at(0).segment_maxima.back(), 0.9, 2e-3);
+}
+
+/// Exponential above an origin, eight in each window, without a trend.
+Response peaks_of(int member, std::size_t kind, double origin, double scale) {
+    RandomStream random{5, static_cast<std::uint32_t>(member), StreamId::bootstrap, static_cast<std::uint32_t>(kind)};
+    Response made{.mean = origin - scale, .rise = 0, .segment_maximum = {}, .peaks = std::vector<double>(8)};
+    for (double& peak : made.peaks) peak = origin - scale * std::log(random.uniform(1e-16, 1));
+    std::ranges::sort(made.peaks, std::ranges::greater{});
+    made.segment_maximum.assign(3, made.peaks.front());
+    return made;
+}
+
+// In T the largest of peaks at a rate r is exceeded with 10 % at origin + scale ln(r T / -ln 0.9).
+TEST(PageOne, HasTheDesignValuesOfMoorings) {
+    Campaign campaign = synthetic::campaign(40);
+    for (Case& one : campaign.cases) {
+        const double k = 0.98e5 * 4 * std::numbers::pi * std::numbers::pi;
+        one.scenario.structure.speed = 0.55;
+        one.scenario.analysis.window = 6;
+        one.scenario.moorings = {.mass = 1e5, .gyration = 0.4, .surge = k, .sway = k, .yaw = 0.16 * k};
+        one.scenario.moorings.lines = {{.distance = 1000, .pretension = 1000, .stiffness = 1000, .break_load = 2000}};
+    }
+    const auto scale_of = [](std::size_t of_case) { return of_case == 0 ? 1.0 : 0.5; };
+    std::vector<MemberRecord> records;
+    for (int number = 0; number < member_count(campaign); ++number) {
+        MemberRecord& record = records.emplace_back(synthetic::record_with_peaks(campaign, number));
+        const double scale = scale_of(static_cast<std::size_t>(number) % campaign.cases.size());
+        for (std::size_t kind = 0; kind < response_kinds().size(); ++kind)
+            record.result.responses.push_back(peaks_of(number, kind, 2 * scale, scale));
+        record.result.line_tension = {1000};
+        record.result.line_broken_at = {std::nan("")};
+    }
+    const TemporaryFolder folder;
+    publish(folder / "a.h5", campaign, records, std::vector<Session>{synthetic::session()});
+    Evidence evidence = read_evidence(CampaignFile(folder / "a.h5"));
+    constexpr double exposure = 600;
+    evidence.design_request = DesignLoadRequest{.exposure = exposure, .averaging = 0.4};
+    const PageOne page = find_page_one(evidence);
+    const auto exact = [&](std::size_t of_case) {
+        return scale_of(of_case) * (2 + std::log(8.0 / 6 * exposure / -std::log(0.9)));
+    };
+    for (const std::string key : {"design_mooring_force", "design_offset", "design_line_tension", "design_yaw"}) {
+        const double shown = key == "design_yaw" ? 1 / unit::degree : 1;
+        for (const std::size_t row : {0U, 1U})
+            EXPECT_NEAR(estimate_at(page, row, key).value, shown * exact(row), 0.2 * shown * exact(row)) << key << row;
+        const Estimate first = estimate_at(page, 0, key);
+        EXPECT_LT(first.low, first.value) << key;
+        EXPECT_GT(first.high, shown * exact(0)) << key;
+        const Estimate difference = estimate_at(page, 1, key + "_difference");
+        EXPECT_NEAR(difference.value, estimate_at(page, 1, key).value - first.value, 1e-9 * shown) << key;
+        EXPECT_LT(difference.high, 0) << key;
+    }
+    EXPECT_DOUBLE_EQ(estimate_at(page, 0, "mean_load").value, 20);
+    EXPECT_THAT(page.sentence, HasSubstr("in 0.167 h a mooring force of "));
+    EXPECT_EQ(page.lines->results.back().number(0, "ratio"), 0.5);
 }
 
 }  // namespace page_one_test
