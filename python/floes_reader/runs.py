@@ -1,7 +1,6 @@
 """Campaigns that Python starts: `floes run`, waited for or in the background."""
 
 import atexit
-import contextlib
 import os
 import pathlib
 import signal
@@ -118,6 +117,7 @@ class Run:
         happens where it has ended."""
         if self.poll() is None:
             self._process.terminate()
+            show(self.said())  # a live run's last words: it would end otherwise at a pipe that nobody reads
             self._process.wait()
             self._released()
 
@@ -128,15 +128,14 @@ class Run:
 
     def said(self) -> Iterator[str]:
         """Lines of a live run as they come, each without what moves a terminal's cursor."""
-        with self._process.stderr or contextlib.nullcontext(()) as lines:
-            for line in lines:
-                text = line.replace("\033[K", "").strip()
-                if not text:
-                    continue
-                if is_state(text) and self._lines and is_state(self._lines[-1]):
-                    self._lines.pop()
-                self._lines.append(text)
-                yield text
+        for line in self._process.stderr or ():
+            text = line.replace("\033[K", "").strip()
+            if not text:
+                continue
+            if is_state(text) and self._lines and is_state(self._lines[-1]):
+                self._lines.pop()
+            self._lines.append(text)
+            yield text
 
     def _released(self) -> None:
         """It has ended: nobody has to look after it."""
@@ -144,6 +143,8 @@ class Run:
             self._lines = self.messages
             self._log.close()
             self._log = None
+        if self._process.stderr is not None:
+            self._process.stderr.close()
         if self._watch is not None:
             self._watch.communicate(b"released\n")
             self._watch = None

@@ -247,6 +247,20 @@ class Background(InAFolder):
             self.assertEqual(list(campaign.sessions.outcome)[-1], "complete")
             self.assertEqual(campaign.sessions.outcome[0], "stopped")
 
+    def test_an_interrupted_call_of_run_stops_it(self):
+        path = self.folder / "interrupted.h5"
+        script = f"import sys; sys.path.insert(0, {str(SITE)!r}); import floes_reader; floes_reader.run(*sys.argv[1:])"
+        python = subprocess.Popen(["/usr/bin/python3", "-c", script, CONFIGURATION, path], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(python.wait)
+        while not path.with_suffix(".journal").exists() or program.ask("status", path)["done"] < 1:
+            self.assertIsNone(python.poll())
+            time.sleep(0.05)
+        python.send_signal(signal.SIGINT)
+        said = python.communicate()[1]
+        self.assertIn("stopped by SIGTERM", said)
+        self.assertTrue(said.rstrip().endswith("KeyboardInterrupt"), said)
+        self.assertFalse(program.ask("status", path)["at_work"])
+
     def test_unless_it_is_asked_to(self):
         python, pid = self.in_python("outlives")
         python.communicate()
