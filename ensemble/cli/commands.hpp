@@ -42,6 +42,7 @@ void add_summarize(CommandLine& line);
 void add_design(CommandLine& line);
 void add_contour(CommandLine& line);
 void add_config(CommandLine& line);
+void add_show(CommandLine& line);
 void add_laboratory(CommandLine& line);
 void add_hybrid(CommandLine& line);
 void add_hydro(CommandLine& line);

@@ -57,7 +57,8 @@ int make(const NewOptions& options) {
     write_new(path, text_of(options, path.filename().string()));
     std::printf("%s\n", options.file.c_str());
     const std::string result = std::filesystem::path(path).replace_extension(".h5").filename().string();
-    note("edit it, then floes run {0}, and floes summarize {1}", shell_word(options.file), shell_word(result));
+    note("edit it, see it by floes show {0}, then floes run {0}, and floes summarize {1}", shell_word(options.file),
+         shell_word(result));
     return 0;
 }
 
@@ -199,7 +200,11 @@ void add_config(CommandLine& line) {
         .one_of({"text", "json"})
         .needs(reference_flag);
     add_overrides(verb, options->overrides).excludes(reference_flag);
-    verb.prints([options] { return answer(*options); });
+    verb.runs([options] {
+        std::fputs(answer(*options).c_str(), stdout);
+        if (!options->check.empty()) note("to see it: floes show {}", shell_word(options->check));
+        return 0;
+    });
 }
 
 }  // namespace floes

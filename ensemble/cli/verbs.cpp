@@ -6,6 +6,7 @@ namespace floes {
 
 void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_new(line);
+    add_show(line);
     add_run(line, command);
     add_array(line);
     add_merge(line);

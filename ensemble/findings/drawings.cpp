@@ -13,6 +13,7 @@
 #include "core/units.hpp"
 #include "findings/catalogue.hpp"
 #include "findings/conditions.hpp"
+#include "findings/plan_view.hpp"
 #include "findings/points.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
@@ -118,31 +119,6 @@ std::vector<Figure> single_floes(Evidence& evidence) {
     return figures;
 }
 
-Figure side_view(const Scenario& scenario, const std::string& names, double widest) {
-    const Shape& shape = scenario.structure.shape;
-    const double reach = 1.6 * shape.largest_radius();
-    const double low = shape.bottom() - 0.08;
-    const double high = shape.top() + 0.08;
-    Figure figure{.description = "Section of the structure with the water's surface and the ice",
-                  .x = {names + "m", -reach, reach},
-                  .y = {"height, m", low, high},
-                  .size = to_scale(2 * reach, high - low, widest)};
-    figure.area({{-reach, low}, {reach, low}, {reach, 0}, {-reach, 0}}, "water");
-    const double draught = scenario.floe.thickness * scenario.ice.density / scenario.water.density;
-    const double freeboard = scenario.floe.thickness - draught;
-    for (const double sign : {-1.0, 1.0}) {
-        const double near = sign * (shape.waterline_ahead() + 0.02);
-        figure.area({{near, -draught}, {sign * reach, -draught}, {sign * reach, freeboard}, {near, freeboard}}, "ice");
-    }
-    for (const std::vector<Vec2>& piece : shape.side_view()) {
-        Figure::Points outline;
-        for (const Vec2& point : piece) outline.emplace_back(point.x(), point.y());
-        figure.area(std::move(outline), "structure");
-    }
-    figure.level(0, "dashed");
-    return figure;
-}
-
 /// Every hull once, with the names of its cases.
 std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
     const auto groups = grouped(campaign, [&](std::size_t k) { return campaign.cases[k].scenario.structure.shape; });
@@ -150,8 +126,8 @@ std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
     std::vector<Figure> figures;
     for (std::size_t k = 0; k < drawn; ++k) {
         const std::vector<std::size_t>& cases = groups[k].second;
-        figures.push_back(
-            side_view(campaign.cases[cases.front()].scenario, names_of(cases, drawn, summary), drawn == 1 ? 720 : 400));
+        figures.push_back(elevation_of(campaign.cases[cases.front()].scenario, names_of(cases, drawn, summary),
+                                       drawn == 1 ? 720 : 400));
     }
     std::vector<double> values;
     for (const Case& one : campaign.cases) values.push_back(one.scenario.floe.thickness);
@@ -281,41 +257,17 @@ Section histories_section(Evidence& evidence) {
 
 namespace {
 
-Figure::Points corners(const PlanarPose& pose, const FloeShape& floe) {
-    Figure::Points points;
-    const double c = std::cos(pose.yaw);
-    const double s = std::sin(pose.yaw);
-    for (const Corner& own : floe.corners())
-        points.emplace_back(pose.x + c * own.x + s * own.z, pose.z - s * own.x + c * own.z);
-    return points;
-}
-
-Figure plan_view(const Scenario& scenario, const FloeSet& floes, const std::vector<PlanarPose>& poses,
-                 const std::set<int>& broken) {
+Figure plan_view(const Scenario& scenario, const FloeSet& floes, const std::set<int>& broken) {
     const Field& field = scenario.field;
     const double radius = scenario.structure.shape.largest_radius();
-    const double low = std::min(scenario.structure.start - radius, field.begin) - 0.3;
-    const double high = scenario.field_end() + std::min(field.sheet_width, 0.5);
-    const double inner = field.half_width;
-    const double half = inner + std::min(field.sheet_width, 0.5);
-    Figure figure{.description = "The floes at the start, from above; floes that broke are marked",
-                  .x = {"along the tow, m", low, high},
-                  .y = {"across, m", -half, half},
-                  .size = to_scale(high - low, 2 * half, 720)};
-    for (const double sign : {-1.0, 1.0})
-        figure.area(
-            {{field.begin, sign * inner}, {high, sign * inner}, {high, sign * half}, {field.begin, sign * half}},
-            "sheet");
-    if (field.far_end == FarEnd::ice_sheet)
-        figure.area({{scenario.field_end(), -inner}, {high, -inner}, {high, inner}, {scenario.field_end(), inner}},
-                    "sheet");
-    for (std::size_t i = 0; i < poses.size(); ++i)
-        figure.area(corners(poses[i], floes.shape(i)), broken.contains(static_cast<int>(i)) ? "ice broken" : "ice");
-    for (const std::vector<Vec2>& piece : scenario.structure.shape.waterlines()) {
-        Figure::Points outline;
-        for (const Vec2& point : piece) outline.emplace_back(scenario.structure.start + point.x(), point.y());
-        figure.area(std::move(outline), "structure");
-    }
+    const double bank = drawn_bank(scenario);
+    const double half = field.half_width + bank;
+    const Seen seen(Vec2(std::min(scenario.structure.start - radius, field.begin) - bank, -half),
+                    Vec2(scenario.field_end() + bank, half));
+    Figure figure = plan_figure(seen, "The floes at the start, from above; floes that broke are marked", 720);
+    add_banks(figure, scenario);
+    add_floes(figure, floes, broken);
+    add_hull(figure, scenario.structure.shape, {scenario.structure.start, 0, 0});
     return figure;
 }
 
@@ -330,10 +282,12 @@ Section largest_load_section(Evidence& evidence) {
     for (const BreakRow& row : breaks_of(evidence))
         if (row.member == *number) broken.insert(row.floe);
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
-    const FloeSet floes =
+    FloeSet floes =
         floes_of(scenario, {arrangement_seed(evidence.campaign, member.case_index),
                             static_cast<std::uint32_t>(member_key(evidence.campaign, *number).arrangement)});
-    Figure figure = plan_view(scenario, floes, read_poses(evidence.file, *number), broken);
+    const std::vector<PlanarPose> poses = read_poses(evidence.file, *number);
+    for (std::size_t i = 0; i < floes.size(); ++i) floes.floes[i].pose = poses.at(i);
+    Figure figure = plan_view(scenario, floes, broken);
     figure.caption =
         fmt::format("Member {}, case {}: largest load {}, mean {}, {:.1f} % of the floes broke (marked).", *number,
                     evidence.summary.name_of(of_case), evidence.units.text(member.load.maximum, "N"),

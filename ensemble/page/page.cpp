@@ -262,10 +262,12 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
                        : fmt::format("As of {}.", now);
     const std::string refresh =
         status.at_work ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", status_page_seconds) : "";
+    const std::string drawn = fmt::format("<p>To see what is computed: <code>./floes show {}</code></p>\n",
+                                          html_escaped(shell_word(status.title + ".toml")));
     return html_page(counts_sentence(status), refresh,
                      fmt::format("<h1>{}</h1>\n<p>{}</p>\n", html_escaped(counts_sentence(status)),
                                  html_escaped(work_sentence(status))) +
-                         next_step(status, campaign_file.string()) + counts(status) + note(when) +
+                         drawn + next_step(status, campaign_file.string()) + counts(status) + note(when) +
                          page_one_html(whole ? "The answer" : "The answer so far", find_page_one(evidence),
                                        find_answer(evidence), evidence.units) +
                          section(whole ? "Precision" : "Precision so far", precision(evidence, status.stop)) +

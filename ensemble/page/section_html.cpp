@@ -222,31 +222,6 @@ std::string sections_page(const std::string& title, std::span<const Section> sec
 
 namespace {
 
-/// The style of a picture by itself: many programs that show SVG know no names of colours.
-std::string style_with_colours() {
-    std::string style{picture_style};
-    for (const auto part : std::views::split(light_colours, ';')) {
-        const std::string_view colour(part.begin(), part.end());
-        const std::string name = fmt::format("var({})", colour.substr(0, colour.find(':')));
-        for (std::size_t at = 0; (at = style.find(name, at)) != std::string::npos;)
-            style.replace(at, name.size(), colour.substr(colour.find(':') + 1));
-    }
-    return style;
-}
-
-}  // namespace
-
-std::string figure_file(const Figure& figure, const Units& units) {
-    std::string drawn = svg(figure, units);
-    const std::size_t end = drawn.find('>') + 1;
-    drawn.insert(end, fmt::format("<style>{}</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>",
-                                  style_with_colours()));
-    drawn.insert(drawn.find(' '), " xmlns=\"http://www.w3.org/2000/svg\"");
-    return drawn;
-}
-
-namespace {
-
 constexpr double right = 16;
 constexpr double top = 28;  // height of the legend's row
 constexpr double bottom = 46;
@@ -262,8 +237,9 @@ std::string tick_text(double value) {
 
 /// Share of the axis that lies below the value.
 double share_of(const Axis& axis, double value) {
-    return axis.logarithmic ? std::log(value / axis.low) / std::log(axis.high / axis.low)
-                            : (value - axis.low) / (axis.high - axis.low);
+    const double share = axis.logarithmic ? std::log(value / axis.low) / std::log(axis.high / axis.low)
+                                          : (value - axis.low) / (axis.high - axis.low);
+    return axis.downwards ? 1 - share : share;
 }
 
 /// The axis in units of which `factor` are one of its own.
@@ -457,6 +433,62 @@ std::string svg(const Figure& figure, const Units& units) {
     return fmt::format(
         "<svg viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-label=\"{2}\">{3}</svg>\n",
         figure.size.width, figure.size.height + drawing.above(), html_escaped(figure.description), drawing.body());
+}
+
+namespace {
+
+/// The style of a picture by itself: many programs that show SVG know no names of colours.
+std::string style_with_colours() {
+    std::string style{picture_style};
+    for (const auto part : std::views::split(light_colours, ';')) {
+        const std::string_view colour(part.begin(), part.end());
+        const std::string name = fmt::format("var({})", colour.substr(0, colour.find(':')));
+        for (std::size_t at = 0; (at = style.find(name, at)) != std::string::npos;)
+            style.replace(at, name.size(), colour.substr(colour.find(':') + 1));
+    }
+    return style;
+}
+
+/// A file of what is drawn within these sizes.
+std::string file_of(double width, double height, const std::string& description, const std::string& body) {
+    return fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
+        "role=\"img\" aria-label=\"{2}\"><style>{3}</style><rect width=\"100%\" height=\"100%\" "
+        "fill=\"#fff\"/>{4}</svg>\n",
+        width, height, html_escaped(description), style_with_colours(), body);
+}
+
+}  // namespace
+
+std::string figure_file(const Figure& figure, const Units& units) {
+    const Drawing drawing(figure, units);
+    return file_of(figure.size.width, figure.size.height + drawing.above(), figure.description, drawing.body());
+}
+
+std::string figures_file(const Section& told) {
+    constexpr double margin = 14;
+    constexpr double line = 17;
+    double width = 0;
+    for (const Figure& one : told.figures) width = std::max(width, one.size.width);
+    double y = margin + line / 2;
+    std::string body;
+    const auto write = [&](const std::string& words, std::string_view style) {
+        std::istringstream lines(wrapped(words, static_cast<int>((width - 2 * margin) / letter)));
+        for (std::string one; std::getline(lines, one); y += line)
+            body +=
+                fmt::format("<text class=\"{}\" x=\"{:g}\" y=\"{:g}\">{}</text>", style, margin, y, html_escaped(one));
+    };
+    write(told.title, "key");
+    write(told.before, "");
+    for (const std::string& one : told.notes) write(one, "c1");
+    for (const Figure& one : told.figures) {
+        const Drawing drawing(one, {});
+        body += fmt::format("<g transform=\"translate(0 {:g})\">{}</g>", y, drawing.body());
+        y += one.size.height + drawing.above() + line / 2;
+        if (!one.caption.empty()) write(one.caption, "label");
+        y += margin;
+    }
+    return file_of(width, y, told.title, body);
 }
 
 }  // namespace floes

@@ -38,7 +38,7 @@ svg .line.c3{stroke:var(--c3)}svg .line.c4{stroke:var(--c4)}svg .line.c5{stroke:
 svg .dot.c0,svg .area.c0,svg text.c0{fill:var(--c0)}svg .dot.c1,svg .area.c1,svg text.c1{fill:var(--c1)}
 svg .dot.c2,svg .area.c2,svg text.c2{fill:var(--c2)}svg .dot.c3,svg .area.c3,svg text.c3{fill:var(--c3)}
 svg .dot.c4,svg .area.c4,svg text.c4{fill:var(--c4)}svg .dot.c5,svg .area.c5,svg text.c5{fill:var(--c5)}
-svg .key{font-weight:600}svg .heat{fill:var(--c1);shape-rendering:crispEdges}svg .cold{fill:var(--c0);shape-rendering:crispEdges}
+svg .key{font-weight:600}svg .halo{paint-order:stroke;stroke:var(--ground);stroke-width:3px}svg .heat{fill:var(--c1);shape-rendering:crispEdges}svg .cold{fill:var(--c0);shape-rendering:crispEdges}
 svg .mild{fill:var(--c2);shape-rendering:crispEdges}svg .void{fill:var(--grid)}svg .small{font-size:10px}
 )";
 
@@ -135,6 +135,9 @@ std::string sections_page(const std::string& title, std::span<const Section> sec
 
 /// An SVG file with the styles of the pages.
 std::string figure_file(const Figure& figure, const Units& units = {});
+
+/// The title, words, notes and figures of a section below each other, as one such file.
+std::string figures_file(const Section& told);
 
 // A figure as SVG. Its styles are classes of the page's style sheet, so that it works on light and dark screens and on
 // paper. For this module only.

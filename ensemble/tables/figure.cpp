@@ -30,27 +30,27 @@ Axis axis_around(std::string label, std::span<const double> values, bool with_ze
 }
 
 void Figure::line(Points points, std::string style) {
-    marks.push_back(Line{std::move(points), std::move(style)});
+    marks.emplace_back(Line{std::move(points), std::move(style)});
 }
 
 void Figure::area(Points outline, std::string style) {
-    marks.push_back(Area{std::move(outline), std::move(style)});
+    marks.emplace_back(Area{std::move(outline), std::move(style)});
 }
 
 void Figure::dot(double x_value, double y_value, std::string style, double radius) {
-    marks.push_back(Dot{x_value, y_value, std::move(style), radius, false});
+    marks.emplace_back(Dot{x_value, y_value, std::move(style), radius, false});
 }
 
 void Figure::cross(double x_value, double y_value, std::string style, double radius) {
-    marks.push_back(Dot{x_value, y_value, std::move(style), radius, true});
+    marks.emplace_back(Dot{x_value, y_value, std::move(style), radius, true});
 }
 
 void Figure::cell(double left, double low, double width, double height, double share, std::string style) {
-    marks.push_back(Cell{left, low, width, height, share, std::move(style)});
+    marks.emplace_back(Cell{left, low, width, height, share, std::move(style)});
 }
 
 void Figure::text(double x_value, double y_value, std::string words, std::string anchor, std::string style) {
-    marks.push_back(Words{x_value, y_value, std::move(words), std::move(anchor), std::move(style)});
+    marks.emplace_back(Words{x_value, y_value, std::move(words), std::move(anchor), std::move(style)});
 }
 
 void Figure::upright(double x_value, std::string style) {

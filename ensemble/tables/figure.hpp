@@ -18,6 +18,7 @@ struct Axis {
     std::vector<std::string> names = {};  ///< on a vertical axis, instead of numbers: name i is at i + 0.5
     double step = 0;                      ///< from tick to tick; 0: a round one
     std::string unit = {};                ///< SI, of the positions, as Units takes it; empty: the label says it
+    bool downwards = false;               ///< values grow down the page, as +z does from above
 };
 
 /// An axis with a margin around the finite `values`; `with_zero`: the range includes 0.

@@ -98,9 +98,10 @@ class Session:
         return f"    $ {match['command']}\n" + "".join(f"    {line}".rstrip() + "\n" for line in made)
 
 
-def size_of(png):
-    head = png.read_bytes()[:24]
-    return struct.unpack(">II", head[16:24]) if head.startswith(b"\x89PNG") else None
+def look_of(picture):
+    """Width and height of a PNG, in pixels; of any other all that it has."""
+    data = picture.read_bytes()
+    return struct.unpack(">II", data[16:24]) if data.startswith(b"\x89PNG") else data
 
 
 def photograph(folder):
@@ -138,8 +139,8 @@ def main(floes, page_path, update):
                 faults.append(f"no command of the page makes {name}")
             elif update:
                 shutil.copy(drawn, kept)
-            elif name != REPORT and size_of(drawn) != size_of(kept):
-                faults.append(f"{name} is {size_of(drawn)} pixels now, and {size_of(kept)} in the page")
+            elif name != REPORT and look_of(drawn) != look_of(kept):
+                faults.append(f"{name} has other pixels now, or other lines, than in the page")
         os.chdir(ROOT)
     if update:
         page_path.write_text(made, encoding="utf-8")
