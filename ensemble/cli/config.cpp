@@ -10,6 +10,7 @@
 
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_words.hpp"
+#include "campaign/schema.hpp"
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
 #include "run/calibrate.hpp"
@@ -36,8 +37,12 @@ constexpr std::array<Kind, 5> kinds{{
     {"--paper", "paper.toml", "The paper's Table 3, with few arrangements"},
 }};
 
+/// Of the schema that configurations of a folder share.
+constexpr const char* schema_file = "floes.schema.json";
+
 struct NewOptions {
     std::string file;
+    bool schema = false;
     std::array<bool, kinds.size()> wanted{};
 };
 
@@ -54,8 +59,14 @@ int make(const NewOptions& options) {
     const std::filesystem::path path = options.file;
     if (path.extension() != ".toml")
         throw InputError(fmt::format("{} is to be a configuration, whose name ends with .toml.", options.file));
-    write_new(path, text_of(options, path.filename().string()));
+    const std::string text = text_of(options, path.filename().string());
+    const std::filesystem::path schema = path.parent_path() / schema_file;
+    write_new(path, options.schema ? fmt::format("#:schema ./{}\n{}", schema_file, text) : text);
     std::printf("%s\n", options.file.c_str());
+    if (options.schema) {
+        write_page(schema, configuration_schema());
+        std::printf("%s\n", schema.c_str());
+    }
     const std::string result = std::filesystem::path(path).replace_extension(".h5").filename().string();
     note("edit it, see it by floes show {0}, then floes run {0}, and floes summarize {1}", shell_word(options.file),
          shell_word(result));
@@ -68,6 +79,8 @@ void add_new(CommandLine& line) {
     auto options = std::make_shared<NewOptions>();
     Verb verb = line.verb("new", "Write a configuration to begin with: the keys that everybody sets");
     verb.option("config", options->file, "The configuration to make (CONFIG.toml)").required();
+    verb.flag("--schema", options->schema,
+              "Write floes.schema.json beside it and name that in its first line, for editors that check TOML by it");
     std::vector<Option> others;
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         Option flag = verb.flag(kinds.at(k).flag, options->wanted.at(k), kinds.at(k).words);
@@ -117,6 +130,7 @@ namespace {
 struct ConfigOptions {
     bool defaults = false;
     bool reference = false;
+    bool schema = false;
     std::string table;
     std::string check;
     std::string resolved;
@@ -173,6 +187,7 @@ std::string check(Campaign campaign) {
 
 std::string answer(const ConfigOptions& options) {
     if (options.defaults) return default_configuration();
+    if (options.schema) return configuration_schema();
     expect_table(options.table);
     if (options.reference)
         return options.format == "json" ? reference_json(options.table) : reference_text(options.table);
@@ -191,6 +206,8 @@ void add_config(CommandLine& line) {
         action.flag("--reference", options->reference, "Print every key: default, range, meaning, source");
     verb.option("table", options->table, "With --reference: only the keys of this table, as moorings")
         .needs(reference_flag);
+    action.flag("--schema", options->schema,
+                "Print the JSON Schema, by which editors complete and check keys; floes new --schema writes it beside");
     Option check = action.option("--check", options->check, "Check this configuration without running it");
     Option resolved =
         action.option("--resolved", options->resolved, "Print the complete configuration as it would run");
