@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/state_archive.hpp"
 
 namespace floes {
 
@@ -260,6 +261,18 @@ void IceContacts::find(const BodyMotion* motions, ContactStore& store) {
         else if (pair.points >= 0)
             touching_.push_back({.a = pair.a, .b = pair.b, .points = pair.points});
     }
+}
+
+void NearPairs::archive(StateArchive& state) {
+    auto& [boxes, pieces, pairs] = *this;  // the last are found anew
+    state(boxes, pieces);
+}
+
+void IceContacts::archive(StateArchive& state) {
+    auto& [elements, there, fixed, asleep, path, lever, room, margin, pieces_changed, moved, near, bounds, pairs,
+           listed, touching] = *this;
+    state(elements, there, fixed, asleep, path, lever, room, margin, pieces_changed, moved, near, pairs, touching);
+    bounds.resize(elements.size());
 }
 
 }  // namespace floes

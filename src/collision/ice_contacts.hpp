@@ -18,6 +18,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 // Which boxes may touch in the coming steps: found by pieces first, whose boxes never touch each other, then by boxes.
 
 /// Bounds along the world's axes, m.
@@ -46,6 +48,9 @@ class NearPairs {
     /// All pairs of different pieces that leave a gap of `gap` at most along each axis, rising; `bounds` by number of a
     /// box. Pairs of two fixed boxes are left out. Valid until the next call.
     std::span<const Pair> find(std::span<const Bounds> bounds, const std::vector<std::uint8_t>& fixed, double gap);
+
+    /// Everything that its next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     struct Piece {
@@ -95,6 +100,9 @@ class IceContacts {
 
     /// Pairs with points, rising by (a, b), a below b. Valid until the next find().
     std::span<const Touching> touching() const { return touching_; }
+
+    /// Everything that its next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     struct Pair {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <span>
 
+#include "core/state_archive.hpp"
+
 namespace floes {
 namespace {
 
@@ -101,6 +103,11 @@ int edge_towards(const PrismShape& prism, const Triple& direction) {
         edge = static_cast<int>(k);
     }
     return edge;
+}
+
+void PrismShape::archive(StateArchive& state) {
+    auto& [of_corners, of_edges, radius, half, extent, box] = *this;
+    state(of_corners, of_edges, radius, half, extent, box);
 }
 
 }  // namespace floes

@@ -9,6 +9,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 using Triple = std::array<double, 3>;
 
 inline Triple operator-(const Triple& a, const Triple& b) {
@@ -44,6 +46,7 @@ struct PrismShape {
     PrismShape() = default;
     PrismShape(Outline of, double half_thickness);
     bool empty() const { return corners.empty(); }
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 };
 
 /// Where a prism is. World axes, m.

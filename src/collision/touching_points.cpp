@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/state_archive.hpp"
+
 namespace floes {
 namespace {
 
@@ -103,6 +105,17 @@ std::int32_t ContactStore::take() {
     free_.pop_back();
     (*this)[place] = {};
     return place;
+}
+
+void TouchingPoints::archive(StateArchive& state) {
+    auto& [points, count] = *this;
+    state(count);
+    for (int i = 0; i < count; ++i) state(points.at(static_cast<std::size_t>(i)));
+}
+
+void ContactStore::archive(StateArchive& state) {
+    auto& [points, free] = *this;
+    state(points, free);
 }
 
 }  // namespace floes

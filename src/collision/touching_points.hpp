@@ -10,6 +10,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 struct TouchingPoint {
     Triple in_a{};  ///< m, in the axes of body a
     Triple in_b{};
@@ -38,6 +40,9 @@ class TouchingPoints {
 
     /// Moves the points with the bodies, and drops those whose halves have come apart.
     void refresh(const PrismPlace& a, const PrismPlace& b, double reach);
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     int least_wanted(const TouchingPoint& added) const;
@@ -70,6 +75,9 @@ class ContactStore {
 
     TouchingPoints& operator[](std::int32_t place) { return points_[static_cast<std::size_t>(place)]; }
     const TouchingPoints& operator[](std::int32_t place) const { return points_[static_cast<std::size_t>(place)]; }
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     std::vector<TouchingPoints> points_;

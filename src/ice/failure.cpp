@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/state_archive.hpp"
+
 namespace floes {
 
 namespace {
@@ -131,6 +133,11 @@ void Crack::follow(double rotation, double rate, double time_step) {
     if (sound >= (1 - material) * sound_) return;
     energy_ += (sound_ - sound) * stored;
     sound_ = sound;
+}
+
+void Crack::archive(StateArchive& state) {
+    auto& [law, left, taken, open] = *this;
+    state(law, left, taken, open);
 }
 
 }  // namespace floes

@@ -23,6 +23,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 /// ε of each mode, N or N m; infinite where there is no criterion.
 struct Thresholds {
     double bending;
@@ -106,6 +108,7 @@ class Crack {
     bool is_open() const { return open_; }     ///< the joint carries nothing any more
     double sound() const { return sound_; }    ///< share of K in the coming step, 0-1
     double energy() const { return energy_; }  ///< taken so far, N m
+    void archive(StateArchive& state);         ///< core/state_archive.hpp
 
   private:
     CohesiveLaw law_;

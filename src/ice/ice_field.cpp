@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "core/state_archive.hpp"
 #include "core/turn.hpp"
 #include "core/vector.hpp"
 #include "ice/joint_stress.hpp"
@@ -81,6 +82,14 @@ Vec3 flat(const Corner& point) {
     return {point.x, 0, point.z};
 }
 
+/// Of the joints, by number.
+std::vector<JointStrength> strength_of(const SingleFloe& floe, const CutFloe& cut) {
+    std::vector<JointStrength> found;
+    for (const CutJoint& joint : cut.joints)
+        found.push_back(joint_strength(floe.shape, floe.material, joint.length, joint.span));
+    return found;
+}
+
 }  // namespace
 
 void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe& floe,
@@ -121,9 +130,9 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                 {from_axes(one.corners, {}, one.axis), one.area, cut->squares ? square_patch : cell_patch,
                  shape.thickness, material.ice.poisson_ratio, crushing});
     }
+    sheet.strength = floes::strength_of(floe, *cut);
     for (std::size_t number = 0; number < cut->joints.size(); ++number) {
         const CutJoint& joint = cut->joints[number];
-        sheet.strength.push_back(joint_strength(shape, material, joint.length, joint.span));
         const std::size_t at = put_joint(world, {.a = elements_[first + static_cast<std::size_t>(joint.a)].body,
                                                  .b = elements_[first + static_cast<std::size_t>(joint.b)].body,
                                                  .pivot = middle + yaw * flat(joint.pivot),
@@ -449,6 +458,34 @@ IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& 
     const Corner beside = cut.pivot - floe_of(joint).cut->elements[static_cast<std::size_t>(cut.a)].centre;
     const Mat3 axes = floe_axes(joint, cut.a, a) * turned_to(cut.normal).toRotationMatrix();
     return {axes, a.position + 0.5 * cut.span * axes.col(0) + cross(cut.normal, beside) * axes.col(2)};
+}
+
+void IceField::Joint::archive(StateArchive& state) {
+    auto& [joint, of, in_floe, one, other, among, cracks] = *this;
+    state(joint, of, in_floe, one, other, among);
+    state.maybe(cracks, Crack({}));
+}
+
+void IceField::Sheet::archive(StateArchive& state) {
+    auto& [element, entry, elements_of, strengths, made, has_cracked, has_broken, is_there, is_at_rest] = *this;
+    state(element, entry, made, has_cracked, has_broken, is_there, is_at_rest);  // the others follow from the floe
+}
+
+void IceField::archive(StateArchive& state) {
+    auto& [sheets, elements, element_of_body, joint_ids, free_joints, entered, left, joints, breaks, peaks, time_step,
+           stress, failed, fracture_work] = *this;
+    state.list(sheets, Sheet{0, 0, nullptr});
+    state.list(elements, IceElement{BodyId(0)});
+    state.list(joint_ids, JointId(0));
+    state.list(joints, Joint{JointId(0), 0, 0, 0, 0, 0});
+    state(element_of_body, free_joints, entered, left, breaks, peaks, fracture_work);
+    if (stress) stress->archive(state);
+}
+
+void IceField::set_floe(int place, const SingleFloe& floe) {
+    Sheet& sheet = floes_[static_cast<std::size_t>(place)];
+    sheet.cut = std::make_shared<const CutFloe>(floe.shape.cut());
+    sheet.strength = floes::strength_of(floe, *sheet.cut);
 }
 
 }  // namespace floes

@@ -20,6 +20,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 // How IceField numbers the elements and joints of floes: floe by floe, within a floe as its CutFloe has them.
 
 // The empty world of a scenario, the common start of a tow and of a laboratory test.
@@ -152,6 +154,11 @@ class IceField {
     std::vector<PieceArea> piece_areas() const;
     int live_joints() const { return static_cast<int>(joints_.size()); }
 
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp). Where it is set and floes have
+    /// entered or left, what is at each place is to be given anew.
+    void archive(StateArchive& state);
+    void set_floe(int place, const SingleFloe& floe);
+
   private:
     struct Joint {
         JointId id;
@@ -160,6 +167,8 @@ class IceField {
         int a, b;           // elements of the floe
         std::size_t place;  // among all joints ever made
         std::optional<Crack> crack{};
+
+        void archive(StateArchive& state);
     };
 
     /// A floe as its elements and joints need it.
@@ -175,6 +184,7 @@ class IceField {
         bool rests = false;
 
         int elements() const { return static_cast<int>(cut->elements.size()); }
+        void archive(StateArchive& state);
     };
 
     /// What floes that have left leave behind.

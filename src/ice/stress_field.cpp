@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/contract.hpp"
+#include "core/state_archive.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
@@ -319,6 +320,13 @@ JointLoad StressField::load(std::size_t joint) const {
     load.pulled_across =
         own.length / 2 * (force_a.along(t) / elements_[one.a].ice.area + force_b.along(t) / elements_[one.b].ice.area);
     return load;
+}
+
+void StressField::archive(StateArchive& state) {
+    auto& [elements, joints, live, reactions, element_of_body, steps, last, contacts] = *this;
+    state.list(elements, Element{.ice = {}, .body = BodyId(0), .axis = {}});
+    state.list(joints, Joint{JointId(0), 0, 0, 0, 0});
+    state(live, reactions, element_of_body, steps, last);  // contacts are those of a step
 }
 
 }  // namespace floes

@@ -19,6 +19,12 @@
 
 namespace floes {
 
+double cpu_seconds_of_this_thread() {
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
 std::vector<double> properties_of(const FloeSet& floes) {
     std::vector<double> rows;
     for (std::size_t i = 0; i < floes.size(); ++i)
@@ -27,13 +33,6 @@ std::vector<double> properties_of(const FloeSet& floes) {
 }
 
 namespace {
-
-// One thread computes a member from start to end.
-double cpu_seconds_of_this_thread() {
-    timespec now{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -165,18 +164,27 @@ void set_aside(MemberResult& result, const Scenario& scenario, const std::string
     result.reason = reason;
 }
 
+void go_on_from(std::span<const std::byte> saved, Simulation& simulation) {
+    try {
+        simulation.set(saved);
+    } catch (const RunError& error) {
+        throw SavedOtherwise(error.what());
+    }
+}
+
 }  // namespace
 
 MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint32_t arrangement, std::stop_token stop,
-                        const Watcher& watch) {
+                        const Watcher& watch, std::span<const std::byte> saved) {
     const auto start = std::chrono::steady_clock::now();
-    const double cpu_start = cpu_seconds_of_this_thread();
+    const double cpu_start = cpu_seconds_of_this_thread();  // one thread computes a member from start to end
     auto [floes, ahead] = lay_field(scenario, seed, arrangement);
     MemberResult result;
     result.arrangement = floes.poses();
     if (floes_may_differ(scenario)) result.floe_properties = properties_of(floes);
     result.psi4 = floes.psi4;
     Simulation simulation(scenario, floes, std::move(ahead));
+    if (!saved.empty()) go_on_from(saved, simulation);
     try {
         if (!simulation.run(stop, watch)) {
             throw Interrupted(

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/state_archive.hpp"
 #include "solver/lane_width.hpp"
 
 namespace floes {
@@ -90,6 +91,11 @@ void PieceWater::share_out(int floe, const IceField& ice, World& world, WaterLan
             if (radiates_) water.set_damping(at, share.damping);
         }
     }
+}
+
+void PieceWater::archive(StateArchive& state) {
+    auto& [body, carries, radiates, draught, carried, piece_order, centres, polygons] = *this;
+    state(carried);
 }
 
 }  // namespace floes

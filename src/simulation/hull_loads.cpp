@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/state_archive.hpp"
 #include "shapes/overlap.hpp"
 
 namespace floes {
@@ -42,6 +43,11 @@ std::vector<PartLoad> HullLoads::parts(const Averaging& how) const {
     std::vector<PartLoad> loads;
     for (const PartHistory& part : parts_) loads.push_back(part_load(part, how));
     return loads;
+}
+
+void HullLoads::archive(StateArchive& state) {
+    auto& [solids, pieces, histories, yaws, rolls, pitches] = *this;
+    state(histories, yaws, rolls, pitches);
 }
 
 }  // namespace floes

@@ -15,6 +15,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 class HullLoads {
   public:
     /// `solids`: as the world has them; `steps` are kept.
@@ -31,6 +33,9 @@ class HullLoads {
     Swing yaw() const { return swing_of(yaw_); }
     Swing roll() const { return swing_of(roll_); }
     Swing pitch() const { return swing_of(pitch_); }
+
+    /// The steps so far, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     std::vector<ConvexSolid> solids_;

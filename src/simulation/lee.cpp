@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/state_archive.hpp"
+
 namespace floes {
 
 namespace {
@@ -249,6 +251,12 @@ std::span<const EdgeShelter> Lee::of(std::size_t element, const IceField& ice, s
         found_[edge] = {ahead.open, (1 - ahead.open) * other.velocity.dot(out)};
     }
     return found_;
+}
+
+void Lee::archive(StateArchive& state) {
+    auto& [draughts, water_density, sheets, sheet_states, bodies, edges, ahead, seen, circles, bays, order, near,
+           largest, found, due] = *this;
+    state(sheet_states, ahead, seen, circles, order, largest, due);
 }
 
 }  // namespace floes

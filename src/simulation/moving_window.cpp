@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
+#include "core/state_archive.hpp"
 #include "scenario/floes.hpp"
 
 namespace floes {
@@ -123,6 +125,31 @@ void SleepingFloes::list_awake() {
                 awake_elements_.push_back(floe.indices[place]);
         }
     }
+}
+
+void MovingWindow::archive(StateArchive& state, const IceField& ice) {
+    auto& [ahead, behind, stride, least, reserve, at, source, places] = *this;
+    state(at);
+    if (state.sets()) lay_again(ice);
+}
+
+/// Floes enter in the order in which they are laid, and so far all that are laid have entered.
+void MovingWindow::lay_again(const IceField& ice) {
+    std::vector<SingleFloe> entered = std::move(places_);
+    while (entered.size() < static_cast<std::size_t>(ice.floes())) {
+        FieldPart part = ice_.next();
+        ice_.end = part.end;
+        std::ranges::move(part.floes, std::back_inserter(entered));
+    }
+    places_.clear();
+    for (int place = 0; place < ice.places(); ++place)
+        places_.push_back(entered.at(static_cast<std::size_t>(ice.number_of(place))));
+}
+
+void SleepingFloes::archive(StateArchive& state) {
+    auto& [wake_radius, body, floes, floe_of_body, sleepers, awake_elements] = *this;
+    state.list(body, BodyId(0));
+    state(floes, floe_of_body, sleepers, awake_elements);
 }
 
 }  // namespace floes

@@ -16,6 +16,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 class MovingWindow {
   public:
     /// floes: those laid already; ahead: where others come from.
@@ -37,7 +39,13 @@ class MovingWindow {
     std::vector<SingleFloe>& places() { return places_; }
     const std::vector<SingleFloe>& places() const { return places_; }
 
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp), with the ice already so. The
+    /// parts are laid again, as they were.
+    void archive(StateArchive& state, const IceField& ice);
+
   private:
+    void lay_again(const IceField& ice);
+
     double ahead_, behind_;  // m
     double stride_;          // m
     double least_;           // m from the structure's axis to the edge behind, at least
@@ -81,6 +89,9 @@ class SleepingFloes {
 
     /// Indices of awake elements. The same place of all floes side by side: mostly the same edges are exposed there.
     const std::vector<std::size_t>& awake_elements() const { return awake_elements_; }
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     struct FloeElements {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/state_archive.hpp"
 #include "shapes/hydrostatics.hpp"
 #include "simulation/record.hpp"
 
@@ -105,6 +106,11 @@ IceAmount NearbyIce::astern(const IceField& ice, std::span<const BodyState> stat
         if (moment < line * area) ++found.floes;
     }
     return found;
+}
+
+void NearbyIce::archive(StateArchive& state) {
+    auto& [sheets, waterline, low, high, waterplane, thickness, within, box, seen, spare, concentration] = *this;
+    state(concentration);
 }
 
 }  // namespace floes

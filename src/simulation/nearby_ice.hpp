@@ -23,6 +23,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 /// An amount of ice.
 struct IceAmount {
     double area = 0;   ///< m²
@@ -45,6 +47,9 @@ class NearbyIce {
 
     /// Ice astern of the structure that is there.
     IceAmount astern(const IceField& ice, std::span<const BodyState> states, const StructurePose& at) const;
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     /// Refills box_ with the part of the box between the sheets, and its edges.

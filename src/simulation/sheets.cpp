@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/state_archive.hpp"
 
 namespace floes {
 
@@ -161,6 +162,11 @@ Vec3 Sheets::velocity(BodyId body) const {
     for (std::size_t i = 0; i < sheets_.size(); ++i)
         if (sheets_[i].body == body) return mean_speed_[i] * sheets_[i].form.inwards;
     return Vec3::Zero();
+}
+
+void Sheets::archive(StateArchive& state) {
+    auto& [confining, radius, ahead, fixed, sheets, motions, mean_speed] = *this;
+    state(motions, mean_speed);
 }
 
 }  // namespace floes

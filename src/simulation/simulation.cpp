@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/state_archive.hpp"
 #include "ice/ice_field.hpp"
 #include "simulation/field_water.hpp"
 
@@ -459,14 +460,57 @@ bool Simulation::enter_ahead() {
 
 /// All that is kept by element, for the floes that are there now.
 void Simulation::measure_anew() {
+    measure_places();
+    for (int place = 0; place < ice_.places(); ++place)
+        if (ice_.is_there(place)) piece_water_.share_out(place, ice_, world_, water_);
+}
+
+void Simulation::measure_places() {
     const FloeSet floes = gathered(window_->places());
     states_before_.resize(states_.size());
     water_ = make_water(scenario_, floes, ice_);
     piece_water_ = PieceWater(scenario_, floes);
     lee_.measure(floes, ice_);
-    for (int place = 0; place < ice_.places(); ++place)
-        if (ice_.is_there(place)) piece_water_.share_out(place, ice_, world_, water_);
     work_.measure(floes, ice_);
+}
+
+// How a Simulation is saved, and set again.
+
+void Encounters::archive(StateArchive& state) {
+    auto& [entered, left_met, left_broken, met] = *this;
+    state(entered, left_met, left_broken, met);
+}
+
+void Simulation::archive(StateArchive& state) {
+    auto& [scenario, channel, wellbeing, motion, hull_loads, world, structure, ice, sheets, water, piece_water, lee,
+           work, nearby, left, astern_before, states, states_before, sleeping, window, encounters, ice_load, loads,
+           motions, structure_contacts, contact_bins, steps_in_window, sweeps, swept_steps, steps] = *this;
+    state.same(window.has_value());
+    if (!window) state.same(states.size());
+    state(states, world, ice);
+    if (window) {
+        window->archive(state, ice);
+        if (state.sets()) {
+            for (int place = 0; place < ice.places(); ++place)
+                ice.set_floe(place, window->places()[static_cast<std::size_t>(place)]);
+            measure_places();
+        }
+    }
+    state(motion, hull_loads, sheets, water, piece_water, lee, work, nearby, left, astern_before, sleeping, encounters,
+          ice_load, loads, motions, contact_bins, steps_in_window, sweeps, swept_steps, steps);
+    state.list(structure_contacts, ContactForce{BodyId(0), BodyId(0)});
+}
+
+Bytes Simulation::saved() const {
+    StateArchive state;
+    const_cast<Simulation*>(this)->archive(state);  // which changes nothing where it does not set
+    return state.take();
+}
+
+void Simulation::set(std::span<const std::byte> saved) {
+    StateArchive state(saved);
+    archive(state);
+    state.end();
 }
 
 }  // namespace floes

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bytes.hpp"
 #include "ice/failure_mode.hpp"
 #include "ice/ice_field.hpp"
 #include "scenario/floes.hpp"
@@ -22,12 +23,15 @@
 #include "simulation/sheets.hpp"
 #include "simulation/structure_motion.hpp"
 #include "simulation/tow_work.hpp"
+#include "solver/solver_kind.hpp"
 #include "statistics/load_map.hpp"
 #include "water/water_lanes.hpp"
 #include "world/state.hpp"
 #include "world/world.hpp"
 
 namespace floes {
+
+class StateArchive;
 
 // Which floes were computed, and which of them touched the structure: what counts of broken floes are relative to.
 
@@ -45,6 +49,8 @@ class Encounters {
     int entered() const { return entered_; }
     int met(const IceField& ice) const;         ///< that touched the structure
     int met_broken(const IceField& ice) const;  ///< of these, with a failed joint
+
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     bool has_met(int place) const;
@@ -149,6 +155,17 @@ class Simulation {
         return {steps_, states_, ice_.breaks(), sheets_.motions(), motion_.moored_state()};
     }
 
+    /// Whether saved() can be called: the engine `stock` keeps much of its state to itself.
+    bool can_be_saved() const { return saves_state(scenario_.general.solver); }
+
+    /// The whole run so far, after any step: set() gives it to another simulation of the same scenario and floes, made
+    /// by the same program, whose steps then have the same bits as those that would follow here.
+    Bytes saved() const;
+
+    /// To be called before the first step. Throws RunError for bytes that are not of such a run; the simulation is then
+    /// of no use.
+    void set(std::span<const std::byte> saved);
+
     /// Refills `frame` with what there is to see at time(). Vectors keep their memory.
     void read_frame(Frame& frame) const;
 
@@ -159,6 +176,7 @@ class Simulation {
     const std::vector<SheetMotion>& sheets() const { return sheets_.motions(); }
 
   private:
+    void archive(StateArchive& state);
     FrameContact seen(const ContactForce& contact) const;
     double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
     void place_structure();
@@ -170,6 +188,7 @@ class Simulation {
     bool enter_ahead();
     std::vector<SingleFloe> next_part();
     void measure_anew();
+    void measure_places();
     void wake_floes();
     void apply_water();
     void drift_with_current();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/state_archive.hpp"
+
 namespace floes {
 
 StructureMotion::StructureMotion(const Scenario& scenario)
@@ -386,6 +388,19 @@ std::optional<LinePull> MooredMotion::line(std::size_t number) const {
 
 Vec3 MooredMotion::restoring() const {
     return pull_of_lines().head<3>() - springs_.cwiseProduct(state_.offset.head<3>());
+}
+
+void MooredMotion::archive(StateArchive& state) {
+    auto& [moorings, step, inertia, springs, water, stiffness, round, linear, thrusters, moved, beyond, pulls, level,
+           largest] = *this;
+    state(moved, beyond, pulls, largest);
+}
+
+void StructureMotion::archive(StateArchive& state) {
+    auto& [time_step, tow, straight, places, moored, step, before, after, velocity, angular_velocity, towed,
+           towed_turning, pace] = *this;
+    if (moored) moored->archive(state);
+    state(step, before, after, velocity, angular_velocity, towed, towed_turning, pace);
 }
 
 }  // namespace floes

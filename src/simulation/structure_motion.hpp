@@ -34,6 +34,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 /// How a moored structure has moved.
 struct MooredState {
     Vec6 offset = Vec6::Zero();       ///< by Motion: m, rad
@@ -98,6 +100,9 @@ class MooredMotion {
     /// The largest pull over its break load at the end of the last step, of the lines that held until then and break at
     /// all; 0 where there are none.
     double line_use() const { return line_use_; }
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     std::vector<LinearMotion> linear_at(double heading) const;
@@ -164,6 +169,9 @@ class StructureMotion {
 
     const std::optional<MooredMotion>& moored() const { return moored_; }
     MooredState moored_state() const { return moored_ ? moored_->state() : MooredState{}; }
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     PathPlace prescribed(int step) const;

@@ -1,5 +1,7 @@
 #include "simulation/tow_work.hpp"
 
+#include "core/state_archive.hpp"
+
 namespace floes {
 namespace {
 
@@ -150,6 +152,12 @@ WorkShares TowWork::shares() const {
     const double per = way > 0 ? 1 / way : 0;
     for (const auto share : all_work_shares) mean.*share *= per;
     return mean;
+}
+
+void TowWork::archive(StateArchive& state) {
+    auto& [first_step, time_step, gravity, structure, carried, speed, way, paced, mass, weight, inertia, terms,
+           velocity, angular_velocity, position, contacts, sum, steps] = *this;
+    state(way, sum, steps);
 }
 
 }  // namespace floes

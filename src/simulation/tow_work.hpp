@@ -20,6 +20,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 class TowWork {
   public:
     TowWork(const Scenario& scenario, const FloeSet& floes, const IceField& ice, BodyId structure);
@@ -41,6 +43,9 @@ class TowWork {
 
     /// Means over the steps looked at, N; of none: zeros.
     WorkShares shares() const;
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     static constexpr int stride = 5;

@@ -7,6 +7,9 @@
 #include <cstdint>
 #include <memory>
 #include <new>
+#include <span>
+
+#include "core/state_archive.hpp"
 
 namespace floes {
 
@@ -53,6 +56,14 @@ inline std::size_t place(std::uint32_t slot, int fields, int field, int width) {
 inline std::size_t groups_of(std::size_t slots, int width) {
     const auto w = static_cast<std::size_t>(width);
     return (slots + w - 1) / w;
+}
+
+/// All `fields` of some slots, saved or set, whatever the width.
+template <class Value>
+void archive_slots(StateArchive& state, AlignedArray<Value>& values, std::span<const std::uint32_t> slots, int fields,
+                   int width) {
+    for (const std::uint32_t slot : slots)
+        for (int field = 0; field < fields; ++field) state(values[place(slot, fields, field, width)]);
 }
 
 }  // namespace floes

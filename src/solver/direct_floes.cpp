@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/state_archive.hpp"
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
 
@@ -80,10 +81,13 @@ void DirectFloes::set_water(std::size_t body, const CarriedWater& water) {
     bodies_[body].water = water;
     pieces_[piece_of_body_[body]].compliance = nullptr;
     stale_ = true;
-    if (carried_.size() > 0) {
+    if (carried_.size() > 0)
         store_water(body);
-        return;
-    }
+    else
+        store_all_water();
+}
+
+void DirectFloes::store_all_water() {
     carried_ = AlignedArray<double>(body_groups_ * static_cast<std::size_t>(kernels_->width) *
                                     static_cast<std::size_t>(carried_field::count));
     for (std::size_t i = 0; i < bodies_.size(); ++i) store_water(i);
@@ -360,6 +364,54 @@ void DirectFloes::find_compliance(Piece& piece, std::vector<PieceBody> bodies, s
     }
     piece.compliance = std::make_shared<PieceCompliance>(std::move(bodies), std::move(joints));
     compliances_.push_back(piece.compliance);
+}
+
+// A piece keeps the compliance that was made for another of its form, and so the last bits of that one.
+
+void DirectFloes::archive(StateArchive& state) {
+    auto& [kernels, body_groups, joint_groups, bodies, joints, pieces, piece_of_body, within_piece, compliances, stale,
+           time_step, frame, spring, start, impulse, joined, carried, columns, touched_pieces, touched_bodies,
+           is_touched, piece_impulse, piece_change] = *this;  // from `frame` on, of each step but for the springs
+    state(bodies, joints, piece_of_body, within_piece, stale, time_step);
+    std::vector<std::uint32_t> slots(joints.size());
+    std::iota(slots.begin(), slots.end(), 0U);
+    archive_slots(state, spring, slots, spring_field::count, kernels->width);
+    archive_pieces(state);
+    bool carries = carried.size() > 0;
+    state(carries);
+    if (state.sets() && carries) store_all_water();
+}
+
+void DirectFloes::archive_pieces(StateArchive& state) {
+    std::vector<std::shared_ptr<PieceCompliance>> all = compliances_;  // then those of pieces that crack
+    const auto number_of = [&](const std::shared_ptr<PieceCompliance>& one) {
+        if (one == nullptr) return std::int64_t{-1};
+        const auto known = std::ranges::find(all, one);
+        const auto number = known - all.begin();
+        if (known == all.end()) all.push_back(one);
+        return static_cast<std::int64_t>(number);
+    };
+    std::vector<std::int64_t> of_piece;
+    for (const Piece& piece : pieces_) of_piece.push_back(number_of(piece.compliance));
+    std::uint64_t shared = compliances_.size();
+    std::uint64_t count = all.size();
+    state(of_piece, shared, count);
+    all.resize(count);
+    for (std::shared_ptr<PieceCompliance>& one : all) PieceCompliance::archive(state, one);
+    pieces_.resize(of_piece.size());
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        auto& [bodies, within, joints, at_rest, compliance, touched, touched_within, broken] = pieces_[i];
+        state(bodies, within, joints, at_rest, broken);
+        if (!state.sets()) continue;
+        compliance = of_piece[i] < 0 ? nullptr : all.at(static_cast<std::size_t>(of_piece[i]));
+        for (std::vector<std::uint32_t>* of_step : {&touched, &touched_within}) {
+            of_step->clear();
+            of_step->reserve(bodies.size());
+        }
+    }
+    if (!state.sets()) return;
+    all.resize(shared);
+    compliances_ = std::move(all);
 }
 
 }  // namespace floes

@@ -15,6 +15,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 class DirectFloes {
   public:
     /// Bodies and joints lie in the lanes by their numbers.
@@ -54,6 +56,9 @@ class DirectFloes {
 
     bool moves(std::size_t body) const { return bodies_[body].inverse_mass > 0; }
 
+    /// Everything that its next steps depend on, saved or set (core/state_archive.hpp), of the same bodies and joints.
+    void archive(StateArchive& state);
+
   private:
     struct Piece {
         std::vector<std::uint32_t> bodies;  ///< rising
@@ -65,7 +70,9 @@ class DirectFloes {
         bool broken = false;  ///< joints were removed since it was found
     };
 
+    void archive_pieces(StateArchive& state);
     void store_water(std::size_t body);
+    void store_all_water();
     void split(std::size_t piece);
     void make_compliance(Piece& piece);
     void find_compliance(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);

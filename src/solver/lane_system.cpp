@@ -10,6 +10,7 @@
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
+#include "core/state_archive.hpp"
 #include "core/vector.hpp"
 #include "solver/aligned_array.hpp"
 #include "solver/lane_width.hpp"
@@ -371,6 +372,31 @@ void LaneSystem::fill(std::size_t slot, const SolverJoint& joint) {
     }
     put(frame_field::erp, joint.erp);
     row_[place(at, row_field::count, row_field::cfm, width())] = joint.cfm;
+}
+
+void LaneSystem::archive(StateArchive& state) {
+    auto& [kernels, pairs, blocks, slot_of_body, slot_of_joint, rails, bodies_of_joint, block_of_body, block_touched,
+           group_touched, touched_groups, touched_blocks, free_blocks, body_groups, time_step, body, sweep, frame, row,
+           reaction, delta, force, motion, body_of_slot, contact_rows, direct, direct_contacts] = *this;
+    state.same(slot_of_body.size());
+    state.same(slot_of_joint.size());
+    state(time_step);
+    const int width = kernels->width;
+    archive_slots(state, body, slot_of_body, body_field::count, width);
+    archive_slots(state, reaction, slot_of_joint, reaction_field::count, width);
+    for (const std::uint32_t slot : slot_of_body)
+        for (std::size_t i = 0; i < 8; ++i) state(delta[8 * std::size_t{slot} + i]);
+    for (std::size_t i = 0; i < slot_of_body.size() * force_field::count; ++i) state(force[i]);
+    for (std::size_t i = 0; i < slot_of_body.size(); ++i) {
+        auto& [position, rotation, velocity, angular_velocity, way, turn, unused] = motion[i];
+        state(position, rotation, velocity, angular_velocity, way, turn);
+    }
+    if (direct) {
+        direct->archive(state);
+        return;
+    }
+    archive_slots(state, sweep, slot_of_body, sweep_field::count, width);
+    archive_slots(state, row, slot_of_joint, row_field::count, width);
 }
 
 }  // namespace floes

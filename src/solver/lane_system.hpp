@@ -32,6 +32,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 class LaneSystem {
   public:
     /// width: one of lane_widths(); `lanes` uses no more than there are equal floes. solver: lanes or direct.
@@ -79,6 +81,10 @@ class LaneSystem {
 
     /// After a solve; zero for a removed joint.
     SolverReaction reaction(std::size_t joint) const;
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp), of the same bodies and joints;
+    /// lanes may be of another width.
+    void archive(StateArchive& state);
 
   private:
     struct Floe;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/state_archive.hpp"
 
 namespace floes {
 namespace {
@@ -175,6 +176,18 @@ std::array<double, 6> inverse_effective_mass(const PieceBody& a, const PieceBody
         }
     }
     return inverse;
+}
+
+void PieceCompliance::archive(StateArchive& state, std::shared_ptr<PieceCompliance>& known) {
+    std::vector<PieceBody> bodies;
+    std::vector<PieceJoint> joints;
+    if (known) {
+        auto& [of_bodies, of_joints, factors, columns, impulses, changes] = *known;  // the others follow from these
+        bodies = of_bodies;
+        joints = of_joints;
+    }
+    state(bodies, joints);
+    if (state.sets()) known = std::make_shared<PieceCompliance>(std::move(bodies), std::move(joints));
 }
 
 }  // namespace floes

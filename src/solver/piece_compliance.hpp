@@ -10,6 +10,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@
 #include "solver/solver_parts.hpp"
 
 namespace floes {
+
+class StateArchive;
 
 /// A body of an unstrained piece, in the piece's axes, y normal to its plane. Mass 0: it never moves.
 struct PieceBody {
@@ -63,6 +66,9 @@ class PieceCompliance {
     /// Changes of velocity by impulses on all bodies, both 8 numbers a body in the order of a block's rows. For large
     /// pieces: it needs no columns.
     void velocity_changes(const double* impulses, double* changes);
+
+    /// Saves `known`, or sets it to the one that was saved (core/state_archive.hpp).
+    static void archive(StateArchive& state, std::shared_ptr<PieceCompliance>& known);
 
   private:
     std::vector<PieceBody> bodies_;

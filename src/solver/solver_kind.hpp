@@ -35,6 +35,11 @@ std::optional<Refusal> refused_water(SolverKind solver);
 /// Whether it refuses joints that crack by stress, and soften as they do.
 std::optional<Refusal> refused_cracks(SolverKind solver);
 
+/// Whether the state of its World can be saved and set again: Bullet keeps much of its own to itself.
+constexpr bool saves_state(SolverKind solver) {
+    return solver != SolverKind::stock;
+}
+
 /// Whether it refuses bodies that sleep.
 std::optional<Refusal> refused_sleep(SolverKind solver);
 

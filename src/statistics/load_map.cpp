@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/contract.hpp"
+#include "core/state_archive.hpp"
 
 namespace floes {
 namespace {
@@ -43,6 +44,11 @@ void ContactBins::add(double ahead, double up, double across, double surge, doub
 LoadMap ContactBins::means(std::size_t steps) const {
     FLOES_EXPECTS(steps >= 1);
     return {scaled(surge_, steps), scaled(normal_, steps), {}};
+}
+
+void ContactBins::archive(StateArchive& state) {
+    auto& [bottom, bins_a_metre, surge, normal] = *this;
+    state(surge, normal);
 }
 
 }  // namespace floes

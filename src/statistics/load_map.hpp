@@ -9,6 +9,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 struct LoadMap {
     static constexpr std::size_t heights = 12;  ///< from the keel up
     static constexpr std::size_t angles = 36;   ///< of 10 degrees each, from -180
@@ -52,6 +54,9 @@ class ContactBins {
 
     /// Over `steps` steps, all of which added their contacts; without along_tow.
     LoadMap means(std::size_t steps) const;
+
+    /// What was added, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     double bottom_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/state_archive.hpp"
 #include "solver/lane_width.hpp"
 
 namespace floes {
@@ -105,6 +106,12 @@ bool WaterLanes::acts(std::size_t term) const {
 
 Wrench WaterLanes::wrench(std::size_t element) const {
     return wrench_at(wrench_.data() + place_of_[element], stride_);
+}
+
+void WaterLanes::archive(StateArchive& state) {
+    auto& [kernel, groups, group_of, place_of, plan_of, plans, linear_of, set, stride, states, exposed_edges, linear,
+           wrenches, shelter, plan] = *this;  // all else is of the step
+    state(linear_of);
 }
 
 }  // namespace floes

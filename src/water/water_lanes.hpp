@@ -24,6 +24,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 /// A force of the water or the wind on floes.
 struct WaterTerm {
     void (*leave_out)(WaterFactors&);  ///< factors with which the kernel computes everything else
@@ -66,6 +68,9 @@ class WaterLanes {
 
     /// From the last compute: force (N) and moment about the centre of mass (N m), world axes.
     Wrench wrench(std::size_t element) const;
+
+    /// What set_damping() was told, saved or set (core/state_archive.hpp).
+    void archive(StateArchive& state);
 
   private:
     /// Elements of one kind, side by side from a vector boundary on.

@@ -41,6 +41,10 @@ inline std::array<double, 3> array_of(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
+inline std::array<double, 9> rows_of(const btMatrix3x3& m) {
+    return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]};
+}
+
 inline Vec3 from_bullet(const btVector3& v) {
     return {v.x(), v.y(), v.z()};
 }

@@ -18,6 +18,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 /// Bodies and joints are numbered from 0 in the order in which they are added. What an engine does not override its
 /// solver refuses (solver/solver_kind.hpp), so that nobody asks for it.
 class Engine {
@@ -55,6 +57,8 @@ class Engine {
     virtual std::span<const SolverContact> contacts() const = 0;
 
     virtual int sweeps() const = 0;
+
+    virtual void archive(StateArchive&) { refuse(); }
 
   private:
     [[noreturn]] static void refuse() { throw RunError("The world's solver cannot do this."); }

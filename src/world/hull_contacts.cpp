@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/state_archive.hpp"
 #include "world/bullet_shapes.hpp"
 
 namespace floes {
@@ -159,6 +160,19 @@ double HullContacts::touch(Pair& pair, const SolidShape& solid, std::uint32_t el
     }
     if (points.count() == 0) drop(pair, store);
     return 0;
+}
+
+void HullContacts::archive(StateArchive& state, std::span<IceShape* const> shapes) {
+    auto& [solids, whole, reach, structure, of_elements, radius, way, due, pairs, last, touching] = *this;
+    std::vector<bool> looked_for;
+    for (const IceShape* shape : of_elements) looked_for.push_back(shape != nullptr);
+    std::array<double, 3> origin = array_of(last.getOrigin());
+    std::array<double, 9> basis = rows_of(last.getBasis());
+    state(looked_for, radius, way, due, pairs, origin, basis, touching);
+    if (!state.sets()) return;
+    last = transform_of(origin.data(), basis.data());
+    of_elements.resize(looked_for.size());
+    for (std::size_t i = 0; i < looked_for.size(); ++i) of_elements[i] = looked_for[i] ? shapes[i] : nullptr;
 }
 
 }  // namespace floes

@@ -15,6 +15,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 class HullContacts {
   public:
     /// The structure's solids, which stay, and its number among the bodies.
@@ -37,6 +39,9 @@ class HullContacts {
 
     /// Those with points, in order; a is the structure. Valid until the next find().
     std::span<const Touching> touching() const { return touching_; }
+
+    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp). `shapes`: of all bodies.
+    void archive(StateArchive& state, std::span<IceShape* const> shapes);
 
   private:
     /// An element and a solid.

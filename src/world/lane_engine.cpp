@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "collision/ice_contacts.hpp"
+#include "core/state_archive.hpp"
 #include "shapes/elements.hpp"
 #include "solver/lane_system.hpp"
 #include "solver/lane_width.hpp"
@@ -27,10 +28,6 @@ constexpr std::size_t not_in_system = static_cast<std::size_t>(-1);
 
 std::uint32_t number_of(BodyId body) {
     return static_cast<std::uint32_t>(body.index());
-}
-
-std::array<double, 9> rows_of(const btMatrix3x3& m) {
-    return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2]};
 }
 
 /// At rest there.
@@ -117,6 +114,7 @@ class LaneEngine final : public Engine {
     JointReaction reaction(JointId joint) const override;
     std::span<const SolverContact> contacts() const override { return contacts_; }
     int sweeps() const override { return sweeps_; }
+    void archive(StateArchive& state) override;
 
   private:
     struct Body {
@@ -125,6 +123,8 @@ class LaneEngine final : public Engine {
         double friction = 0;
         bool asleep = false;
         std::array<std::uint8_t, most_corners> joints_at{};  ///< how many joints hold others at each edge of a prism
+        Outline corners{};                                   ///< of its shape; empty: it is the structure
+        double half_thickness = 0;                           ///< likewise
     };
 
     /// What points of a pair with one normal, from b to a, have in common.
@@ -136,7 +136,6 @@ class LaneEngine final : public Engine {
 
     Body made_of(const ElementDefinition& element, const IceShape& shape, std::optional<int> rail) const;
     ContactElement contact_element(const IceShape& shape, const Body& body, int piece) const;
-    void add(Body body, ContactElement element, const IceShape* near_structure);
     SolverJoint joint_of(const JointDefinition& definition) const;
     void hold_edges(const SolverJoint& joint, bool held);
     void hold_edge(std::uint32_t body, const SolverFrame& frame, double outward, bool held);
@@ -157,6 +156,7 @@ class LaneEngine final : public Engine {
         std::erase_if(touching_,
                       [&](const Touching& pair) { return pair.a == body.index() || pair.b == body.index(); });
     }
+    void set_shapes();
     void lay_out();
     void carry_structure();
     void find_contacts();
@@ -208,6 +208,8 @@ LaneEngine::Body LaneEngine::made_of(const ElementDefinition& element, const Ice
     made.parts.crushing_pressure = element.crushing_pressure;
     made.start = state_at(element.pose);
     made.friction = friction_.ice;
+    made.corners = element.corners;
+    made.half_thickness = element.half_thickness;
     return made;
 }
 
@@ -563,6 +565,39 @@ void LaneEngine::step() {
     write_contacts();
     push_apart();
     system_->advance();
+}
+
+void LaneEngine::archive(StateArchive& state) {
+    auto& [definition, friction, width, shapes, shape_of, bodies, joints, removed, structure, structure_pose,
+           structure_last, store, ice, hull, system, joint_in_system, stale, touching, contacts, sources, sweeps] =
+        *this;
+    state(bodies, joints, removed, structure_pose, structure_last, sweeps);
+    if (state.sets()) set_shapes();
+    bool laid_out = system.has_value();
+    if (!state.sets() && laid_out && stale) throw RunError("A world can be saved after a step only.");
+    state(laid_out);
+    if (laid_out) {
+        if (state.sets()) {
+            system.reset();
+            lay_out();
+        }
+        system->archive(state);
+    }
+    state(store, ice, touching, contacts);
+    hull.archive(state, shape_of);
+}
+
+/// Those of the bodies, where they are not there yet.
+void LaneEngine::set_shapes() {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const Body& body = bodies_[i];
+        if (i >= shape_of_.size()) {
+            shape_of_.push_back(&shapes_.emplace_back(body.corners, body.half_thickness));
+        } else if (IceShape* shape = shape_of_[i]) {
+            std::destroy_at(shape);
+            std::construct_at(shape, body.corners, body.half_thickness);
+        }
+    }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/state_archive.hpp"
 #include "core/vector.hpp"
 
 namespace floes {
@@ -17,6 +18,7 @@ class Id {
     constexpr explicit Id(std::size_t index) : value_(static_cast<std::uint32_t>(index)) {}
 
     constexpr std::size_t index() const { return value_; }
+    void archive(StateArchive& state) { state(value_); }
     friend constexpr auto operator<=>(Id, Id) = default;
 
   private:

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/state_archive.hpp"
 #include "shapes/convex_solid.hpp"
 #include "shapes/elements.hpp"
 #include "solver/carried_water.hpp"
@@ -385,6 +386,13 @@ void World::read_contacts(std::vector<ContactForce>& found, std::optional<BodyId
                          .friction = vector_of(contact.slide) * (contact.friction_impulse / parts_->time_step),
                          .solid = contact.solid});
     }
+}
+
+void World::archive(StateArchive& state) {
+    auto& [solver, units, time_step, engine, bodies, joints, has_structure] = *parts_;
+    state.same(solver);
+    state(bodies, joints);
+    engine->archive(state);
 }
 
 }  // namespace floes

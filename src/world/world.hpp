@@ -23,6 +23,8 @@
 
 namespace floes {
 
+class StateArchive;
+
 class World {
   public:
     /// Throws InputError when a value is outside the range that its field states; so do the add_ functions.
@@ -102,6 +104,10 @@ class World {
     /// Refills `found` with every contact that exerted a force in the last step, or with those of one body, in the
     /// order of the solve. Points are those that the step began with.
     void read_contacts(std::vector<ContactForce>& found, std::optional<BodyId> of = {}) const;
+
+    /// Everything that its next steps depend on, saved or set (core/state_archive.hpp); between two steps, or where no
+    /// step was made. The world that is set began like this one. Throws RunError where saves_state(solver) is false.
+    void archive(StateArchive& state);
 
   private:
     struct Parts;
