@@ -392,8 +392,8 @@ Vec3 MooredMotion::restoring() const {
 
 void MooredMotion::archive(StateArchive& state) {
     auto& [moorings, step, inertia, springs, water, stiffness, round, linear, thrusters, moved, beyond, pulls, level,
-           largest] = *this;
-    state(moved, beyond, pulls, largest);
+           largest, breaks, line_use] = *this;
+    state(moved, beyond, pulls, largest, line_use);
 }
 
 void StructureMotion::archive(StateArchive& state) {
