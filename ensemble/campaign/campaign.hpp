@@ -14,6 +14,7 @@
 #include "campaign/design.hpp"
 #include "core/units.hpp"
 #include "keys/key.hpp"
+#include "scenario/layout.hpp"
 #include "scenario/scenario.hpp"
 
 namespace floes {
@@ -72,6 +73,8 @@ struct Case {
     Pairing pairing = Pairing::settled;
     std::string base = {};  ///< the [[case]] that a point of the design was added to; empty where there is none
     int point = -1;         ///< of the campaign's design; -1 without a design
+    std::vector<LaidValue> laid = {};  ///< values that its text left open, and why they are so; not stored
+    bool hull_stated = true;           ///< by its text, or the paper's by what else it says of the paper; not stored
 };
 
 struct Campaign {

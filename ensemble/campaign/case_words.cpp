@@ -248,6 +248,15 @@ std::vector<std::string> case_words(const Campaign& campaign) {
     return sentences;
 }
 
+std::string hull_remark(const Campaign& campaign) {
+    const auto unstated = std::ranges::find(campaign.cases, false, &Case::hull_stated);
+    if (unstated == campaign.cases.end()) return {};
+    return fmt::format(
+        "No hull is stated: the paper's inverted cone, {:.4g} m wide at the waterline, is towed; hull.shape or "
+        "structure.profile_m names another.",
+        2 * unstated->scenario.structure.shape.waterline_radius());
+}
+
 namespace {
 
 const char* placing_words(ArrangementMethod method) {

@@ -29,6 +29,10 @@ Words motion_words(const Scenario& scenario);
 /// none; of the points of a design that differ in numbers only, one sentence has the ranges.
 std::vector<std::string> case_words(const Campaign& campaign);
 
+/// "No hull is stated: …" where some case has the default hull and says neither that nor that it is about the paper;
+/// empty otherwise.
+std::string hull_remark(const Campaign& campaign);
+
 // What is allowed but odd.
 
 /// Fewest natural periods of a hull that gives way in a window: with fewer, its largest offset is one swing, and it has

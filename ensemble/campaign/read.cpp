@@ -17,6 +17,7 @@
 #include "arrangement/check.hpp"
 #include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
+#include "campaign/case_blocks.hpp"
 #include "campaign/design.hpp"
 #include "campaign/hull_file.hpp"
 #include "campaign/outline_file.hpp"
@@ -30,6 +31,7 @@
 #include "keys/meant.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
+#include "scenario/layout.hpp"
 #include "scenario/validate.hpp"
 
 namespace floes {
@@ -267,180 +269,6 @@ class GivenFiles {
     std::set<std::uint64_t> looked_at_;   ///< geometries of poses
 };
 
-// From the [[case]] blocks of a document to one block for each case, the points of a design put in.
-
-struct CaseBlock {
-    Block block;            ///< entries of the [[case]], and those of the axes at the point
-    std::string name;       ///< of the case; empty where a design without a [[case]] gives the names
-    std::size_t given = 0;  ///< number of the [[case]] that it comes from
-    std::string base = {};  ///< name of that [[case]], where a point was added to it
-    int point = -1;
-};
-
-constexpr const char* case_block = "case";
-constexpr std::size_t longest_name = 200;
-constexpr std::size_t most_axis_values = 2'000'000;  // over all cases; each takes some 150 bytes
-
-/// The memory that a value needs, in numbers; a text counts by its length.
-std::size_t size_of(const Value& value) {
-    if (const auto* text = std::get_if<std::string>(&value.data)) return 1 + text->size() / 16;
-    std::size_t size = 1;
-    if (const auto* list = std::get_if<std::vector<Value>>(&value.data))
-        for (const Value& item : *list) size += size_of(item);
-    return size;
-}
-
-/// The same for the values of all axes in one case, at most.
-std::size_t values_of_a_case(const Design& design) {
-    std::size_t size = 0;
-    for (const DesignAxis& axis : design.axes) {
-        std::size_t largest = 1;
-        for (const Value& value : axis.values) largest = std::max(largest, size_of(value));
-        size += largest;
-    }
-    return size;
-}
-
-void refuse_stranger(const Block& block) {
-    if (block.path == case_block || block.path == axis_block) return;
-    const bool axis = edit_distance(block.path, axis_block) < edit_distance(block.path, case_block);
-    throw InputError(fmt::format("{}: [[{}]] is not a table of a configuration; did you mean [[{}]]?", block.where,
-                                 block.path, axis ? axis_block : case_block));
-}
-
-/// The block's name, checked: present, plain, and none of those `taken`.
-std::string case_name(const Block& block, std::set<std::string>& taken) {
-    const auto entry = std::ranges::find(block.entries, "name", &Entry::path);
-    if (entry == block.entries.end()) {
-        throw InputError(fmt::format("{}: this [[case]] has no name; begin it with name = \"E60\"", block.where));
-    }
-    std::string name;
-    assign(text_key("name", name, "", "Name of the case."), *entry);
-    const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '.'; };
-    if (name.size() > longest_name)
-        throw InputError(fmt::format("{}: name = {} is longer than the {} characters that the name of a case may have",
-                                     entry->where, to_text(entry->value), longest_name));
-    if (name.empty() || !std::ranges::all_of(name, plain)) {
-        throw InputError(fmt::format("{}: name = {} cannot name a case; allowed: letters, digits and any of _ - + .",
-                                     entry->where, text_literal(name)));
-    }
-    if (!taken.insert(name).second) {
-        throw InputError(fmt::format("{}: name = {} names an earlier case too; give each case its own name",
-                                     entry->where, text_literal(name)));
-    }
-    return name;
-}
-
-/// Whether the cases are the points of a design, written out: then they have a design.point.
-bool written_out(const std::vector<CaseBlock>& cases) {
-    return std::ranges::any_of(cases, [](const CaseBlock& one) {
-        return std::ranges::find(one.block.entries, "design.point", &Entry::path) != one.block.entries.end();
-    });
-}
-
-/// The [[case]] blocks; without any, an empty one named `fallback`, or "" in a design. Throws InputError for blocks
-/// that a configuration does not have, and for names that are missing, not plain or given twice.
-std::vector<CaseBlock> given_cases(const Document& document, const std::string& fallback, const std::string& file,
-                                   const Design& design) {
-    std::vector<CaseBlock> cases;
-    std::set<std::string> taken;
-    for (const Block& block : document.blocks) {
-        refuse_stranger(block);
-        if (block.path == case_block) cases.push_back({block, case_name(block, taken), cases.size()});
-    }
-    if (cases.empty()) cases.push_back({{case_block, file, {}}, design.active() ? "" : fallback});
-    return cases;
-}
-
-/// Throws InputError when `entry`, which sets `path`, sets an axis.
-void refuse_axis(const Entry& entry, const Origins& axes) {
-    const auto axis = axes.find(full_path(entry.path));
-    if (axis == axes.end()) return;
-    throw InputError(fmt::format("{}: {} = {} is hidden by the axis of the design at {}; keep one of them", entry.where,
-                                 entry.path, to_text(entry.value), axis->second));
-}
-
-/// Each case at each point of the design; the cases as they are without a design, and where they say their
-/// design.point. `axes`: where each axis is given. Throws InputError for a case that sets an axis itself, and for more
-/// cases than most_cases, or more values of axes than can be held.
-std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& design, const Origins& axes,
-                                 std::uint64_t seed, const std::string& file) {
-    if (!design.active() || written_out(given)) return given;
-    const auto all = static_cast<std::int64_t>(given.size()) * point_count(design);
-    if (all > most_cases)
-        throw InputError(fmt::format("{}: {} at {} are {}; no more than {} are allowed", file,
-                                     counted(std::ssize(given), "case"), counted(point_count(design), "point"),
-                                     counted(all, "case"), most_cases));
-    const std::size_t values = static_cast<std::size_t>(all) * values_of_a_case(design);
-    if (values > most_axis_values)
-        throw InputError(
-            fmt::format("{}: {} of the design have {} values of its axes, more than the {} that can be "
-                        "held; take fewer points or fewer axes",
-                        file, counted(all, "case"), values, most_axis_values));
-    const std::vector<DesignPoint> points = design_points(design, seed);
-    std::vector<CaseBlock> cases;
-    for (const CaseBlock& one : given) {
-        for (const Entry& entry : one.block.entries) refuse_axis(entry, axes);
-        for (std::size_t p = 0; p < points.size(); ++p) {
-            CaseBlock& at_point = cases.emplace_back(one);
-            at_point.name = one.name.empty() ? points[p].name : one.name + "+" + points[p].name;
-            if (at_point.name.size() > longest_name)
-                throw InputError(
-                    fmt::format("{}: the name of the point {} is longer than {} characters; give the "
-                                "[[case]] a shorter one",
-                                file, at_point.name, longest_name));
-            at_point.base = one.name;
-            at_point.point = static_cast<int>(p);
-            for (std::size_t axis = 0; axis < design.axes.size(); ++axis) {
-                const std::string& key = design.axes[axis].key;
-                at_point.block.entries.push_back({key, points[p].values[axis], axes.at(key)});
-            }
-        }
-    }
-    return cases;
-}
-
-/// Throws InputError for more members than the master of a campaign can hold.
-void refuse_members(std::size_t cases, int arrangements, const std::string& file) {
-    const auto members = static_cast<std::int64_t>(cases) * arrangements;
-    if (members > most_members)
-        throw InputError(
-            fmt::format("{}: {} with {} make {} members, more than the {} that a campaign can hold; take fewer of "
-                        "either, or run several campaigns",
-                        file, counted(static_cast<std::int64_t>(cases), "case"), counted(arrangements, "arrangement"),
-                        members, most_members));
-}
-
-/// Throws InputError when two cases of a design have one name or are one point, some case is at no point, or some
-/// point has no case.
-void check_points(const Campaign& campaign, const std::string& file) {
-    std::set<std::string> names;
-    std::set<std::string> bases;
-    std::set<std::pair<std::string, int>> points;
-    const std::int64_t count = point_count(campaign.design);
-    for (const Case& one : campaign.cases) {
-        if (!campaign.design.active()) {
-            if (one.point < 0 && one.base.empty()) continue;
-            throw InputError(fmt::format(
-                "{}: the case {} is a point of a design, and there is no [design]; take its design.point away", file,
-                one.name));
-        }
-        const char* what = !names.insert(one.name).second ? "has the name of another point; rename a [[case]]"
-                           : one.point < 0                ? "has no design.point, and others have"
-                           : one.point >= count           ? "has a design.point beyond the design's last"
-                           : !points.emplace(one.base, one.point).second ? "has the design.point of an earlier case"
-                                                                         : nullptr;
-        if (what != nullptr) throw InputError(fmt::format("{}: the case {} {}", file, one.name, what));
-        bases.insert(one.base);
-    }
-    const std::size_t wanted = bases.size() * static_cast<std::size_t>(count);
-    if (points.size() < wanted)
-        throw InputError(
-            fmt::format("{}: {} of the {} points of the design have no case; take design.point away from the "
-                        "others too, and the design gives them all",
-                        file, wanted - points.size(), wanted));
-}
-
 constexpr std::string_view case_prefix = "case.";
 constexpr std::string_view axis_prefix = "design.axis.";
 
@@ -488,15 +316,7 @@ class CampaignReader {
                           .common_arrangements = head_.common_arrangements};
         const std::vector<CaseBlock> blocks = at_points(std::move(given), design_, axes_, head_.seed, source_.file);
         refuse_members(blocks.size(), campaign.arrangements, source_.file);
-        Case one;
-        const Keys keys = describe(one);  // only once, because it takes longer than the rest of a case
-        HeldNumbers held(source_.file);
-        for (const CaseBlock& block : blocks) {
-            refusals_.gather([&] { read_case(block, blocks.size() > 1, one, keys); });
-            if (refusals_.any()) continue;
-            held.add(one.scenario);
-            campaign.cases.push_back(one);
-        }
+        read_cases(blocks, campaign.cases);
         if (!wrong_keys_)
             for (std::string& sentence : effects_.without()) refusals_.add(std::move(sentence));
         if (refusals_.any()) return campaign;
@@ -697,39 +517,116 @@ class CampaignReader {
             "The name of the configuration file is not UTF-8, so it cannot name the campaign; give campaign.name.");
     }
 
-    /// Reads a case into `one`, to which `keys` are bound. Messages name the case if it is `one_of_many`.
-    void read_case(const CaseBlock& block, bool one_of_many, Case& one, const Keys& keys) {
-        one = {block.name, base_};
+    /// A case whose values are known, but for what is laid.
+    struct ReadCase {
+        std::size_t block = 0;           ///< of the blocks
+        std::optional<PoseFile> file{};  ///< that its poses came from; without them
+        OpenKeys open{};
+    };
+
+    /// The cases of the blocks, laid and checked. What is refused is kept.
+    void read_cases(const std::vector<CaseBlock>& blocks, std::vector<Case>& cases) {
+        Case one;
+        const Keys keys = describe(one);  // only once, because it takes longer than the rest of a case
+        HeldNumbers held(source_.file);
+        std::vector<ReadCase> read;
+        for (std::size_t k = 0; k < blocks.size(); ++k) {
+            refusals_.gather([&] {
+                ReadCase about{.block = k};
+                read_case(blocks[k], label_of(blocks, k), one, keys, about);
+                if (wrong_keys_) return;  // what the others say together is not what was meant
+                cases.push_back(one);
+                read.push_back(std::move(about));
+            });
+            if (!refusals_.any()) held.add(one.scenario);
+        }
+        if (wrong_keys_) return;
+        if (source_.from_user) lay(cases, read);
+        for (std::size_t k = 0; k < read.size(); ++k)
+            refusals_.gather(
+                [&] { check_case(blocks[read[k].block], label_of(blocks, read[k].block), cases[k], read[k]); });
+    }
+
+    /// Names the case in messages if it is one of many.
+    static std::string label_of(const std::vector<CaseBlock>& blocks, std::size_t number) {
+        return blocks.size() > 1 ? fmt::format("case {}: ", blocks[number].name) : "";
+    }
+
+    /// For one case.
+    std::vector<Entry> overrides_of(const CaseBlock& block) const {
+        std::vector<Entry> overrides;
+        for (const auto& [of_case, entry] : case_overrides_)
+            if (of_case == block.given) overrides.push_back(entry);
+        return overrides;
+    }
+
+    /// Where each key of a case is given; what the case does not set comes from the tables.
+    Origins origins_of(const CaseBlock& block) const {
         Origins own;
+        for (const Entry& entry : block.block.entries) own[full_path(entry.path)] = entry.where;
+        for (const Entry& entry : overrides_of(block)) own[full_path(entry.path)] = entry.where;
+        own.insert(origins_.begin(), origins_.end());
+        return own;
+    }
+
+    /// Reads a case into `one`, to which `keys` are bound.
+    void read_case(const CaseBlock& block, const std::string& label, Case& one, const Keys& keys, ReadCase& about) {
+        one = {block.name, base_};
+        Origins given;
         for (const Entry& entry : in_order_of_reading(keys, block.block.entries)) {
             refuse_campaign_key(entry);
-            if (const auto first = own.find(full_path(entry.path)); first != own.end()) {
+            if (const auto first = given.find(full_path(entry.path)); first != given.end()) {
                 throw InputError(fmt::format("{}: {} is given twice in this [[case]], first at {}; keep one",
                                              entry.where, first->first, first->second));
             }
-            set(keys, entry, own);
+            set(keys, entry, given);
         }
         refuse_overruled(keys, block);
-        std::vector<Entry> overrides;
-        for (const auto& [of_case, entry] : case_overrides_) {
-            if (of_case == block.given) overrides.push_back(entry);
-        }
-        for (const Entry& entry : in_order_of_reading(keys, std::move(overrides))) set(keys, entry, own);
+        for (const Entry& entry : in_order_of_reading(keys, overrides_of(block))) set(keys, entry, given);
         one.name = block.name;
         if (block.point >= 0) {
             one.base = block.base;
             one.point = block.point;
         }
-        if (wrong_keys_) return;                       // what the others say together is not what was meant
-        own.insert(origins_.begin(), origins_.end());  // what the case does not set comes from the tables
+        if (wrong_keys_) return;
+        const Origins own = origins_of(block);
         one.pairing = pairing(one.scenario, own);
         if (source_.from_user) effects_.note(keys, own);
-        const std::string label = one_of_many ? fmt::format("case {}: ", one.name) : "";
-        const std::optional<PoseFile> file = files_.resolve_poses(one.scenario, own, label);
+        about.file = files_.resolve_poses(one.scenario, own, label);
+        if (about.file) about.file->poses = {};
         files_.resolve_hull(one.scenario, own, label);
         files_.resolve_outlines(one.scenario, own, label);
+        one.hull_stated = !source_.from_user || names_hull(one.scenario, own);
+        for (std::size_t key = 0; key < laid_paths.size(); ++key)
+            about.open.set(key, !own.contains(std::string(laid_paths[key])));
+    }
+
+    /// Whether a text says which hull, or that it is about the paper, whose hull is the default.
+    static bool names_hull(const Scenario& scenario, const Origins& own) {
+        const bool of_paper =
+            scenario.joint.model == JointModel::cfm || preset_of(scenario.contact) == ContactPreset::paper;
+        return of_paper || std::ranges::any_of(own, [](const auto& key) {
+                   return key.first.starts_with("hull.") || key.first.starts_with("paper.") ||
+                          key.first == "structure.profile_m" || key.first == "structure.keel_radius_m";
+               });
+    }
+
+    /// Gives what the cases leave open its values: all fields alike where they share their arrangements.
+    void lay(std::vector<Case>& cases, const std::vector<ReadCase>& read) const {
+        std::vector<Unlaid> unlaid;
+        for (std::size_t k = 0; k < cases.size(); ++k) unlaid.push_back({&cases[k].scenario, read[k].open});
+        if (head_.common_arrangements) {
+            floes::lay(unlaid);
+        } else {
+            for (Unlaid& one : unlaid) floes::lay({&one, 1});
+        }
+        for (std::size_t k = 0; k < cases.size(); ++k) cases[k].laid = std::move(unlaid[k].laid);
+    }
+
+    void check_case(const CaseBlock& block, const std::string& label, const Case& one, const ReadCase& about) {
+        const Origins own = origins_of(block);
         refuse_contradictions(one.scenario, own, label);
-        if (source_.from_user && !refusals_.any()) files_.refuse_faults(one.scenario, file, own, label);
+        if (source_.from_user && !refusals_.any()) files_.refuse_faults(one.scenario, about.file, own, label);
     }
 
     /// For joints that follow Σ. Stored texts leave out what is to be found; where they have both, both are settled.

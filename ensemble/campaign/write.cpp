@@ -125,6 +125,48 @@ std::string write_campaign(const Campaign& campaign, const std::string& where) {
 
 namespace {
 
+/// Why the case's key has its value; empty of one that was stated.
+std::string_view reason_of(const Case& one, std::string_view path) {
+    for (const LaidValue& value : one.laid)
+        if (laid_paths.at(static_cast<std::size_t>(value.key)) == path) return value.reason;
+    return {};
+}
+
+/// The same of a key that stands in the tables, for all cases.
+std::string_view reason_of(const Campaign& campaign, std::string_view path) {
+    for (const Case& one : campaign.cases)
+        if (const std::string_view reason = reason_of(one, path); !reason.empty()) return reason;
+    return {};
+}
+
+}  // namespace
+
+std::string resolved_text(const Campaign& campaign) {
+    std::string text;
+    std::string table;
+    std::ptrdiff_t of_case = -1;
+    for (const auto part : std::views::split(write_campaign(campaign), '\n')) {
+        const std::string_view line(part.begin(), part.end());
+        if (line.starts_with("[[")) {
+            table.clear();
+            if (line == "[[case]]") ++of_case;
+        } else if (line.starts_with("[")) {
+            table = std::string(line.substr(1, line.size() - 2)) + ".";
+        }
+        const std::string path = table + std::string(line.substr(0, line.find(" = ")));
+        const std::string_view reason = of_case < 0
+                                            ? reason_of(campaign, path)
+                                            : reason_of(campaign.cases.at(static_cast<std::size_t>(of_case)), path);
+        text += line;
+        if (!reason.empty()) text += fmt::format("  # derived: {}", reason);
+        text += '\n';
+    }
+    text.pop_back();  // behind the last line end there is no line
+    return text;
+}
+
+namespace {
+
 constexpr std::string_view base_name = "base";
 
 /// Rounded to so many significant digits.
@@ -275,10 +317,14 @@ std::string tables_text(const Campaign& campaign, const Scenario& scenario, std:
     for (Key& key : describe(usual_rules)) usual.push_back(std::move(key));
     for (Key& key : describe(usual_scenario)) usual.push_back(std::move(key));
 
+    // Keys that a reader would lay anew are stated, as they are here.
+    const bool laid = lays_itself(own);
     Keys written;
-    for (std::size_t k = 0; k < keys.size(); ++k)
-        if (!keys[k].derived() && !keys[k].idle() && exact_text(keys[k]) != exact_text(usual[k]))
-            written.push_back(std::move(keys[k]));
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        if (keys[k].derived() || keys[k].idle()) continue;
+        const bool stated = laid && std::ranges::find(laid_paths, keys[k].path) != laid_paths.end();
+        if (stated || exact_text(keys[k]) != exact_text(usual[k])) written.push_back(std::move(keys[k]));
+    }
     return write_tables(written, {}, Comments::none);
 }
 

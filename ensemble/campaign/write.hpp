@@ -15,6 +15,10 @@ namespace floes {
 /// Throws InputError, beginning with `where`, for a text that read_campaign() would refuse as too long.
 std::string write_campaign(const Campaign& campaign, const std::string& where = "the resolved configuration");
 
+/// The same for people: values that follow from others say so on their lines, "# derived: the diagonal of the largest
+/// floe, 63.6 m". Reading it gives the same campaign, in which they are stated.
+std::string resolved_text(const Campaign& campaign);
+
 // What a model leaves open, varied one at a time: a campaign whose cases show how far its loads depend on inputs that
 // are rarely measured.
 

@@ -192,7 +192,7 @@ std::string answer(const ConfigOptions& options) {
     if (options.reference)
         return options.format == "json" ? reference_json(options.table) : reference_text(options.table);
     if (!options.check.empty()) return check(load_campaign(options.check, options.overrides));
-    return write_campaign(load_campaign(options.resolved, options.overrides));
+    return resolved_text(load_campaign(options.resolved, options.overrides));
 }
 
 }  // namespace

@@ -108,10 +108,13 @@ void add_window(Keys& keys, Field& field) {
             "field.far_end = \"never\"", [&field] { return field.endless(); },
             number_key(path, length, unit::one, at_least(0).at_most(farthest), source, doc))));
     };
-    add("field.ahead_m", field.ahead, "longer changed no load that was seen; docs/field.md",
+    add("field.ahead_m", field.ahead,
+        "longer changed no load that was seen; of another hull than the paper's derived: it and two breadths or three "
+        "floes",
         "How far ahead of the structure's axis floes are computed. Those farther ahead rest, fixed to whatever touches "
         "them, as a field that is held from ahead. 0: two widths of the field.");
-    add("field.behind_m", field.behind, "longer changed no load that was seen; docs/field.md",
+    add("field.behind_m", field.behind,
+        "longer changed no load that was seen; of another hull derived: what can touch it, and a floe",
         "How far behind the structure's axis floes are computed. Those farther behind are taken out. 0: one width of "
         "the field.");
 }
@@ -121,19 +124,22 @@ void add_window(Keys& keys, Field& field) {
 void add_field(Keys& keys, Field& field) {
     const Range place = at_least(-farthest).at_most(farthest);
     keys.push_back(integer_key(
-        "field.floes", field.floes, 1, most_floes, "Table 3",
+        "field.floes", field.floes, 1, most_floes,
+        "Table 3; of another hull derived: as many as the way of the run needs, or fill what is computed",
         "Number of floes. Shares of broken floes are of all of them. Of a field without end: of each part "
         "that is laid; shares are of the floes that were computed."));
     keys.push_back(number_key(
         "field.concentration_percent", field.concentration, unit::percent, above(0).at_most(100), "Table 1",
         "Covered area fraction of the field. Together with the number and size of floes it sets the field's length."));
-    keys.push_back(number_key("field.begin_m", field.begin, unit::one, place, "the paper, Simulation Design",
+    keys.push_back(number_key("field.begin_m", field.begin, unit::one, place,
+                              "the paper, Simulation Design; of another hull derived: 0, or by structure.start_m",
                               "Position along x where the field begins."));
     keys.push_back(number_key(
-        "field.half_width_m", field.half_width, unit::one, above(0).at_most(1e4), "the paper, Simulation Design",
+        "field.half_width_m", field.half_width, unit::one, above(0).at_most(1e4),
+        "the paper, Simulation Design; of another hull derived: it, its path, and a breadth or two floes beside it",
         "Half width of the field: |z| is at most this, between the fixed ice sheets along the walls."));
     keys.push_back(number_key("field.sheet_width_m", field.sheet_width, unit::one, above(0).at_most(1e4),
-                              "wider than a floe's diagonal",
+                              "wider than a floe's diagonal; of another hull derived: that of the largest floe",
                               "Breadth of the fixed ice sheets. If a floe is pushed over a sheet and beyond its outer "
                               "edge, the member ends as failed."));
     keys.push_back(word_key(
@@ -205,19 +211,26 @@ void add_structure(Keys& keys, Structure& structure) {
          "Radius over height above the waterline, from the keel up, with heights that never decrease. The wall angle "
          "decides the load: a steeper wall below the waterline gives higher loads and more broken floes."}));
     keys.push_back(only_with("hull.shape = \"profile\"", by_profile, keel_radius(structure.shape)));
-    keys.push_back(number_key("structure.start_m", structure.start, unit::one, at_least(-farthest).at_most(farthest),
-                              "the paper, Simulation Design", "Initial position of the structure's axis along x."));
+    keys.push_back(
+        number_key("structure.start_m", structure.start, unit::one, at_least(-farthest).at_most(farthest),
+                   "the paper, Simulation Design; of another hull derived: its bow is half a floe before the ice",
+                   "Initial position of the structure's axis along x."));
     keys.push_back(number_key("structure.speed_m_s", structure.speed, unit::one, above(0).at_most(100), "Table 1",
                               "Speed of the tow along +x, from the first step on."));
 }
 
 void add_analysis(Keys& keys, Analysis& analysis) {
     keys.push_back(number_key("analysis.steady_start_s", analysis.steady_start, unit::one,
-                              at_least(0).at_most(farthest), "loads are steady from 120 s on (docs/validation.md)",
+                              at_least(0).at_most(farthest),
+                              "loads are steady from 120 s on (docs/validation.md); of another hull derived: ice lies "
+                              "along it and two floes more, five natural periods have passed",
                               "Start of the window: late enough for the load to be steady."));
     keys.push_back(number_key("analysis.window_s", analysis.window, unit::one, above(0).at_most(farthest),
-                              "the paper, Results", "Length of the window. A longer window needs a longer field."));
-    keys.push_back(integer_key("analysis.segments", analysis.segments, 1, 10000, "the paper, Results",
+                              "the paper, Results; of another hull derived: ten natural periods, and two breadths or "
+                              "five floes in each segment",
+                              "Length of the window. A longer window needs a longer field."));
+    keys.push_back(integer_key("analysis.segments", analysis.segments, 1, 10000,
+                               "the paper, Results; of another hull fewer where three do not cut a stated window",
                                "Number of equal parts of the window; mean_maximum is the mean of their maxima."));
     keys.push_back(history_steps(analysis));
     keys.push_back(late_key(numbers_key(

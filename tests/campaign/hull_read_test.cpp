@@ -76,9 +76,11 @@ TEST(ReadHull, SaysWhatIsWrong) {
                   .find("less than half of floe.element_m = 0.2"),
               std::string::npos);
     EXPECT_NE(message("shape = \"bargee\"").find("did you mean \"barge\"?"), std::string::npos);
-    EXPECT_NE(message("shape = \"cylinder\"\ndiameter_m = 6.0\ndraught_m = 1.0\nfreeboard_m = 1.0")
-                  .find("does not fit between the ice sheets"),
-              std::string::npos);
+    EXPECT_NE(
+        message(
+            "shape = \"cylinder\"\ndiameter_m = 6.0\ndraught_m = 1.0\nfreeboard_m = 1.0\n[field]\nhalf_width_m = 2.4")
+            .find("does not fit between the ice sheets"),
+        std::string::npos);
 }
 
 }  // namespace hull_read_test
