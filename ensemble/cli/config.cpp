@@ -14,6 +14,7 @@
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"
 #include "run/calibrate.hpp"
+#include "run/plan.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
@@ -175,6 +176,8 @@ std::string check_line(const Campaign& campaign) {
                                    counted(campaign.arrangements, "arrangement"),
                                    counted(member_count(campaign), "member"), calibrated);
     for (const std::string& sentence : case_words(campaign)) text += sentence + "\n";
+    for (const std::string& sentence : cost_words(campaign)) text += sentence + "\n";
+    if (const std::string remark = hull_remark(campaign); !remark.empty()) text += remark + "\n";
     for (const std::string& sentence : advice(campaign)) text += "but " + sentence + "\n";
     return text;
 }

@@ -203,6 +203,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
     {
         Progress progress(std::cerr, style_of_standard_error());
         if (!time_left.remark.empty()) progress.say(time_left.remark);
+        if (const std::string remark = hull_remark(campaign); !remark.empty()) progress.say(remark);
         for (const std::string& sentence : advice(campaign)) progress.say(sentence);
         Recorder::check(options.places);  // before the calibration, which takes a minute
         {

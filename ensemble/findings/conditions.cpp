@@ -184,6 +184,18 @@ Words contact_words(const ContactLaw& law) {
     return words;
 }
 
+namespace {
+
+/// Says of the default hull that it is one, which a campaign file does not tell; not of comparisons with the paper.
+Words hull_words(const CaseRow& row) {
+    static const Shape usual;
+    const bool of_paper = preset_of(row.contact) == ContactPreset::paper;
+    return row.shape.words() +
+           (row.shape == usual && !of_paper ? "; the paper's cone, which is towed where no hull is stated" : "");
+}
+
+}  // namespace
+
 std::vector<std::string> condition_lines(const Summary& summary) {
     using Row = const CaseRow&;
     std::vector<std::string> lines;
@@ -195,7 +207,7 @@ std::vector<std::string> condition_lines(const Summary& summary) {
         add("Ice", [](Row row) { return row.floes; });
         add("Structure", [](Row row) { return row.motion; });
     }
-    add("Structure wall", [](Row row) { return row.shape.words(); });
+    add("Structure wall", hull_words);
     if (!any([](Row row) { return !(row.field_length > 0); })) add("Channel", channel_words);
     if (any([](Row row) { return row.gap.has_value(); })) add("Gap", gap_words);
     add("Far end", [](Row row) { return far_end_words(row.far_end); });

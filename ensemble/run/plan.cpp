@@ -691,6 +691,11 @@ double time_per_unit(const Scenario& scenario, const MemberCosts& costs) {
 
 }  // namespace
 
+double expected_run_time(const Campaign& campaign, int case_index) {
+    return expected_cost(campaign, case_index) *  // members begin with one of each case
+           time_per_unit(campaign.cases[static_cast<std::size_t>(case_index)].scenario, measured_member_costs());
+}
+
 PlannedMembers expected_members(const Campaign& campaign) {
     const MemberCosts costs = measured_member_costs();
     PlannedMembers planned{members_of(campaign), costs.source};

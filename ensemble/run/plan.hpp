@@ -144,6 +144,9 @@ PlannedMembers expected_members(const Campaign& campaign);
 /// 0: not known.
 std::string stop_forecast(const Campaign& campaign, int done, double pace, int cores);
 
+/// The mean of these for the members of a case, s.
+double expected_run_time(const Campaign& campaign, int case_index);
+
 /// Run times from a run of this or a similar campaign. A member draws one of the times measured for the case of the
 /// same name, or for all cases if there is none, scaled by the expected cost. The draws depend only on the campaign's
 /// seed and the member's number. Throws InputError if no member is done yet.
@@ -165,5 +168,13 @@ int usual_ranks(int cores);
 
 PlanRow plan_row(std::span<const SimulatedMember> members, const Machine& machine, const DriverCosts& costs,
                  bool with_file = true);
+
+// What a member costs, and would cost with other elements and windows: what to know before a long run.
+
+/// A sentence for each case whose members take a minute and more, of a hull that gives way ten seconds and more: what
+/// one takes, and what with larger and smaller elements and other windows, as far as these can be run and nothing is
+/// odder about them (advice()). Cases with the words of an earlier one have none; of more than eight, one sentence has
+/// the least and the most.
+std::vector<std::string> cost_words(const Campaign& campaign);
 
 }  // namespace floes

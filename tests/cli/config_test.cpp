@@ -1,5 +1,6 @@
 // floes config: what it prints and how it ends.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -16,6 +17,8 @@
 
 namespace floes {
 namespace config_test {
+
+using testing::HasSubstr;
 
 const std::string table3 = std::string(FLOES_SOURCE_DIR) + "/configs/table3.toml";
 
@@ -84,6 +87,26 @@ TEST(Config, SaysOfAnEmptyFileThatItStatesNoKey) {
                                 "states no key, so everything has its default") != std::string::npos;
         EXPECT_EQ(remark, said) << name;
     }
+}
+
+// Costs go with elements and steps: half the side is four times the elements, twice the window not quite twice the run.
+TEST(Config, CheckSaysWhatMooredMembersCost) {
+    const std::string answer = config({"--check", std::string(FLOES_SOURCE_DIR) + "/configs/kulluk.toml"});
+    EXPECT_THAT(answer, HasSubstr("case 0.3_m: a member takes about "));
+    EXPECT_THAT(answer, HasSubstr(" elements over 7000 steps; with floe.element_m of "));
+    EXPECT_THAT(answer, HasSubstr("; with analysis.window_s of 225 s "));
+    EXPECT_THAT(answer, HasSubstr(", of 900 s "));
+}
+
+TEST(Config, CheckSaysThatNoHullIsStated) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "ice.toml") << "ice.thickness_m = 0.03\n";
+    EXPECT_THAT(config({"--check", (folder / "ice.toml").string()}), HasSubstr("\nNo hull is stated: the paper's "));
+}
+
+TEST(Config, ResolvedSaysWhatIsDerived) {
+    const std::string file = std::string(FLOES_SOURCE_DIR) + "/ensemble/cli/starters/turret.toml";
+    EXPECT_THAT(config({"--resolved", file}), HasSubstr("\nhalf_width_m = 260.0  # derived: the path goes "));
 }
 
 TEST(Config, ResolvedIsTheWholeCampaign) {
