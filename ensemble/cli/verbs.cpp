@@ -31,6 +31,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
         "Exit status: 0 done, 1 a member was set aside as failed or the run failed, 2 wrong input, 85 stopped, to be\n"
         "resumed with --resume.\n\n"
         "  floes new my.toml\n"
+        "  floes show my.toml\n"
         "  floes run my.toml -o my.h5\n"
         "  floes summarize my.h5");
 }

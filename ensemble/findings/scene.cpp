@@ -147,8 +147,10 @@ void add_way(Figure& plan, const Drawn& of) {
     if (measured.x < plan.x.high) plan.dot(measured.x, measured.z, "c1", 4);
     const Vec2 end = place_of(way.poses[last]);
     if (end.x() > plan.x.high) {
-        plan.text(plan.x.high - 0.5 * head, measured.z - head, fmt::format("on to x = {:.4g} m", end.x()), "end",
-                  "halo");
+        const std::string from =
+            measured.x > plan.x.high ? fmt::format("{:.4g} m, measured from there to ", measured.x) : "";
+        plan.text(plan.x.high - 0.5 * head, way.poses[last].z - head,
+                  fmt::format("on to x = {}{:.4g} m", from, end.x()), "end", "halo");
     } else {
         for (std::size_t k = last; k-- > 0;) {
             const Vec2 before = place_of(way.poses[k]);
@@ -181,18 +183,25 @@ void add_lines(Figure& plan, const Drawn& of) {
     plan.legend.emplace_back("c2", "turret");
 }
 
+/// Where the hull goes at first, rad from +x towards +z.
+double first_heading(const Way& way) {
+    const Vec2 start = place_of(way.poses.front());
+    for (const PlanarPose& pose : way.poses)
+        if (const Vec2 gone = place_of(pose) - start; gone.norm() > 0) return std::atan2(gone.y(), gone.x());
+    return 0;
+}
+
 /// Arrows of equal length for what moves: from the upper left, one after the other.
-void add_streams(Figure& plan, const Scenario& scenario) {
+void add_streams(Figure& plan, const Drawn& of) {
+    const Scenario& scenario = of.scenario;
     struct Stream {
         std::string words;
         double direction;  ///< rad, from +x towards +z
     };
-    std::vector<Stream> streams;
-    const bool passes = scenario.path.of == PathOf::ice && !scenario.path.legs.empty();
-    if (passes) streams.push_back({"drift of the ice at first", scenario.path.legs.front().heading});
-    if (scenario.moorings.give_way() && !scenario.path.any())
-        streams.push_back({"drift of the ice", scenario.closing_speed() < 0 ? 0 : std::numbers::pi});
-    if (!passes && !scenario.moorings.give_way()) streams.push_back({"tow", 0});
+    const double heading = first_heading(of.way);
+    const bool passes = scenario.moorings.give_way() || (scenario.path.of == PathOf::ice && scenario.path.any());
+    std::vector<Stream> streams{passes ? Stream{"drift of the ice", heading + std::numbers::pi}
+                                       : Stream{scenario.path.any() ? "path" : "tow", heading}};
     if (scenario.water.current > 0)
         streams.push_back(
             {fmt::format("current {:.3g} m/s", scenario.water.current), scenario.water.current_direction});
@@ -222,7 +231,7 @@ Figure plan_of(const Drawn& of) {
         for (const double x : {of.start().x + scenario.window_ahead(), of.start().x - scenario.window_behind()})
             if (x > plan.x.low && x < plan.x.high) plan.upright(x, "dotted");
     }
-    add_streams(plan, scenario);
+    add_streams(plan, of);
     add_scale_bar(plan);
     plan.caption = fmt::format(
         "From above, to scale, before the first step. Blue: floes; grey: ice sheets; yellow: what the hull cuts out of "

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "arrangement/arrangement.hpp"
 #include "cli/given.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
@@ -26,6 +27,7 @@
 namespace floes {
 namespace show_test {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -212,6 +214,43 @@ TEST(Show, SaysWhatIsSeldomMeant) {
     EXPECT_THAT(oddities("configs/kulluk.toml", {"moorings.lines=" + line}),
                 ElementsAre(HasSubstr("Mooring line 1 leads from its fairlead across the hull")));
     EXPECT_THAT(oddities("configs/kulluk.toml", {}), IsEmpty());
+}
+
+/// Of the smoke test with other floes than it lays.
+std::vector<std::string> oddities_of(void (*change)(std::vector<Floe>&)) {
+    const Scenario scenario = load_campaign((project / "configs/smoke.toml").string(), {}).cases.front().scenario;
+    FloeSet floes = make_arrangement(scenario, 1, 0);
+    change(floes.floes);
+    return scene_oddities(scenario, floes);
+}
+
+TEST(Show, SaysThatTheIceLiesElsewhereOrEndsEarly) {
+    EXPECT_THAT(oddities_of([](std::vector<Floe>&) {}), IsEmpty());
+    EXPECT_THAT(oddities_of([](std::vector<Floe>& floes) {
+                    for (Floe& floe : floes) floe.pose.z += 4;
+                }),
+                ElementsAre(HasSubstr("no floe lies on the way of the hull")));
+    EXPECT_THAT(oddities_of([](std::vector<Floe>& floes) {
+                    std::erase_if(floes, [](const Floe& floe) { return floe.pose.x > 3.2; });
+                }),
+                ElementsAre(HasSubstr("the bow is past the last floe")));
+}
+
+TEST(Show, SaysThatAHullFromAFileStandsHigherThanItIsLong) {
+    Scenario scenario = load_campaign((project / "configs/smoke.toml").string(), {}).cases.front().scenario;
+    const FloeSet floes = make_arrangement(scenario, 1, 0);
+    const auto with_box = [&](double half_length, double half_height) {
+        std::vector<std::vector<double>> corners;
+        for (const double x : {-half_length, half_length})
+            for (const double height : {-half_height, half_height})
+                for (const double z : {-0.3, 0.3}) corners.push_back({0, 0, x, height, z});
+        scenario.structure.shape.set_kind(HullKind::file);
+        scenario.structure.shape.part_list() = "hull";
+        scenario.structure.shape.set_pieces(corners);
+        return scene_oddities(scenario, floes);
+    };
+    EXPECT_THAT(with_box(0.6, 0.3), IsEmpty());
+    EXPECT_THAT(with_box(0.6, 0.9), ElementsAre(HasSubstr("if it lies on its side")));
 }
 
 std::string show(std::vector<std::string> words) {

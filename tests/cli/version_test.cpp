@@ -139,7 +139,7 @@ TEST(Help, NamesTheVerbThatWasMeant) {
         EXPECT_EQ(refused.status(), 2);
         EXPECT_EQ(std::string(refused.what()), "floes: there is no verb sumarize; did you mean summarize?\n");
     }
-    EXPECT_THAT(end_of({"xyzzy"}).what(), HasSubstr("there is no verb xyzzy; the verbs are new, run, "));
+    EXPECT_THAT(end_of({"xyzzy"}).what(), HasSubstr("there is no verb xyzzy; the verbs are new, show, run, "));
     EXPECT_THAT(end_of({"calibrate"}).what(), HasSubstr("floes laboratory plate")) << "a former verb";
 }
 
