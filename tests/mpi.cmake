@@ -28,7 +28,7 @@ floes_mpi_test(run.mpi_link RANKS 1 2 3 COMMAND test_mpi_link)
 
 # Whole campaigns by the program itself: tests/campaign_run/NAME.sh.
 if(TARGET floes)
-  foreach(script same_everywhere kill_and_resume stop_and_resume refusals calibrated parts storage_faults starter)
+  foreach(script same_everywhere kill_and_resume stop_and_resume long_member refusals calibrated parts storage_faults starter)
     add_test(NAME campaign_run.${script}
              COMMAND bash ${CMAKE_CURRENT_SOURCE_DIR}/campaign_run/${script}.sh $<TARGET_FILE:floes> ${MPIEXEC_EXECUTABLE})
     set_tests_properties(campaign_run.${script} PROPERTIES LABELS "default;mpi" TIMEOUT 900 PROCESSORS 2 COST 80)

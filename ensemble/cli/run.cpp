@@ -17,6 +17,7 @@
 #include "run/calibrate.hpp"
 #include "run/link.hpp"
 #include "run/run_campaign.hpp"
+#include "run/saved_members.hpp"
 #include "run/signals.hpp"
 #include "run/worker.hpp"
 #include "store/file_calls.hpp"
@@ -125,6 +126,7 @@ struct RunVerb {
     std::string isolation;
     std::string until;
     double time_left = 0;
+    double checkpoint = 5;  // min
     std::vector<std::string> overrides;
 };
 
@@ -133,6 +135,12 @@ std::filesystem::path output_of(const RunVerb& verb) {
     const std::string name = std::filesystem::path(verb.config).stem().string();
     const std::string part = verb.part.substr(0, verb.part.find('/'));
     return verb.part.empty() ? name + ".h5" : fmt::format("{}.part{}.h5", name, part);
+}
+
+constexpr double longest_save = 30;  // s, for a state to reach the disk
+
+double saves_every(const RunVerb& verb) {
+    return 60 * verb.checkpoint;
 }
 
 /// "mpirun -n 4 --bind-to none --map-by ppr:1:node ": as many ranks, as many on a node, each with all cores of its
@@ -158,6 +166,7 @@ std::string resume_command(const RunVerb& verb, const std::string& program, cons
         if (verb.retry_failed) command += " --retry-failed";
         if (verb.threads > 0) command += fmt::format(" --threads {}", verb.threads);
         if (verb.writers > 0) command += fmt::format(" --writers {}", verb.writers);
+        if (verb.checkpoint != RunVerb{}.checkpoint) command += fmt::format(" --checkpoint-min {}", verb.checkpoint);
         if (verb.no_file) command += " --no-file";
     }
     for (const std::string& setting : verb.overrides) command += " --set " + shell_word(setting);
@@ -182,7 +191,7 @@ Existing existing_of(const RunVerb& verb) {
     return verb.overwrite ? Existing::replace : Existing::refuse;
 }
 
-int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& helper) {
+int lead(const RunVerb& verb, const std::string& program, Link& link, const MemberFunction& compute, Helper& helper) {
     if (verb.ranks > 0 && verb.ranks != link.size())
         throw InputError(fmt::format("--ranks {} inside mpirun, which started {}; leave --ranks out there.", verb.ranks,
                                      counted(link.size(), "rank")));
@@ -197,7 +206,8 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
                        .threads = verb.threads,
                        .writers = verb.writers,
                        .resume_command = resume_command(verb, program, &link),
-                       .walltime = walltime};
+                       .walltime = walltime,
+                       .saves_every = saves_every(verb)};
     expect_no_other_file(options.places.campaign_file);
     int status = 0;
     {
@@ -212,7 +222,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
                                                              threads_of(link, verb.threads), progress);
             settle_moduli(campaign, threads_of(link, verb.threads), progress);
         }
-        status = run_campaign(campaign, options, link, compute_member, progress, &helper);
+        status = run_campaign(campaign, options, link, compute, progress, &helper);
         if (verb.no_file && status != exit_stopped)
             progress.say(fmt::format("the results are in {}; to write {}, one core is enough: {}",
                                      journal_path(options.places.campaign_file).string(),
@@ -228,10 +238,11 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, Helper& he
 
 int run(const RunVerb& verb, const std::string& program) {
     outlive_readers();
-    Helper helper(compute_member);  // before MPI and the first thread
+    const MemberFunction compute = long_members(output_of(verb), saves_every(verb));
+    Helper helper(compute, verb.checkpoint > 0 ? longest_save : 0);  // before MPI and the first thread
     const std::unique_ptr<Link> link = open_link();
-    if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute_member, &helper);
-    return lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, helper); });
+    if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute, &helper);
+    return lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, compute, helper); });
 }
 
 }  // namespace
@@ -267,6 +278,11 @@ void add_run(CommandLine& line, std::span<char* const> command) {
                 "Where members are computed: none or process; same as --set run.isolation=…")
         .one_of({"none", "process"})
         .last_wins();  // slurm/ gives one, the user may give another
+    verb.option(
+            "--checkpoint-min", options->checkpoint,
+            "Minutes after which a running member is saved, again and again, and goes on from there after --resume; "
+            "0: never; default: 5")
+        .within(0.0, 1e5);
     verb.option("--time-left", options->time_left,
                 "Seconds until the run must have ended; default inside a Slurm job: the time left according to Slurm")
         .positive();

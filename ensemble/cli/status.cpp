@@ -21,16 +21,23 @@ std::string timed_text(const char* title, const std::vector<TimedMember>& member
     if (members.empty()) return {};
     std::string text = fmt::format("\n{}\n", title);
     for (const TimedMember& one : members)
-        text +=
-            fmt::format("  member {} (case {}, arrangement {}{}): {}\n", one.number, one.case_name, one.arrangement,
-                        one.attempt > 1 ? fmt::format(", attempt {}", one.attempt) : "", duration_text(one.seconds));
+        text += fmt::format("  member {} (case {}, arrangement {}{}): {}{}\n", one.number, one.case_name,
+                            one.arrangement, one.attempt > 1 ? fmt::format(", attempt {}", one.attempt) : "",
+                            duration_text(one.seconds), one.end > 0 ? ", at " + come_text(one.time, one.end) : "");
     return text;
 }
 
 Results timed(std::string place, const std::vector<TimedMember>& members) {
-    return list(std::move(place), "member case arrangement attempt seconds", members,
+    return list(std::move(place), "member case arrangement attempt seconds simulated_s of_s", members,
                 [](const TimedMember& one) -> std::vector<Datum> {
-                    return {one.number, one.case_name, one.arrangement, one.attempt, one.seconds};
+                    const bool told = one.end > 0;
+                    return {one.number,
+                            one.case_name,
+                            one.arrangement,
+                            one.attempt,
+                            one.seconds,
+                            told ? Datum(one.time) : Datum(Undefined{}),
+                            told ? Datum(one.end) : Datum(Undefined{})};
                 });
 }
 

@@ -140,18 +140,17 @@ MemberResult checked(MemberResult result) {
     return result;
 }
 
-Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
-                       std::stop_token stop, const std::function<void()>& stuck) {
-    std::stop_source member;
-    const std::stop_callback pass_on(stop, [&member] { member.request_stop(); });
-    const Deadline deadline(limits, member, stuck);
+namespace {
+
+Attempted attempt_at(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
+                     const Attempting& attempting, const std::function<bool()>& is_late) {
     const auto failed = [&](std::string reason) -> Attempted {
-        if (stop.stop_requested()) return {};
-        if (deadline.passed()) reason = deadline_reason(limits);
+        if (attempting.is_put_off()) return {};
+        if (is_late()) reason = deadline_reason(limits);
         return {failed_result(std::move(reason)), own_peak_memory()};
     };
     try {
-        return {checked(compute(campaign, number, member.get_token())), own_peak_memory()};
+        return {checked(compute(campaign, number, attempting)), own_peak_memory()};
     } catch (const std::bad_alloc&) {
         return failed(memory_reason(limits));
     } catch (const std::exception& error) {
@@ -161,6 +160,19 @@ Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, 
     }
 }
 
+}  // namespace
+
+Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
+                       std::stop_token stop, const std::function<void()>& stuck,
+                       const std::function<void(const MemberProgress&)>& tell) {
+    std::stop_source member;
+    const std::stop_callback pass_on(stop, [&member] { member.request_stop(); });
+    Attempting attempting(member.get_token());
+    attempting.is_put_off = [&stop] { return stop.stop_requested(); };
+    attempting.tell = tell;
+    const Deadline deadline(limits, member, stuck);
+    return attempt_at(compute, campaign, number, limits, attempting, [&deadline] { return deadline.passed(); });
+}
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -168,8 +180,12 @@ using Clock = std::chrono::steady_clock;
 // The protocol between a process, its helper and the helper's children.
 //
 // Requests go over the control socket, each with a descriptor: of a file with the campaign's text, or of the socket of
-// one attempt. The answer comes over that socket in frames: first parts of a result or of a sentence from the child;
-// then, after the child's end, the Ending from the helper. If the Ending is missing, the helper is gone.
+// one attempt. The answer comes over that socket in frames: from time to time how far the member is; then parts of a
+// result or of a sentence from the child; then, after the child's end, the Ending from the helper. If the Ending is
+// missing, the helper is gone.
+//
+// A process that puts its member off says nothing more over the socket, and the child hears that nothing comes. If it
+// closes the socket, the helper kills the child.
 
 struct Request {
     enum class Kind : std::int32_t { campaign, attempt } kind = Kind::attempt;
@@ -184,7 +200,7 @@ struct RequestWithDescriptor {
 
 enum class AnswerKind : std::uint8_t { result, sentence };
 
-enum class PacketKind : std::uint8_t { part, ending };  // the first byte of each packet
+enum class PacketKind : std::uint8_t { part, ending, progress };  // the first byte of each packet
 constexpr std::size_t most_bytes_in_a_frame = 32768;
 
 /// A message with one request and space for one descriptor.
@@ -281,10 +297,39 @@ Bytes sentence(const std::string& text) {
     return answer.take();
 }
 
-Bytes compute_answer(const Request& request, const Campaign& campaign, const MemberFunction& compute) {
+/// Whether the other end says nothing more; looked at ten times a second.
+class PutOff {
+  public:
+    explicit PutOff(const Descriptor& socket) : socket_(socket) {}
+
+    bool operator()() {
+        constexpr std::chrono::milliseconds interval{100};
+        const Clock::time_point now = Clock::now();
+        if (put_off_ || now < next_look_) return put_off_;
+        next_look_ = now + interval;
+        pollfd look{socket_.get(), POLLRDHUP, 0};
+        put_off_ = ::poll(&look, 1, 0) > 0;
+        return put_off_;
+    }
+
+  private:
+    const Descriptor& socket_;
+    Clock::time_point next_look_ = Clock::now();
+    bool put_off_ = false;
+};
+
+/// Empty: put off.
+Bytes compute_answer(const Request& request, const Campaign& campaign, const MemberFunction& compute,
+                     const Descriptor& socket) {
     // The helper enforces the deadline, so that it also ends a member that does not poll.
     const AttemptLimits limits{.deadline = 0, .memory = request.limits.memory};
-    const Attempted attempt = attempt_here(compute, campaign, request.number, limits, {}, [] {});
+    Attempting attempting;
+    attempting.is_put_off = [put_off = PutOff(socket)]() mutable { return put_off(); };
+    attempting.tell = [&socket](const MemberProgress& progress) {
+        send_frames(socket.get(), PacketKind::progress, std::as_bytes(std::span(&progress, 1)));
+    };
+    const Attempted attempt = attempt_at(compute, campaign, request.number, limits, attempting, [] { return false; });
+    if (!attempt.result) return {};
     try {
         ByteWriter answer;
         answer.u8(static_cast<std::uint8_t>(AnswerKind::result));
@@ -303,7 +348,7 @@ Bytes compute_answer(const Request& request, const Campaign& campaign, const Mem
     if (::getppid() != helper) ::_exit(0);
     reset_signals();
     limit_memory(request.limits.memory);
-    const Bytes answer = compute_answer(request, campaign, compute);
+    const Bytes answer = compute_answer(request, campaign, compute, socket);
     send_frames(socket.get(), PacketKind::part, answer);
     ::_exit(0);
 }
@@ -494,14 +539,18 @@ struct Answered {
     bool closed = false;
 };
 
-/// Collects everything until the ending, until the other end is closed, or until `end`.
-Answered listen(int socket, const std::optional<Clock::time_point>& end) {
+/// Collects everything until the ending, until the other end is closed, or until end(), which is asked twice a second.
+Answered listen(int socket, const std::function<std::optional<Clock::time_point>()>& end,
+                const std::function<void(const MemberProgress&)>& tell) {
     Answered answer;
     std::vector<std::byte> packet(most_bytes_in_a_frame + 1);
+    constexpr int interval = 500;  // ms
     while (!answer.ending && !answer.closed) {
         pollfd wait{socket, POLLIN, 0};
-        if (::poll(&wait, 1, until(end)) <= 0) {
-            if (end && Clock::now() >= *end) break;
+        const std::optional<Clock::time_point> last = end();
+        const int longest = until(last);
+        if (::poll(&wait, 1, longest < 0 ? interval : std::min(longest, interval)) <= 0) {
+            if (last && Clock::now() >= *last) break;
             continue;
         }
         const ssize_t size = ::recv(socket, packet.data(), packet.size(), 0);
@@ -510,6 +559,10 @@ Answered listen(int socket, const std::optional<Clock::time_point>& end) {
             answer.closed = true;
         } else if (static_cast<PacketKind>(packet[0]) == PacketKind::ending) {
             std::memcpy(&answer.ending.emplace(), packet.data() + 1, sizeof(Ending));
+        } else if (static_cast<PacketKind>(packet[0]) == PacketKind::progress) {
+            MemberProgress progress;
+            std::memcpy(&progress, packet.data() + 1, sizeof progress);
+            if (tell) tell(progress);
         } else {
             answer.bytes.insert(answer.bytes.end(), packet.begin() + 1, packet.begin() + size);
         }
@@ -532,7 +585,7 @@ MemberResult understand(std::span<const std::byte> written, const Ending& ending
 
 }  // namespace
 
-Helper::Helper(MemberFunction compute) {
+Helper::Helper(MemberFunction compute, double patience) : patience_(patience) {
     auto [mine, helpers] = socket_pair(SOCK_SEQPACKET);
     const pid_t parent = ::getpid();
     pid_ = ::fork();
@@ -559,7 +612,8 @@ void Helper::prepare(const Campaign& campaign) {
     }
 }
 
-Attempted Helper::run(int number, const AttemptLimits& limits, const std::stop_token& stop) const {
+Attempted Helper::run(int number, const AttemptLimits& limits, const std::stop_token& stop,
+                      const std::function<void(const MemberProgress&)>& tell) const {
     auto [mine, childs] = socket_pair(SOCK_SEQPACKET);
     if (!post(control_.get(), {Request::Kind::attempt, number, limits}, childs.get())) {
         throw HelperLost("The helper process that runs members is gone.");
@@ -570,8 +624,16 @@ Attempted Helper::run(int number, const AttemptLimits& limits, const std::stop_t
         const std::chrono::duration<double> longest(limits.deadline + limits.grace);
         end = Clock::now() + std::chrono::duration_cast<Clock::duration>(longest);
     }
-    const std::stop_callback hang_up(stop, [&socket = mine] { ::shutdown(socket.get(), SHUT_RDWR); });
-    const Answered answer = listen(mine.get(), end);
+    const std::stop_callback put_off(
+        stop, [&socket = mine, saves = patience_ > 0] { ::shutdown(socket.get(), saves ? SHUT_WR : SHUT_RDWR); });
+    bool waits = false;
+    const auto last = [&] {
+        if (stop.stop_requested() && !std::exchange(waits, true))
+            end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience_));
+        return end;
+    };
+    const Answered answer = listen(mine.get(), last, tell);
+    if (stop.stop_requested() && answer.bytes.empty()) return {};
     if (answer.ending) return {understand(answer.bytes, *answer.ending, limits), answer.ending->peak_memory};
     if (stop.stop_requested()) return {};
     throw HelperLost(answer.closed ? "The helper process that runs members is gone."

@@ -39,10 +39,27 @@ std::string reason_of(const Ending& ending, const AttemptLimits& limits);
 // The function that computes a member. It is an argument of the driver, so that tests can pass fast, slow or broken
 // members.
 
-/// (campaign, member number, stop): the result, a pure function of the first two. Called from many threads at once. An
-/// exception means that the member failed; its what() is the reason. After a stop request the function must throw soon,
-/// and the exception means that the member was abandoned and is to be run again.
-using MemberFunction = std::function<MemberResult(const Campaign&, int number, std::stop_token)>;
+/// How far a member has come.
+struct MemberProgress {
+    int number = 0;
+    double time = 0;  ///< simulated, s
+    double end = 0;   ///< of the simulation, s
+};
+
+/// What a member function hears and tells while it computes. All may be called at every step.
+struct Attempting {
+    std::stop_token stop{};                             ///< after a request it must throw soon
+    std::function<bool()> is_put_off{};                 ///< whether the member is to be run again, later; empty: never
+    std::function<void(const MemberProgress&)> tell{};  ///< empty: nobody listens
+
+    Attempting(std::stop_token until = {}) : stop(std::move(until)) {}  // NOLINT: most functions hear no more
+    operator std::stop_token() const { return stop; }                   // NOLINT: likewise
+};
+
+/// (campaign, member number, what it hears): the result, a pure function of the first two. Called from many threads at
+/// once. An exception means that the member failed; its what() is the reason. After a stop request the function must
+/// throw soon, and the exception means that the member was abandoned and is to be run again.
+using MemberFunction = std::function<MemberResult(const Campaign&, int number, const Attempting&)>;
 
 /// The MemberFunction of real campaigns: run_member() on the scenario of the member's case, with the seed and the
 /// number of its arrangement.
@@ -62,9 +79,11 @@ MemberResult checked(MemberResult result);
 
 /// Computes the member. An exception or a missed deadline gives a failed result with the reason; a stop before the
 /// result gives none. The deadline requests a stop that the member must poll. A member that still runs limits.grace
-/// after it cannot be ended in this process: `stuck` is then called, once, from another thread.
+/// after it cannot be ended in this process: `stuck` is then called, once, from another thread. `tell`: how far the
+/// member has come, from the thread that computes it.
 Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
-                       std::stop_token stop, const std::function<void()>& stuck);
+                       std::stop_token stop, const std::function<void()>& stuck,
+                       const std::function<void(const MemberProgress&)>& tell = {});
 
 // Members in isolated processes. A process with threads, or with MPI started, must not fork: the child would inherit
 // locks that nobody releases. So a helper is forked before either starts, stays small and single-threaded, and forks a
@@ -90,8 +109,9 @@ class HelperLost : public RunError {
 class Helper {
   public:
     /// Forks the helper, which will compute members with `compute`. Must be called from the main thread while it is the
-    /// only one, before MPI is started. Throws RunError if the system refuses.
-    explicit Helper(MemberFunction compute);
+    /// only one, before MPI is started. Throws RunError if the system refuses. `patience`: s that a member has, when it
+    /// is put off, to save what it has.
+    explicit Helper(MemberFunction compute, double patience = 0);
     Helper(const Helper&) = delete;
     Helper& operator=(const Helper&) = delete;
     /// Ends the helper and its children.
@@ -101,14 +121,16 @@ class Helper {
     void prepare(const Campaign& campaign);
 
     /// One attempt at the member in an isolated process: the result, a failed result with the reason of the crash, or
-    /// none if `stop` is requested first. Throws HelperLost.
-    Attempted run(int number, const AttemptLimits& limits, const std::stop_token& stop) const;
+    /// none if `stop` is requested first. Throws HelperLost. `tell`: how far the member has come, in this thread.
+    Attempted run(int number, const AttemptLimits& limits, const std::stop_token& stop,
+                  const std::function<void(const MemberProgress&)>& tell = {}) const;
 
     pid_t pid() const { return pid_; }
 
   private:
     Descriptor control_;
     pid_t pid_ = -1;
+    double patience_;
 };
 
 }  // namespace floes

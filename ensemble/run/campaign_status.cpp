@@ -228,6 +228,8 @@ std::vector<TimedMember> under_way(const Campaign& campaign, const Heartbeat& he
         const auto record = records[static_cast<std::size_t>(one.number)];
         if (record && notes[*record].attempt >= one.attempt) continue;
         members.push_back(timed(campaign, one.number, one.attempt, one.seconds));
+        members.back().time = one.time;
+        members.back().end = one.end;
     }
     return members;
 }

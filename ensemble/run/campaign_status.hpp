@@ -36,6 +36,8 @@ struct TimedMember {
     int arrangement = 0;  ///< arrangement number
     int attempt = 1;
     double seconds = 0;
+    double time = 0;  ///< simulated, s
+    double end = 0;   ///< of its simulation, s; 0: not known
 };
 
 /// A campaign's stop rule and how close the campaign is to its target.

@@ -2,6 +2,7 @@
 
 #include "campaign/campaign.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -69,6 +70,7 @@ void Crew::execute_next() {
     lock.unlock();
     Outcome outcome = execute(assignment);
     lock.lock();  // until the last touch of *this
+    progress_.erase(assignment.number);
     outcomes_.push_back(std::move(outcome));
     --unfinished_;
     changed_.notify_all();
@@ -80,16 +82,20 @@ Outcome Crew::execute(Assignment assignment) {
     Attempted made = attempt(assignment);
     if (!made.result) return {assignment, std::nullopt, made.peak_memory};
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    made.result->wall_time = taken.count();
+    made.result->wall_time = std::max(made.result->wall_time, taken.count());  // of earlier runs too, if it went on
     PackedArrays arrays = take_arrays(*made.result);
     return {assignment, std::move(made.result), made.peak_memory, std::move(arrays)};
 }
 
 Attempted Crew::attempt(Assignment assignment) {
+    const auto tell = [this](const MemberProgress& progress) {
+        const std::lock_guard lock(mutex_);
+        progress_[progress.number] = progress;
+    };
     const bool apart = assignment.apart || campaign_.run.isolation == Isolation::process;
     if (setup_.helper != nullptr && apart) {
         try {
-            return setup_.helper->run(assignment.number, limits_, stop_.get_token());
+            return setup_.helper->run(assignment.number, limits_, stop_.get_token(), tell);
         } catch (const HelperLost& lost) {
             give_up({lost.what(), false});
             return {};
@@ -100,7 +106,7 @@ Attempted Crew::attempt(Assignment assignment) {
                              assignment.number, limits_.grace),
                  true});
     };
-    return attempt_here(setup_.compute, campaign_, assignment.number, limits_, stop_.get_token(), stuck);
+    return attempt_here(setup_.compute, campaign_, assignment.number, limits_, stop_.get_token(), stuck, tell);
 }
 
 void Crew::give_up(CrewTrouble trouble) {
@@ -113,6 +119,13 @@ void Crew::give_up(CrewTrouble trouble) {
 std::optional<CrewTrouble> Crew::trouble() const {
     const std::lock_guard lock(mutex_);
     return trouble_;
+}
+
+std::vector<MemberProgress> Crew::progress() const {
+    const std::lock_guard lock(mutex_);
+    std::vector<MemberProgress> all;
+    for (const auto& [number, one] : progress_) all.push_back(one);
+    return all;
 }
 
 void Crew::abandon() {

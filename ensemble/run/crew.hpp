@@ -9,6 +9,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -85,6 +86,9 @@ class Crew {
     /// Sleeps until there is an outcome to take or the time has passed.
     void wait(std::chrono::microseconds longest);
 
+    /// How far running members have come, as far as they have told, in the order of their numbers.
+    std::vector<MemberProgress> progress() const;
+
     /// Once there is some, nothing more is computed here, and all assignments are abandoned.
     std::optional<CrewTrouble> trouble() const;
 
@@ -106,12 +110,13 @@ class Crew {
     std::stop_source stop_;
     int held_ = 0;
 
-    mutable std::mutex mutex_;  // guards the five members below
+    mutable std::mutex mutex_;  // guards the six members below
     std::condition_variable changed_;
     std::deque<Assignment> waiting_;
     std::vector<Outcome> outcomes_;
     int unfinished_ = 0;
     std::optional<CrewTrouble> trouble_;
+    std::map<int, MemberProgress> progress_;  // by number
 
     tbb::global_control limit_;  // without it TBB never starts more threads than there are cores
     tbb::task_arena arena_;

@@ -70,10 +70,28 @@ Heartbeat Tally::heartbeat(Time now) const {
     heartbeat.finished_cost = finished_cost_;
     heartbeat.remaining_cost = std::max(0.0, found_.tasks_cost - finished_cost_);
     for (const auto& [member, one] : under_way_)
-        heartbeat.under_way.push_back({one.number, one.attempt, seconds(one.since)});
+        heartbeat.under_way.push_back({one.number, one.attempt, seconds(one.since), one.time, one.end});
     std::ranges::sort(heartbeat.under_way, std::greater(), &Heartbeat::UnderWay::seconds);
     if (heartbeat.under_way.size() > most_running) heartbeat.under_way.resize(most_running);
     return heartbeat;
+}
+
+void Tally::note(const std::vector<MemberProgress>& progress) {
+    for (const MemberProgress& one : progress) {
+        const auto known = under_way_.find(identity_of(one.number));
+        if (known == under_way_.end()) continue;
+        known->second.time = one.time;
+        known->second.end = one.end;
+    }
+}
+
+std::vector<Heartbeat::UnderWay> Tally::longest(Time now) const {
+    constexpr std::size_t most = 3;
+    constexpr double long_run = 120;  // s
+    std::vector<Heartbeat::UnderWay> all = heartbeat(now).under_way;
+    std::erase_if(all, [](const Heartbeat::UnderWay& one) { return !(one.end > 0) || one.seconds < long_run; });
+    if (all.size() > most) all.resize(most);
+    return all;
 }
 
 std::optional<PrecisionStop> stop_rule_of(const Campaign& campaign, const CampaignPart& part) {

@@ -11,6 +11,7 @@
 #include "campaign/campaign.hpp"
 #include "campaign_file/campaign_table.hpp"
 #include "inference/precision_stop.hpp"
+#include "run/attempt.hpp"
 #include "run/progress.hpp"
 #include "run/scheduler.hpp"
 #include "store/member_record.hpp"
@@ -71,6 +72,8 @@ class Tally {
 
     /// An attempt at the member begins.
     void started(int number, int attempt, Time now);
+    /// How far members have come that are under way.
+    void note(const std::vector<MemberProgress>& progress);
     /// A member is done or set aside.
     void kept(const MemberRecord& record);
     /// The same without its record, which only a stop rule needs.
@@ -95,12 +98,16 @@ class Tally {
     MemberIdentity identity_of(int number) const;
     /// The heartbeat without host, process and time.
     Heartbeat heartbeat(Time now) const;
+    /// Some of the members under way that have told how far they are and have run for more than some minutes, longest
+    /// first.
+    std::vector<Heartbeat::UnderWay> longest(Time now) const;
 
   private:
     struct UnderWay {
         int number = 0;
         int attempt = 1;
         Time since{};
+        double time = 0, end = 0;  // s simulated, and in all
     };
 
     const Campaign& campaign_;

@@ -71,7 +71,7 @@ enum class Tag : int {
     kept = 16,          ///< a writer has members in its journal
     closed = 17,        ///< a writer's journal is on the disk and closed
     // both directions
-    alive = 21,  ///< a sign of life
+    alive = 21,  ///< a sign of life; of a worker, how far its members have come
 };
 
 struct Message {

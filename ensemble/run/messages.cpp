@@ -7,6 +7,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t assignment_bytes = 4 + 4 + 1;
+constexpr std::size_t progress_bytes = 4 + 2 * 8;
 constexpr std::size_t least_answer_bytes = 4 + 8;
 constexpr std::size_t least_kept_bytes = 3 * 4 + 8 + 8;
 
@@ -57,6 +58,17 @@ Bytes encode(const std::vector<Assignment>& assignments) {
         writer.i32(assignment.number);
         writer.i32(assignment.attempt);
         writer.u8(assignment.apart ? 1 : 0);
+    }
+    return writer.take();
+}
+
+Bytes encode(const std::vector<MemberProgress>& progress) {
+    ByteWriter writer;
+    writer.u64(progress.size());
+    for (const MemberProgress& one : progress) {
+        writer.i32(one.number);
+        writer.f64(one.time);
+        writer.f64(one.end);
     }
     return writer.take();
 }
@@ -116,6 +128,18 @@ std::vector<Kept> decode_kept(const Bytes& bytes) {
             if (const Bytes record = reader.blob(); !record.empty()) one.record = decode_member_record(record);
         }
         return kept;
+    });
+}
+
+std::vector<MemberProgress> decode_progress(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        std::vector<MemberProgress> progress(reader.count(progress_bytes));
+        for (MemberProgress& one : progress) {
+            one.number = reader.i32();
+            one.time = reader.f64();
+            one.end = reader.f64();
+        }
+        return progress;
     });
 }
 

@@ -45,6 +45,7 @@ struct Kept {
 Bytes encode(const Hello& hello);
 Bytes encode(const Post& post);
 Bytes encode(const std::vector<Kept>& kept);
+Bytes encode(const std::vector<MemberProgress>& progress);
 Bytes encode(const std::vector<Assignment>& assignments);
 Bytes encode(const std::vector<Answer>& answers);
 Bytes encode_status(int exit_status);
@@ -54,6 +55,7 @@ Bytes encode_text(std::string_view text);
 Hello decode_hello(const Bytes& bytes);
 Post decode_post(const Bytes& bytes);
 std::vector<Kept> decode_kept(const Bytes& bytes);
+std::vector<MemberProgress> decode_progress(const Bytes& bytes);
 std::vector<Assignment> decode_assignments(const Bytes& bytes);
 std::vector<Answer> decode_answers(const Bytes& bytes);
 int decode_status(const Bytes& bytes);

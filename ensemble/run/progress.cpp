@@ -49,7 +49,13 @@ std::string clock_text(double seconds) {
 
 }  // namespace
 
-std::string progress_text(const ProgressState& state) {
+std::string come_text(double time, double end) {
+    return fmt::format("{:.0f} % ({:.0f} of {:.0f} s)", 100 * time / end, time, end);
+}
+
+namespace {
+
+std::string counts_text(const ProgressState& state) {
     std::string text =
         fmt::format("{} of {} done, {} failed, {} running", state.done, state.total, state.failed, state.running);
     if (state.elapsed >= 1) text += fmt::format(", {} elapsed", clock_text(state.elapsed));
@@ -67,6 +73,18 @@ std::string progress_text(const ProgressState& state) {
         return text;
     }
     if (state.remaining_cost > 0 && state.time_left() >= 0) text += ", " + duration_text(state.time_left()) + " left";
+    return text;
+}
+
+}  // namespace
+
+std::string progress_text(const ProgressState& state) {
+    std::string text = counts_text(state);
+    const char* before = "; ";
+    for (const Heartbeat::UnderWay& one : state.longest) {
+        text += fmt::format("{}member {} at {}", before, one.number, come_text(one.time, one.end));
+        before = ", ";
+    }
     return text;
 }
 
@@ -128,7 +146,7 @@ void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat) {
     out << fmt::format("elapsed {}\nfinished {}\nfinished_cost {}\nremaining_cost {}\n", heartbeat.elapsed,
                        heartbeat.finished, heartbeat.finished_cost, heartbeat.remaining_cost);
     for (const Heartbeat::UnderWay& one : heartbeat.under_way)
-        out << fmt::format("member {} {} {}\n", one.number, one.attempt, one.seconds);
+        out << fmt::format("member {} {} {} {} {}\n", one.number, one.attempt, one.seconds, one.time, one.end);
     out.close();
     std::error_code ignored;
     if (out) {
@@ -155,6 +173,7 @@ std::optional<Heartbeat> read_heartbeat(const std::filesystem::path& path) {
         if (name == "member") {
             Heartbeat::UnderWay& one = heartbeat.under_way.emplace_back();
             words >> one.number >> one.attempt >> one.seconds;
+            if (words && !(words >> one.time >> one.end)) words.clear();  // a run of an earlier version
         }
         if (words.fail()) return {};
     }

@@ -12,20 +12,45 @@
 
 namespace floes {
 
+// A small file beside the journal that shows other terminals and nodes what a run is doing. It is replaced every few
+// seconds and removed at the end. It is for display only; no decision depends on it.
+
+struct Heartbeat {
+    /// A member that was handed out.
+    struct UnderWay {
+        int number = 0;
+        int attempt = 1;
+        double seconds = 0;  ///< since it was handed out
+        double time = 0;     ///< simulated, s
+        double end = 0;      ///< of its simulation, s; 0: it has not told yet
+    };
+
+    std::string host;                 ///< of rank 0
+    std::int64_t process = 0;         ///< of rank 0
+    std::int64_t time = 0;            ///< time of writing, s since 1970 by that host's clock
+    std::int64_t written = 0;         ///< the same by the clock of the file system
+    double elapsed = 0;               ///< s since the session began
+    int finished = 0;                 ///< members done or failed in the session
+    double finished_cost = 0;         ///< their expected cost
+    double remaining_cost = 0;        ///< of all unfinished members, same unit
+    std::vector<UnderWay> under_way;  ///< longest first, at most 20
+};
+
 /// A campaign at one moment.
 struct ProgressState {
     int total = 0;
     int done = 0;  ///< with a result, failed ones not included
     int failed = 0;
     int running = 0;
-    int finished_now = 0;          ///< done or failed in this session
-    double elapsed = 0;            ///< s, of this session
-    double finished_cost = 0;      ///< expected cost of finished_now
-    double remaining_cost = 0;     ///< expected cost of all unfinished members, same unit
-    double half_width = 0;         ///< for the stop rule, a fraction; NaN while unknown
-    double half_width_target = 0;  ///< 0: there is no stop rule
-    int in_order = 0;              ///< arrangements evaluated by the rule
-    std::string obstacle = {};     ///< why it is unknown, without a full stop; empty if that is plain
+    int finished_now = 0;                           ///< done or failed in this session
+    double elapsed = 0;                             ///< s, of this session
+    double finished_cost = 0;                       ///< expected cost of finished_now
+    double remaining_cost = 0;                      ///< expected cost of all unfinished members, same unit
+    double half_width = 0;                          ///< for the stop rule, a fraction; NaN while unknown
+    double half_width_target = 0;                   ///< 0: there is no stop rule
+    int in_order = 0;                               ///< arrangements evaluated by the rule
+    std::string obstacle = {};                      ///< why it is unknown, without a full stop; empty if that is plain
+    std::vector<Heartbeat::UnderWay> longest = {};  ///< members that have run longest, some that told how far they are
 
     /// Remaining cost over the measured rate, s; negative while nothing has finished.
     double time_left() const;
@@ -34,7 +59,11 @@ struct ProgressState {
 /// "3.1 members/s", "4.2 members/min", "0.5 members/h".
 std::string rate_text(double per_second);
 
-/// "12 of 36 done, 1 failed, 2 running, 2:51 elapsed, 4.2 members/min, 5 min left". With a stop rule the time left is
+/// "43 % (86 of 200 s)", of simulated seconds.
+std::string come_text(double time, double end);
+
+/// "12 of 36 done, 1 failed, 2 running, 2:51 elapsed, 4.2 members/min, 5 min left; member 7 at 43 % (86 of 200 s)" with
+/// the members that have run longest. With a stop rule the time left is
 /// unknown, and "half-width 7.1 % after 20 arrangements, target 5 %" takes its place, or why it is not known.
 std::string progress_text(const ProgressState& state);
 
@@ -71,28 +100,6 @@ class Progress {
 
 /// Live when standard error is a terminal, or the environment has FLOES_PROGRESS=live: for programs that show the line.
 Progress::Style style_of_standard_error();
-
-// A small file beside the journal that shows other terminals and nodes what a run is doing. It is replaced every few
-// seconds and removed at the end. It is for display only; no decision depends on it.
-
-struct Heartbeat {
-    /// A member that was handed out.
-    struct UnderWay {
-        int number = 0;
-        int attempt = 1;
-        double seconds = 0;  ///< since it was handed out
-    };
-
-    std::string host;                 ///< of rank 0
-    std::int64_t process = 0;         ///< of rank 0
-    std::int64_t time = 0;            ///< time of writing, s since 1970 by that host's clock
-    std::int64_t written = 0;         ///< the same by the clock of the file system
-    double elapsed = 0;               ///< s since the session began
-    int finished = 0;                 ///< members done or failed in the session
-    double finished_cost = 0;         ///< their expected cost
-    double remaining_cost = 0;        ///< of all unfinished members, same unit
-    std::vector<UnderWay> under_way;  ///< longest first, at most 20
-};
 
 /// `a.h5` -> `a.alive`, in the same folder.
 std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file);

@@ -14,6 +14,7 @@
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "run/parts.hpp"
+#include "run/saved_members.hpp"
 
 namespace floes {
 
@@ -52,7 +53,10 @@ Journal open(const Campaign& campaign, const Recorder::Places& places) {
     stop_rule_of(campaign, places.part);  // refuses an invalid rule before a file is created
     Recorder::check(places);
     Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing);
-    if (places.existing == Existing::replace) fs::remove(places.campaign_file);
+    if (places.existing == Existing::replace) {
+        fs::remove(places.campaign_file);
+        remove_saved(places.campaign_file, [](const MemberIdentity&) { return false; });
+    }
     return opened;
 }
 
@@ -190,11 +194,29 @@ void Recorder::finish(const std::string& outcome) {
     sync();
     keeper_.journal().end_session(outcome);
     if (places_.with_file) publish_now();
+    if (outcome.starts_with("complete"))
+        remove_saved(places_.campaign_file, [](const MemberIdentity&) { return false; });
+    else
+        remove_saved_of_done();
     std::error_code ignored;
     fs::remove(heartbeat_path(places_.campaign_file), ignored);
 }
 
+/// Members that still run have such files too; hardly ever are there more.
+void Recorder::remove_saved_of_done() const {
+    const StoredMembers members = journal().members();
+    const MemberNotes& notes = members.notes();
+    remove_saved(places_.campaign_file, [&](const MemberIdentity& member) {
+        const auto key = notes.keys().find(member.first);
+        if (key == notes.keys().end()) return true;
+        for (std::size_t k = 0; k < notes.size(); ++k)
+            if (notes[k].key == key->second && notes[k].arrangement == member.second && notes[k].done()) return false;
+        return true;
+    });
+}
+
 void Recorder::publish_now() {
+    remove_saved_of_done();
     publish(places_.campaign_file, tally_.published(), journal().members(), journal().sessions(),
             journal().calibrations());
 }

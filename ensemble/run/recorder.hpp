@@ -75,6 +75,9 @@ class Recorder {
     /// Notes that an attempt at the member begins, so that a later session can see if it never ended.
     void started(int number, int attempt);
 
+    /// How far running members have come.
+    void note(const std::vector<MemberProgress>& progress) { tally_.note(progress); }
+
     /// Keeps a result. It reaches the disk within a second.
     void keep(const MemberRecord& record);
 
@@ -108,6 +111,7 @@ class Recorder {
 
   private:
     void publish_now();
+    void remove_saved_of_done() const;
     void look_at_other_parts();
 
     const Campaign& campaign_;

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <span>
@@ -31,6 +32,7 @@
 #include "run/plan.hpp"
 #include "run/progress.hpp"
 #include "run/recorder.hpp"
+#include "run/saved_members.hpp"
 #include "run/scheduler.hpp"
 #include "run/signals.hpp"
 #include "run/worker.hpp"
@@ -219,6 +221,7 @@ struct MasterTools {
 struct MasterLimits {
     Walltime walltime;
     SilenceLimits patience;
+    double saves_every = 0;  ///< s: what runs longer is saved, and goes on in another run; 0: never
 };
 
 class Master {
@@ -233,6 +236,7 @@ class Master {
           progress_(tools.progress),
           signals_(tools.signals),
           walltime_(limits.walltime),
+          saves_every_(limits.saves_every),
           scheduler_(recorder_.tally().found().tasks, campaign.run.attempts),
           scribe_(campaign, self),
           crew_(campaign, setup),
@@ -295,6 +299,7 @@ class Master {
         watch_time(now);
         hand_out();
         if (const std::string trouble = recorder_.tend(now); !trouble.empty()) progress_.say(trouble);
+        look_at_members(now);
         progress_.show(state(), now);
         if (something) pause_.something_happened();
     }
@@ -316,6 +321,7 @@ class Master {
                 open_pieces_.erase(message.from);
                 return;
             case Tag::alive:
+                if (!message.bytes.empty()) recorder_.note(decode_progress(message.bytes));
                 return;
             case Tag::stop_request:
                 request_stop(fmt::format("a signal to rank {}", message.from));
@@ -362,7 +368,17 @@ class Master {
 
     void tell_time_left() {
         const std::optional<double> left = walltime_.left(std::chrono::steady_clock::now());
-        if (left && pace_ > 0) handle(TimeLeft{*left / pace_});
+        if (!left || !(pace_ > 0)) return;
+        const bool can_be_put_off = saves_every_ > 0 && *left > saves_every_;
+        handle(TimeLeft{can_be_put_off ? std::numeric_limits<double>::infinity() : *left / pace_});
+    }
+
+    void look_at_members(std::chrono::steady_clock::time_point now) {
+        constexpr std::chrono::seconds interval{2};
+        if (now < next_look_) return;
+        next_look_ = now + interval;
+        recorder_.note(crew_.progress());
+        longest_ = recorder_.tally().longest(now);
     }
 
     void watch_ranks(std::chrono::steady_clock::time_point now) {
@@ -505,6 +521,7 @@ class Master {
         state.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
         state.finished_cost = scheduler_.done_cost();
         state.remaining_cost = scheduler_.remaining_cost();
+        state.longest = longest_;
         return state;
     }
 
@@ -515,6 +532,7 @@ class Master {
     Progress& progress_;
     const StopSignals& signals_;
     Walltime walltime_;
+    double saves_every_;
     Scheduler scheduler_;
     Scribe scribe_;
     Crew crew_;
@@ -523,6 +541,8 @@ class Master {
     std::map<int, std::vector<Assignment>> handed_out_;  // by worker, since the last hand_out()
     std::map<int, std::vector<std::string>> failures_;   // by member, the reasons of failed attempts that are retried
     RankWatch ranks_;
+    std::vector<Heartbeat::UnderWay> longest_;  // running members, as of the last look
+    std::chrono::steady_clock::time_point next_look_ = begin_;
     double pace_;                // s per unit of cost, of the slowest member so far; 0: unknown
     std::set<int> open_pieces_;  // writers that have not closed theirs
     bool lost_a_writer_ = false;
@@ -544,11 +564,18 @@ std::string part_text(const CampaignPart& part, const Inventory& found) {
     return fmt::format("part {} of {}: {} of these members", part.number, part.of, found.total);
 }
 
-/// What earlier sessions left; empty if nothing.
-std::string stock(const Inventory& found) {
-    if (found.reused() + found.retried == 0) return {};
-    return fmt::format("resumed: {} reused, {} to compute{}", counted(found.reused(), "member"), found.tasks.size(),
-                       found.retried > 0 ? fmt::format(", {} of them retried", found.retried) : "");
+/// 0 where a member cannot be saved.
+double saves_every(const Campaign& campaign, const RunOptions& options) {
+    const auto can = [](const Case& one) { return saves_state(one.scenario.general.solver); };
+    return std::ranges::all_of(campaign.cases, can) ? options.saves_every : 0;
+}
+
+/// What earlier sessions left; empty if nothing. `saved`: members that were put off.
+std::string stock(const Inventory& found, int saved) {
+    if (found.reused() + found.retried + saved == 0) return {};
+    return fmt::format("resumed: {} reused, {} to compute{}{}", counted(found.reused(), "member"), found.tasks.size(),
+                       found.retried > 0 ? fmt::format(", {} of them retried", found.retried) : "",
+                       saved > 0 ? fmt::format(", {} of them from where they were saved", saved) : "");
 }
 
 /// What this session did.
@@ -670,9 +697,10 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         progress.say(
             fmt::format("the earlier members may differ in the last bits from results of this program; {}", change));
     }
-    if (const std::string text = stock(recorder.tally().found()); !text.empty()) progress.say(text);
+    const int saved = options.saves_every > 0 ? count_saved(options.places.campaign_file) : 0;
+    if (const std::string text = stock(recorder.tally().found(), saved); !text.empty()) progress.say(text);
     Master master(campaign, {link, groups, recorder, progress, signals}, {compute, own.cores, helper}, mustered,
-                  {options.walltime, options.patience});
+                  {options.walltime, options.patience, saves_every(campaign, options)});
     try {
         master.run();
     } catch (...) {

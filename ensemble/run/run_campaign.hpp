@@ -22,6 +22,7 @@ struct RunOptions {
     std::string resume_command;  ///< command with which the user resumes after a stop
     Walltime walltime = Walltime();
     SilenceLimits patience = {};
+    double saves_every = 0;  ///< s of wall clock, as long_members() (run/saved_members.hpp) has it
 };
 
 /// `helper` computes members in isolated processes: all of them if campaign.run says so, otherwise those that were lost

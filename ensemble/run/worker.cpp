@@ -109,7 +109,7 @@ class Worker {
         silence_.listened(std::chrono::steady_clock::now());
         if (silence_.total() < next_sign_) return;
         next_sign_ = silence_.total() + patience_.sign_of_life;
-        link_.send(master_rank, Tag::alive, {});
+        link_.send(master_rank, Tag::alive, encode(crew_.progress()));
         if (silence_.of(master_rank) < patience_.with_the_master) return;
         fmt::print(stderr,
                    "floes: rank {} leaves, because the master has been silent for {:.0f} s; continue with --resume\n",
