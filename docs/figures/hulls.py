@@ -26,6 +26,7 @@ floes = 40
 concentration_percent = 70.0
 begin_m = 2.0
 half_width_m = 1.6
+sheet_width_m = 1.0
 far_end = "ice_sheet"
 [structure]
 start_m = {start}

@@ -32,7 +32,11 @@ constexpr double floes_beside = 2;
 constexpr double breadths_ahead = 2;
 constexpr double floes_ahead = 3;
 constexpr int usual_segments = 3;
-constexpr double longest_time = 1e5;  // s, of steady start and window, as their keys have it
+
+// As far as the ranges of the keys reach.
+constexpr double longest_time = 1e5;   // s
+constexpr double widest = 1e4;         // m
+constexpr double farthest_edge = 1e5;  // m
 
 /// Upwards to two figures.
 double rounded_up(double value) {
@@ -124,6 +128,9 @@ struct Wish {
     double value = 0;
     std::string reason;
 
+    /// The same, as far as its key allows.
+    Wish within(double most) const { return {std::min(value, most), reason}; }
+
     void take_larger(const Wish& other) {
         if (other.value > value) *this = other;
     }
@@ -189,7 +196,9 @@ class Layout {
 
     /// Lengths that it needs by itself. Its path is no longer known in detail then.
     const Wishes& wish() {
-        own_ = wishes();
+        const Wishes all = wishes();
+        own_ = {all.sheet_width.within(widest), all.half_width.within(widest), all.ahead.within(farthest_edge),
+                all.behind.within(farthest_edge), all.length};
         places_ = {};
         return own_;
     }
@@ -450,8 +459,9 @@ class Layout {
         const Field before = field;
         const double row = scenario_.floe.breadth + scenario_.arrangement.clearance;
         const double inside = 2 * field.half_width - scenario_.arrangement.clearance;
+        const double rows_inside = std::min(inside / row, static_cast<double>(most_floes));
         const int first =
-            static_cast<int>((is_open(LaidKey::half_width) ? std::ceil(inside / row) : std::floor(inside / row)));
+            static_cast<int>(is_open(LaidKey::half_width) ? std::ceil(rows_inside) : std::floor(rows_inside));
         for (int rows = std::max(1, first); rows < first + most_rows; ++rows) {
             if (is_open(LaidKey::half_width))
                 field.half_width = std::stod(

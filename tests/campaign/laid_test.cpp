@@ -105,6 +105,17 @@ TEST(Laid, NoneOfManyConfigurationsIsRefused) {
     EXPECT_EQ(laid, 381u);
 }
 
+TEST(Laid, NothingIsOddAboutWhatIsLaid) {
+    for (const std::string& hull : hulls) {
+        for (const std::string& mooring : moorings) {
+            const Campaign campaign = read(sea + hull + floes[1] + fields[0] + mooring);
+            for (const std::string& sentence : advice(campaign))
+                EXPECT_THAT(sentence, Not(AnyOf(HasSubstr("begins to measure before"), HasSubstr("and the bank"),
+                                                HasSubstr("shorter than three natural periods"))));
+        }
+    }
+}
+
 TEST(Laid, WhatIsPrintedReadsAsItIs) {
     for (std::size_t number = 0; number < 20160; number += 977) {
         std::string text = sea;

@@ -164,6 +164,15 @@ TEST(SummaryTable, SaysWallFarEndAndContact) {
                   "rigid with Γ 0.2.\nLoad measured: for 150 s, from 120 s after the tow began, in 3 segments.\n"));
 }
 
+TEST(SummaryTable, SaysOfThePapersConeThatItIsTheDefault) {
+    CampaignTable table = example::campaign();
+    for (CaseRow& row : table.cases) row.shape = Shape();
+    EXPECT_THAT(summary_table(summarise(table), 120), Not(HasSubstr("where no hull is stated")));
+    for (CaseRow& row : table.cases) row.contact = with_preset(row.contact, ContactPreset::physical);
+    EXPECT_THAT(summary_table(summarise(table), 120),
+                HasSubstr("at +0.122 m); the paper's cone, which is towed where no\nhull is stated.\nFar end: "));
+}
+
 TEST(SummaryTable, SaysWhatIsMissing) {
     const std::string text = summary_table(summarise(example::campaign()), 120);
     EXPECT_TRUE(
