@@ -100,9 +100,12 @@ std::vector<std::string> cost_words(const Campaign& campaign) {
     if (told.empty()) return {};
     if (told.size() > most_cases_said) {
         const auto [least, most] = std::ranges::minmax_element(told, {}, [](const auto& one) { return one.first; });
-        return {fmt::format("a member of {} of the cases takes about {} to {} of one core: {} and {} (floes plan).",
-                            told.size(), duration_text(least->first), duration_text(most->first), least->second->name,
-                            most->second->name)};
+        const std::string shortest = duration_text(least->first);
+        const std::string longest = duration_text(most->first);
+        return {fmt::format(
+            "a member of {} of the cases takes about {} of one core{} (floes plan).", told.size(), longest,
+            shortest == longest ? ""
+                                : fmt::format(" in {}, {} in {}", most->second->name, shortest, least->second->name))};
     }
     std::vector<std::string> sentences;
     std::set<std::string> said;
