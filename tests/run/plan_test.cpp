@@ -5,7 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
+#include "core/text.hpp"
+#include "scenario/floes.hpp"
 #include "store/member_record.hpp"
 #include "support/synthetic.hpp"
 
@@ -41,6 +45,34 @@ TEST(ExpectedMembers, TakeAsLongAsTheirCostSays) {
     }
     EXPECT_NEAR(mean_run_time(expected_members(legs).members) / expected, costs.jam * costs.direct_per_unit,
                 0.01 * costs.jam * costs.direct_per_unit);
+}
+
+// The paper's tank, by what an element in a step costs: half the side is four times the elements.
+TEST(CostWords, SayWhatOtherElementsAndWindowsCost) {
+    Campaign campaign{.name = "tank", .arrangements = 1, .cases = {}};
+    Scenario scenario;
+    scenario.ice.elastic_modulus = 60e6;
+    scenario.analysis.window = 1500;
+    scenario.field.far_end = FarEnd::never;
+    campaign.cases.push_back({"long", scenario});
+    const double seconds =
+        measured_member_costs().direct_per_unit * scenario.step_count() * 9 * computed_floes(scenario);
+    EXPECT_DOUBLE_EQ(expected_run_time(campaign, 0), seconds);
+    const std::vector<std::string> words = cost_words(campaign);
+    ASSERT_EQ(words.size(), 1u);
+    const double elements = 9 * computed_floes(scenario);
+    EXPECT_NE(words[0].find(fmt::format("case long: a member takes about {} of one core", duration_text(seconds))),
+              std::string::npos)
+        << words[0];
+    EXPECT_NE(words[0].find(fmt::format("{:.0f} elements over 81000 steps", elements)), std::string::npos) << words[0];
+    EXPECT_NE(words[0].find("; with analysis.window_s of 750 s "), std::string::npos) << words[0];
+    campaign.cases.front().scenario.analysis.window = 150;
+    EXPECT_EQ(cost_words(campaign).size(), 0u) << "of some seconds nobody needs to know";
+    campaign.cases.assign(9, {"long", scenario});
+    ASSERT_EQ(cost_words(campaign).size(), 1u);
+    EXPECT_EQ(
+        cost_words(campaign)[0],
+        fmt::format("a member of 9 of the cases takes about {} of one core (floes plan).", duration_text(seconds)));
 }
 
 TEST(ExpectedMembers, HaveTheSizeOfTheirRecords) {
