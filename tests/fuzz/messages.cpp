@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto rest = floes::fuzz::as_bytes(data, size).subspan(1);
     const Bytes bytes(rest.begin(), rest.end());
     const auto encode = [](const auto& message) { return floes::encode(message); };
-    switch (data[0] % 7) {
+    switch (data[0] % 8) {
         case 0:
             require_one_writing(bytes, floes::decode_answers);
             break;
@@ -47,6 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             break;
         case 5:
             require_same_bytes(bytes, floes::decode_post, encode);
+            break;
+        case 7:
+            require_same_bytes(bytes, floes::decode_progress, encode);
             break;
         default:
             require_same_bytes(bytes, floes::decode_text, floes::encode_text);

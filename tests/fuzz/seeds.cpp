@@ -105,6 +105,7 @@ int main(int count, char** arguments) {
     seeds.write("messages/kept", encode(std::vector<Kept>{{3, 6, 2, 0.5, {}}, {4, 7, 1, 0.25, small_record(1)}}),
                 kind(4));
     seeds.write("messages/post", encode(Post{64, "/a/b.journal.1"}), kind(5));
+    seeds.write("messages/progress", encode(std::vector<MemberProgress>{{3, 43.5, 200}}), kind(7));
     seeds.write("messages/text", encode_text("a sentence"), kind(6));
     seeds.write("journal/whole", journal(), "", kind(1));
     Bytes torn = journal();

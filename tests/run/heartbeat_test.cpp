@@ -16,7 +16,7 @@ Heartbeat sample() {
     heartbeat.finished = 3;
     heartbeat.finished_cost = 30;
     heartbeat.remaining_cost = 90;
-    heartbeat.under_way = {{5, 2, 7.25}, {6, 1, 0.5}};
+    heartbeat.under_way = {{5, 2, 7.25, 86.5, 200}, {6, 1, 0.5}};
     return heartbeat;
 }
 
@@ -37,6 +37,9 @@ TEST(Heartbeat, GivesBackWhatWasWritten) {
     EXPECT_EQ(read->under_way[0].number, 5);
     EXPECT_EQ(read->under_way[0].attempt, 2);
     EXPECT_EQ(read->under_way[0].seconds, 7.25);
+    EXPECT_EQ(read->under_way[0].time, 86.5);
+    EXPECT_EQ(read->under_way[0].end, 200);
+    EXPECT_EQ(read->under_way[1].end, 0);
     EXPECT_LT(age_of(*read), 10);
     EXPECT_FALSE(is_stale(*read));
     EXPECT_FALSE(std::filesystem::exists(folder / "a.alive.tmp"));

@@ -38,6 +38,11 @@ TEST(Messages, ComeBackAsTheyWere) {
     EXPECT_EQ(kept[0].wall_time, 0.5);
     EXPECT_FALSE(kept[0].record);
     EXPECT_EQ(encode(*kept[1].record), encode(record));
+    const auto progress = decode_progress(encode(std::vector<MemberProgress>{{3, 43.5, 200}, {4, 0.25, 100}}));
+    ASSERT_EQ(progress.size(), 2u);
+    EXPECT_EQ(progress[0].number, 3);
+    EXPECT_EQ(progress[0].time, 43.5);
+    EXPECT_EQ(progress[1].end, 100);
 }
 
 TEST(Messages, AreRefusedWhenCutShort) {
@@ -57,6 +62,7 @@ TEST(Messages, AreRefusedWhenTheyAreMoreThanTheySay) {
     EXPECT_THROW(decode_answers(longer(encode(std::vector<Answer>{}))), RunError);
     EXPECT_THROW(decode_post(longer(encode(Post{}))), RunError);
     EXPECT_THROW(decode_kept(longer(encode(std::vector<Kept>{}))), RunError);
+    EXPECT_THROW(decode_progress(longer(encode(std::vector<MemberProgress>{}))), RunError);
     EXPECT_THROW(decode_status(longer(encode_status(0))), RunError);
     EXPECT_THROW(decode_text(longer(encode_text("a"))), RunError);
     Bytes neither = encode(std::vector<Assignment>{{1, 1}});

@@ -37,6 +37,8 @@ TEST(ProgressText, SaysWhatThereIsToKnow) {
     EXPECT_EQ(progress_text(half_way()),
               "4 of 10 done, 1 failed, 2 running, 1:30 elapsed, 2.0 members/min, 5 min left");
     EXPECT_EQ(progress_text({.total = 3, .running = 2}), "0 of 3 done, 0 failed, 2 running");
+    EXPECT_EQ(progress_text({.total = 3, .running = 2, .longest = {{7, 1, 300, 86, 200}, {2, 1, 250, 3, 200}}}),
+              "0 of 3 done, 0 failed, 2 running; member 7 at 43 % (86 of 200 s), member 2 at 2 % (3 of 200 s)");
 }
 
 TEST(Progress, WritesAPlainLineAtTheStartAtEachTenthAndEachMinute) {

@@ -57,6 +57,21 @@ TEST(Tally, HeartbeatHasFinishedCostAndWhoIsUnderWayLongestFirst) {
     EXPECT_EQ(heartbeat.under_way[1].seconds, 5);
 }
 
+TEST(Tally, KnowsHowFarThoseHaveComeThatRunLongest) {
+    const Campaign campaign = synthetic::campaign(4);
+    Tally tally = tally_of(campaign);
+    for (int number = 0; number < 6; ++number) tally.started(number, 1, begin + seconds(10 * number));
+    tally.note({{1, 30, 200}, {2, 20, 200}, {4, 10, 200}, {5, 5, 200}, {7, 1, 200}});  // 7 was not handed out
+    EXPECT_EQ(tally.heartbeat(begin + seconds(60)).under_way[1].time, 30);
+    EXPECT_TRUE(tally.longest(begin + seconds(60)).empty()) << "none runs long";
+    const auto longest = tally.longest(begin + seconds(165));
+    ASSERT_EQ(longest.size(), 3u);
+    EXPECT_EQ(longest[0].number, 1) << "0 has not told";
+    EXPECT_EQ(longest[0].time, 30);
+    EXPECT_EQ(longest[0].end, 200);
+    EXPECT_EQ(longest[2].number, 4) << "5 has run for less than two minutes";
+}
+
 TEST(Tally, SecondAttemptIsUnderWaySinceItsOwnBegin) {
     const Campaign campaign = synthetic::campaign();
     Tally tally = tally_of(campaign);
