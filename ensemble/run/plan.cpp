@@ -712,11 +712,9 @@ PlannedMembers expected_members(const Campaign& campaign) {
 std::string stop_forecast(const Campaign& campaign, int done, double pace, int cores) {
     const int least = std::min(PrecisionStop(campaign).minimum() + campaign.stop.look_ahead, campaign.arrangements);
     const int cases = static_cast<int>(campaign.cases.size());
-    const MemberCosts costs = measured_member_costs();
     double seconds = 0;  // of all members of an arrangement
     for (int number = 0; number < cases; ++number)
-        seconds += expected_cost(campaign, number) *
-                   (pace > 0 ? pace : time_per_unit(campaign.cases[static_cast<std::size_t>(number)].scenario, costs));
+        seconds += pace > 0 ? pace * expected_cost(campaign, number) : expected_run_time(campaign, number);
     const double left = std::max(0.0, least - static_cast<double>(done) / cases);
     const std::string most = campaign.arrangements > least ? fmt::format(", at most {}", campaign.arrangements) : "";
     return fmt::format("until {} is known within {:g} %: at least {}{}; about {} on {} for {}", what_of(campaign.stop),
