@@ -116,7 +116,9 @@ void Progress::show_last(const ProgressState& state) {
 void Progress::write(const ProgressState& state) {
     last_finished_ = state.done + state.failed;
     if (style_ == Style::live) {
-        out_ << erase_line + ("floes: " + progress_text(state)) << std::flush;
+        ProgressState short_one = state;  // a line that breaks cannot be erased
+        if (short_one.longest.size() > 1) short_one.longest.resize(1);
+        out_ << erase_line + ("floes: " + progress_text(short_one)) << std::flush;
         line_is_open_ = true;
     } else {
         out_ << "floes: " + progress_text(state) + "\n" << std::flush;
