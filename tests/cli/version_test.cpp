@@ -88,10 +88,12 @@ TEST(Usage, IsSaidInOneStyle) {
               "floes match needs --targets: TOML file with a [[target]] for each measured figure; "
               "floes match --help says more\n"},
              {{"config"},
-              "floes config takes exactly one of --defaults, --reference, --check, --resolved; none was given; "
+              "floes config takes exactly one of --defaults, --reference, --schema, --check, --resolved; none was "
+              "given; "
               "floes config --help says more\n"},
              {{"config", "--defaults", "--reference"},
-              "floes config takes exactly one of --defaults, --reference, --check, --resolved; --defaults and "
+              "floes config takes exactly one of --defaults, --reference, --schema, --check, --resolved; --defaults "
+              "and "
               "--reference were given; floes config --help says more\n"},
              {{"run", "a.toml", "b.toml"}, "floes run has no use for b.toml; floes run --help says more\n"},
              {{"run", "a.toml", "--retry-failed"},
