@@ -1,9 +1,9 @@
 // floes show: what a configuration says, to scale, before anything is computed.
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
-#include <fstream>
-#include <string_view>
+#include <iostream>
 
 #include "campaign/case_words.hpp"
 #include "cli/commands.hpp"
@@ -93,6 +93,7 @@ std::vector<Section> drawn_cases(const Campaign& campaign, int arrangement) {
 
 void show(const ShowOptions& options) {
     const Campaign campaign = load_campaign(options.file, options.overrides);
+    const WaitingNote patience(std::cerr, "laying the floes");
     const bool of_all = options.case_name.empty() && campaign.cases.size() > 1;
     const std::filesystem::path path = options.output;
     if (!path.empty()) expect_place(path);
