@@ -396,6 +396,14 @@ json failures(const Recording& recording) {
     return all;
 }
 
+/// What there are histories of beside the load.
+std::vector<AskedOf> of_hull(const HullHistory& hull) {
+    std::vector<AskedOf> all;
+    if (!hull.mooring_force.empty()) all = {AskedOf::mooring_force, AskedOf::offset};
+    if (!hull.tension.empty()) all.push_back(AskedOf::tension);
+    return all;
+}
+
 /// For the steps that end in (from, to], s.
 json history(const Recording& recording, double from, double to) {
     const Scenario& scenario = recording.subject().scenario;
@@ -408,11 +416,29 @@ json history(const Recording& recording, double from, double to) {
         const ThinnedHistory kept = thinned(load, begin, end, most_points);
         return {{"steps", kept.steps}, {"values", kept.values}};
     };
-    return {{"from", from},
-            {"to", to},
-            {"surge", points(loads.surge)},
-            {"sway", points(loads.sway)},
-            {"heave", points(loads.heave)}};
+    json found{{"from", from},
+               {"to", to},
+               {"surge", points(loads.surge)},
+               {"sway", points(loads.sway)},
+               {"heave", points(loads.heave)}};
+    for (const AskedOf of : of_hull(recording.outcome().hull))
+        found[std::string{asked_names.at(static_cast<std::size_t>(of))}] =
+            points(asked_history({of, recording.subject().asked.averaging}, loads, recording.outcome().hull, step));
+    return found;
+}
+
+/// What the figure can show of a hull that gives way, beside the load: key, words and unit; first what is asked.
+json hull_histories(const Recording& recording) {
+    const Asked& asked = recording.subject().asked;
+    json all = json::array();
+    for (const AskedOf of : of_hull(recording.outcome().hull)) {
+        const Asked one{of, asked.averaging};
+        all.push_back({{"key", asked_names.at(static_cast<std::size_t>(of))},
+                       {"words", one.words()},
+                       {"unit", one.unit()},
+                       {"asked", of == asked.of}});
+    }
+    return all;
 }
 
 /// The streams by the names that they have in the page.
@@ -471,6 +497,7 @@ std::string page_header(const Recording& recording, const Quanta& quanta, const 
         {"modes", failure_mode_names},
         {"failures", failures(recording)},
         {"step", scenario.general.time_step},
+        {"hull_histories", hull_histories(recording)},
         {"histories", {history(recording, 0, run), history(recording, begin, end)}}};
     return header.dump(-1, ' ', false, json::error_handler_t::replace);
 }

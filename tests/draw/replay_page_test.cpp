@@ -17,8 +17,8 @@ namespace replay_page_test {
 
 class ReplayPage : public testing::Test {
   protected:
-    std::string page(int frames, const PageOptions& options = {}) {
-        synthetic::write_recording(folder_ / "recording.h5", frames);
+    std::string page(int frames, const PageOptions& options = {}, bool moored = false) {
+        synthetic::write_recording(folder_ / "recording.h5", frames, moored);
         std::ostringstream text;
         write_replay_page(text, Recording(folder_ / "recording.h5"), options);
         return text.str();
@@ -32,6 +32,21 @@ class ReplayPage : public testing::Test {
 
     TemporaryFolder folder_;
 };
+
+TEST_F(ReplayPage, HasTheHistoriesOfAHullThatGivesWay) {
+    EXPECT_TRUE(header(page(20))["hull_histories"].empty());
+    const nlohmann::json about = header(page(20, {}, true));
+    const nlohmann::json& hull = about["hull_histories"];
+    ASSERT_EQ(hull.size(), 2u);
+    EXPECT_EQ(hull[0]["key"], "mooring_force");
+    EXPECT_EQ(hull[0]["unit"], "N");
+    EXPECT_TRUE(hull[0]["asked"]);
+    EXPECT_EQ(hull[1]["key"], "offset");
+    EXPECT_EQ(hull[1]["unit"], "m");
+    EXPECT_FALSE(hull[1]["asked"]);
+    EXPECT_EQ(about["histories"][0]["mooring_force"]["values"][2], 6.0);
+    EXPECT_EQ(about["histories"][0]["offset"]["values"].size(), about["histories"][0]["surge"]["values"].size());
+}
 
 TEST_F(ReplayPage, SaysWhatIsReplayed) {
     const nlohmann::json about = header(page(20));

@@ -52,8 +52,10 @@ inline Frame frame(int number, int elements) {
     return made;
 }
 
-inline void write_recording(const std::filesystem::path& path, int frames) {
-    const RecordingSubject subject = record_subject();
+/// `moored`: a hull that gives way without lines, whose worst mooring force is asked for.
+inline void write_recording(const std::filesystem::path& path, int frames, bool moored = false) {
+    RecordingSubject subject = record_subject();
+    if (moored) subject.asked = {AskedOf::mooring_force, 0};
     const int elements = static_cast<int>(IceLayout(subject.floes).elements.size());
     RecordingWriter writer(path, subject);
     for (int i = 0; i < frames; ++i) writer.add(frame(i, elements));
@@ -62,6 +64,10 @@ inline void write_recording(const std::filesystem::path& path, int frames) {
         outcome.history.surge.push_back(2.0 * step);
         outcome.history.sway.push_back(1);
         outcome.history.heave.push_back(-1);
+        if (!moored) continue;
+        outcome.hull.mooring_force.push_back(3.0 * step);
+        outcome.hull.offset.push_back(0.1 * step);
+        outcome.hull.yaw.push_back(0);
     }
     outcome.breaks.push_back({0.1 * break_frame, 2, 3, FailureMode::shear});
     writer.finish(outcome);

@@ -1,5 +1,5 @@
 'use strict';
-// The load over time, with a cursor that follows the ice and sets its time.
+// The load over time, or how a hull gives way to it, with a cursor that follows the ice and sets its time.
 
 class Chart {
   constructor(canvas, {header, unit}, go) {
@@ -120,7 +120,7 @@ class Chart {
     this.drawFailures(history);
     context.textAlign = 'left';
     context.fillText('analysis window', Math.max(this.x(header.window[0]), frame.left) + 6, frame.top + 7);
-    context.strokeStyle = styled(this.component);
+    context.strokeStyle = styled(header.hull_histories.some(one => one.key === this.component) ? 'ink' : this.component);
     context.lineJoin = 'round';
     context.lineWidth = 1.2;
     context.beginPath();
@@ -130,12 +130,13 @@ class Chart {
   }
 
   drawAxes(y, low, high) {
-    const {context, frame, history} = this;
+    const {context, frame, history, header} = this;
     context.strokeStyle = styled('grid');
     context.fillStyle = styled('soft');
     context.textBaseline = 'middle';
     context.textAlign = 'right';
-    const {name, newtons} = this.unit;
+    const hull = header.hull_histories.find(one => one.key === this.component);
+    const {name, newtons} = hull && hull.unit !== 'N' ? {name: hull.unit, newtons: 1} : this.unit;
     const many = Math.max(2, Math.floor((frame.bottom - frame.top) / 20));
     for (const tick of Chart.ticks(low, high, many)) {
       const at = Math.round(y(tick)) + 0.5;

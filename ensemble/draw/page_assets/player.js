@@ -10,6 +10,7 @@ class Player {
     this.view = '';
     this.stage = new Stage($('scene'), replay, () => this.redraw());
     this.chart = new Chart($('chart'), replay, time => this.go(time));
+    this.addHullHistories(replay.header.hull_histories);
     this.fillWords();
     this.controls = new Controls(this);
     this.setView('perspective');
@@ -176,6 +177,12 @@ class Player {
     this.stage.longer = Number($('arrow-scale').value);
     this.showLegend();
     this.redraw();
+  }
+
+  // Of a hull that gives way the figure has more than the load, and first what the page was made for.
+  addHullHistories(histories) {
+    for (const {key, words, asked} of histories) $('component').add(new Option(words, key, false, asked));
+    this.chart.component = $('component').value;
   }
 
   setComponent() {
