@@ -167,7 +167,7 @@ void add_choices(Verb& verb, ReplayOptions& options) {
             "is found by computing the member once more; default: the load of a step")
         .one_of({"load", "mooring_force", "offset", "tension"});
     verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s")
-        .within(0, 1000)
+        .within(0.0, 1000.0)
         .shows_default();
     verb.option("--from", options.times.from, "First frame, s; default: the start");
     verb.option("--to", options.times.to, "Last frame, s; default: the end");
