@@ -22,6 +22,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_hydro(line);
     add_report(line);
     add_replay(line);
+    add_export(line);
     add_match(line);
     add_serve(line);
     add_verify(line);
