@@ -19,12 +19,15 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME docs.moored_hull
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/docs/moorings.md)
+  add_test(NAME docs.coupling
+           COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/tutorial_test.py $<TARGET_FILE:floes>
+                   ${PROJECT_SOURCE_DIR}/docs/coupling.md)
   foreach(name design_load optimum served)
     add_test(NAME docs.notebook.${name}
              COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/notebook_test.py $<TARGET_FILE:floes>
                      ${PROJECT_SOURCE_DIR} ${name})
   endforeach()
-  set_tests_properties(docs.tutorial docs.notebook.optimum docs.notebook.served
+  set_tests_properties(docs.tutorial docs.coupling docs.notebook.optimum docs.notebook.served
                        PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2)
   # Some minutes: campaigns at full scale, of a year and of a notebook.
   set_tests_properties(docs.moored_hull docs.year_tutorial docs.notebook.design_load
