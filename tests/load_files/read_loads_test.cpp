@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <vector>
 
@@ -62,6 +63,35 @@ TEST_F(ReadLoads, GivesWhatIsStored) {
     EXPECT_EQ(load.origin.mean_roll, 401.4);
     EXPECT_EQ(load.origin.mean_pitch, -401.7);  // about +z, which is -Y
     EXPECT_EQ(load.origin.mean_yaw, 401.1);
+}
+
+// A hull on a path: its file has yaw and moment.
+TEST_F(ReadLoads, TurnsTheLoadOfATurnedHull) {
+    Campaign campaign = synthetic::campaign();
+    campaign.cases.resize(1);
+    Scenario& scenario = campaign.cases[0].scenario;
+    scenario.path.legs = {{0, scenario.structure.speed, 3, 0}};
+    MemberRecord record = synthetic::record(campaign, 0);
+    LoadHistory& load = record.result.history;
+    MotionHistory& motion = record.result.motion;
+    for (std::size_t k = 0; k < load.surge.size(); ++k) {
+        motion.x.push_back(0.1);
+        motion.z.push_back(0.2);
+        motion.yaw.push_back(0.01 * static_cast<double>(k));
+        motion.yaw_load.push_back(3.0 * static_cast<double>(k));
+    }
+    publish(file_, campaign, std::vector<MemberRecord>{record}, std::vector<Session>{synthetic::session()});
+    const LoadToWrite made = read(0);
+    EXPECT_FALSE(made.origin.straight);
+    EXPECT_FALSE(made.origin.gives_way);
+    ASSERT_EQ(made.series.moment.size(), load.surge.size());
+    for (std::size_t k = 0; k < load.surge.size(); ++k) {
+        const double yaw = 0.01 * static_cast<double>(k);
+        EXPECT_NEAR(made.series.force[0][k], -load.surge[k] * std::cos(yaw) + load.sway[k] * std::sin(yaw), 1e-9);
+        EXPECT_NEAR(made.series.force[1][k], -load.surge[k] * std::sin(yaw) - load.sway[k] * std::cos(yaw), 1e-9);
+        EXPECT_NEAR(made.series.moment[k], 3.0 * static_cast<double>(k), 1e-9);
+    }
+    EXPECT_NEAR(read(0, {.axes = LoadAxes::hull}).series.force[1][50], -load.sway[50], 1e-9);
 }
 
 TEST_F(ReadLoads, TakesTimesAtTheScaleOfTheFile) {
