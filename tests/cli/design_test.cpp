@@ -119,7 +119,7 @@ TEST_F(Design, SaysWhichKeyStoresTheHistoriesThatAHullNeeds) {
 
 /// The first case on springs of a period of 1 s, whose members swing by 10, 20, … N about 100 N; with a line that
 /// broke in the first member.
-void publish_moored(const std::filesystem::path& file, double sideways = 0, double turret = 0) {
+void publish_moored(const std::filesystem::path& file, double sideways = 0, double turret = 0, bool responses = true) {
     Campaign campaign = synthetic::campaign();
     campaign.cases.resize(1);
     Scenario& scenario = campaign.cases.front().scenario;
@@ -149,7 +149,7 @@ void publish_moored(const std::filesystem::path& file, double sideways = 0, doub
             motion.sway_mooring.back() = -sideways * motion.surge_mooring.back();
             motion.sway_offset.back() = sideways * motion.surge_offset.back();
         }
-        record.result.responses = responses_of(scenario, motion);
+        if (responses) record.result.responses = responses_of(scenario, motion);
     }
     records.front().result.moored.broken_lines = 1;
     publish(file, campaign, records, std::vector<Session>{synthetic::session()});
@@ -227,6 +227,33 @@ TEST_F(Design, WritesEveryAnswerAsAPageOrAWorkbook) {
     design("--averaging-s 0.4 -o " + book, no_load);
     EXPECT_GT(std::filesystem::file_size(book), 1000u);
     EXPECT_THAT(refusal([&] { design("-o curve.svg"); }), HasSubstr("with --regimes"));
+}
+
+// Measured anew from the histories, in the last third of the window.
+TEST_F(Design, MeasuresResponsesInAnotherWindow) {
+    publish_moored(file_);
+    const CampaignFile file(file_);
+    CampaignTable table = read_campaign_file(file);
+    std::vector<Analysis> windows;
+    for (const CaseRow& one : table.cases) windows.push_back(one.analysis);
+    for (Analysis& one : windows) {
+        one.steady_start += one.window * 2 / 3;
+        one.window /= 3;
+        one.segments = 1;
+    }
+    const DesignOf& force = *find_design_of("mooring_force");
+    const auto peaks = [&](const CampaignTable& of) { return response_of(of.members.front(), force)->peaks; };
+    const CampaignTable anew = measured_anew(file, table, windows);
+    EXPECT_GE(peaks(table).size(), 5u);
+    EXPECT_LE(peaks(anew).size(), 3u);
+    EXPECT_NEAR(peaks(anew).front(), peaks(table).front(), 1e-9);
+    EXPECT_EQ(response_of(anew.members.front(), force)->segment_maximum.size(), 1u);
+}
+
+TEST_F(Design, SaysThatOldFilesHaveNoResponses) {
+    publish_moored(file_, 0, 0, false);
+    EXPECT_THAT(refusal([&] { design("--of offset"); }),
+                testing::AllOf(HasSubstr("Design offset: no member has it"), HasSubstr("run them again")));
 }
 
 TEST_F(Design, RefusesTheMooringForceOfAFixedHull) {
