@@ -123,11 +123,11 @@ void add_window(Keys& keys, Field& field) {
 
 void add_field(Keys& keys, Field& field) {
     const Range place = at_least(-farthest).at_most(farthest);
-    keys.push_back(integer_key(
-        "field.floes", field.floes, 1, most_floes,
-        "Table 3; of another hull derived: as many as the way of the run needs, or fill what is computed",
-        "Number of floes. Shares of broken floes are of all of them. Of a field without end: of each part "
-        "that is laid; shares are of the floes that were computed."));
+    keys.push_back(
+        integer_key("field.floes", field.floes, 1, most_floes,
+                    "Table 3; of another hull derived: as many as the way of the run needs, or fill what is computed",
+                    "Number of floes. Shares of broken floes are of all of them. Of a field without end: of each part "
+                    "that is laid; shares are of the floes that were computed."));
     keys.push_back(number_key(
         "field.concentration_percent", field.concentration, unit::percent, above(0).at_most(100), "Table 1",
         "Covered area fraction of the field. Together with the number and size of floes it sets the field's length."));
