@@ -91,8 +91,7 @@ Campaign load_campaign(double half_width) {
     Campaign made = synthetic::campaign(60);
     made.cases.resize(1);
     made.cases[0].scenario.analysis.peak_separation = 0.01;  // peaks hide none
-    made.stop = {
-        .half_width = half_width, .of = "design_load", .minimum = 10, .look_ahead = 2, .batch = 4};
+    made.stop = {.half_width = half_width, .of = "design_load", .minimum = 10, .look_ahead = 2, .batch = 4};
     made.stop.exposure = 4 * made.cases[0].scenario.analysis.window;
     made.stop.averaging = 0.4;
     return made;
