@@ -11,12 +11,6 @@
 
 namespace floes {
 
-namespace {
-
-constexpr unsigned slots_for_the_owner = 0;  // the owner only waits
-
-}  // namespace
-
 Scribe::Scribe(const Campaign& campaign, int rank) : campaign_(campaign), rank_(rank), host_(host_name()) {
     for (int i = 0; i < static_cast<int>(campaign.cases.size()); ++i) {
         case_keys_.push_back(case_fingerprint(campaign, i));
@@ -38,11 +32,8 @@ MemberRecord Scribe::record(Outcome outcome) const {
 }
 
 Crew::Crew(const Campaign& campaign, CrewSetup setup)
-    : campaign_(campaign),
-      setup_(std::move(setup)),
-      limits_(limits_of(campaign.run)),
-      limit_(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(setup_.threads) + 1),
-      arena_(setup_.threads, slots_for_the_owner) {
+    : campaign_(campaign), setup_(std::move(setup)), limits_(limits_of(campaign.run)) {
+    if (setup_.cores.pool == nullptr) setup_.cores.pool = &own_cores_.emplace(setup_.threads);
     if (setup_.helper != nullptr) setup_.helper->prepare(campaign);
 }
 
@@ -59,8 +50,7 @@ void Crew::begin(Assignment assignment) {
         waiting_.push_back(assignment);
         ++unfinished_;
     }
-    // The thread sanitizer cannot see how TBB hands over a task, so the task carries no data that could race.
-    arena_.enqueue([this]() __attribute__((no_sanitize("thread"))) { execute_next(); });
+    setup_.cores.pool->begin(setup_.cores.turn, [this] { execute_next(); });
 }
 
 void Crew::execute_next() {

@@ -1,9 +1,6 @@
 #pragma once
-// The threads of this rank that compute members, one member for each thread. Assignments go in; outcomes come out in
-// order of completion. The thread that owns the crew never computes.
-
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/task_arena.h>
+// The members of a run that this rank computes, one for each thread. Assignments go in; outcomes come out in order of
+// completion. The thread that owns the crew never computes.
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +14,7 @@
 #include <vector>
 
 #include "run/attempt.hpp"
+#include "run/core_pool.hpp"
 #include "store/member_record.hpp"
 
 namespace floes {
@@ -63,15 +61,16 @@ struct CrewSetup {
     MemberFunction compute;
     int threads = 1;           ///< members at a time, >= 1
     Helper* helper = nullptr;  ///< for members in isolated processes; nullptr: all are computed in this process
+    SharedCores cores = {};    ///< the threads that compute them
 };
 
 class Crew {
   public:
-    /// `campaign` and the helper must outlive the crew. Members follow campaign.run.
+    /// `campaign`, the helper and shared cores must outlive the crew. Members follow campaign.run.
     Crew(const Campaign& campaign, CrewSetup setup);
     Crew(const Crew&) = delete;
     Crew& operator=(const Crew&) = delete;
-    /// Abandons everything and waits until the threads have finished.
+    /// Abandons everything and waits until the threads have finished with it.
     ~Crew();
 
     /// Starts the assignment on a free thread, or as soon as one is free. After abandon() its outcome is "abandoned".
@@ -118,8 +117,7 @@ class Crew {
     std::optional<CrewTrouble> trouble_;
     std::map<int, MemberProgress> progress_;  // by number
 
-    tbb::global_control limit_;  // without it TBB never starts more threads than there are cores
-    tbb::task_arena arena_;
+    std::optional<CorePool> own_cores_;  // where none are shared; last, because its tasks use all of the above
 };
 
 }  // namespace floes

@@ -498,7 +498,7 @@ Forecast simulate(std::span<const SimulatedMember> members, const Machine& machi
 namespace {
 
 /// With its pieces.
-double bytes_of(const std::filesystem::path& journal) {
+double size_of_file(const std::filesystem::path& journal) {
     auto bytes = static_cast<double>(std::filesystem::file_size(journal));
     for (const int piece : pieces_of(journal))
         bytes += static_cast<double>(std::filesystem::file_size(piece_path(journal, piece)));
@@ -507,7 +507,7 @@ double bytes_of(const std::filesystem::path& journal) {
 
 MeasuredRun of_journal(const std::filesystem::path& journal, const std::filesystem::path& campaign_file) {
     const JournalContents contents = read_journal(journal);
-    MeasuredRun run{read_stored_campaign(contents, journal), {}, bytes_of(journal)};
+    MeasuredRun run{read_stored_campaign(contents, journal), {}, size_of_file(journal)};
     for (const std::optional<std::size_t>& record : match_records(run.campaign, contents.members)) {
         const bool done = record && contents.members[*record].done();
         run.wall_time.push_back(done ? contents.members[*record].wall_time : undefined);

@@ -93,7 +93,7 @@ Progress::~Progress() {
 }
 
 void Progress::say(const std::string& text) {
-    out_ << fmt::format("{}floes: {}\n", line_is_open_ ? erase_line : "", text) << std::flush;
+    out_ << fmt::format("{}{}: {}\n", line_is_open_ ? erase_line : "", who_, text) << std::flush;
     line_is_open_ = false;
     if (style_ == Style::live) shown_ = false;  // redraws the live line at the next call
 }
@@ -118,10 +118,10 @@ void Progress::write(const ProgressState& state) {
     if (style_ == Style::live) {
         ProgressState short_one = state;  // a line that breaks cannot be erased
         if (short_one.longest.size() > 1) short_one.longest.resize(1);
-        out_ << erase_line + ("floes: " + progress_text(short_one)) << std::flush;
+        out_ << fmt::format("{}{}: {}", erase_line, who_, progress_text(short_one)) << std::flush;
         line_is_open_ = true;
     } else {
-        out_ << "floes: " + progress_text(state) + "\n" << std::flush;
+        out_ << fmt::format("{}: {}\n", who_, progress_text(state)) << std::flush;
     }
 }
 

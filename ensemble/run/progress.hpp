@@ -8,6 +8,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace floes {
@@ -72,7 +73,9 @@ class Progress {
     enum class Style { live, plain };
     using Time = std::chrono::steady_clock::time_point;
 
-    Progress(std::ostream& out, Style style) : out_(out), style_(style) {}
+    /// `who` begins every line.
+    Progress(std::ostream& out, Style style, std::string who = "floes")
+        : out_(out), style_(style), who_(std::move(who)) {}
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress();  // ends the live line
@@ -91,6 +94,7 @@ class Progress {
 
     std::ostream& out_;
     Style style_;
+    std::string who_;
     bool line_is_open_ = false;
     bool shown_ = false;
     Time last_time_{};

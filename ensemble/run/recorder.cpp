@@ -217,6 +217,8 @@ void Recorder::remove_saved_of_done() const {
 
 void Recorder::publish_now() {
     remove_saved_of_done();
+    std::unique_lock<std::mutex> alone;
+    if (places_.publishing != nullptr) alone = std::unique_lock(*places_.publishing);
     publish(places_.campaign_file, tally_.published(), journal().members(), journal().sessions(),
             journal().calibrations());
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,7 +56,9 @@ class Recorder {
         std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, stored with the members
         CampaignPart part = {};                            ///< what to compute; default: the whole campaign
         bool with_file = true;                             ///< publish; otherwise there are journals only
-        bool retry_failed = false;  ///< give members set aside before the full number of attempts again
+        bool retry_failed = false;         ///< give members set aside before the full number of attempts again
+        std::mutex* publishing = nullptr;  ///< held meanwhile where several runs of this process publish: HDF5 need
+                                           ///< not be thread-safe
     };
 
     /// Throws InputError if the files exist and `existing` does not allow it.

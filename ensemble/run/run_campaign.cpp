@@ -699,8 +699,8 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     }
     const int saved = options.saves_every > 0 ? count_saved(options.places.campaign_file) : 0;
     if (const std::string text = stock(recorder.tally().found(), saved); !text.empty()) progress.say(text);
-    Master master(campaign, {link, groups, recorder, progress, signals}, {compute, own.cores, helper}, mustered,
-                  {options.walltime, options.patience, saves_every(campaign, options)});
+    Master master(campaign, {link, groups, recorder, progress, signals}, {compute, own.cores, helper, options.cores},
+                  mustered, {options.walltime, options.patience, saves_every(campaign, options)});
     try {
         master.run();
     } catch (...) {

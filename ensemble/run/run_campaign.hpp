@@ -7,6 +7,7 @@
 #include <string>
 
 #include "run/attempt.hpp"
+#include "run/core_pool.hpp"
 #include "run/link.hpp"
 #include "run/progress.hpp"
 #include "run/recorder.hpp"
@@ -23,12 +24,15 @@ struct RunOptions {
     Walltime walltime = Walltime();
     SilenceLimits patience = {};
     double saves_every = 0;  ///< s of wall clock, as long_members() (run/saved_members.hpp) has it
+    SharedCores cores = {};  ///< of runs in one process; `threads` are then those of the pool
 };
 
 /// `helper` computes members in isolated processes: all of them if campaign.run says so, otherwise those that were lost
 /// with their process. Without a helper all are computed in this process. Returns 0 if every member is done, 1 if
 /// members failed, 85 if the run was stopped and can be resumed. Throws InputError if the user's input does not allow a
-/// start, RunError if the run cannot continue; the journal then has all finished members.
+/// start, RunError if the run cannot continue; the journal then has all finished members. Several may run at once, in
+/// threads of one process: with files, helpers and links of their own, one lock (Recorder::Places::publishing), and
+/// within StopSignals of the process, which stop them all.
 int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link, const MemberFunction& compute,
                  Progress& progress, Helper* helper = nullptr);
 

@@ -26,7 +26,7 @@ std::atomic<int> first_signal{0};
 std::atomic<std::int64_t> first_time{0};  // ms, monotonic
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
 
-int stop_signals_alive = 0;  // made and destroyed by the main thread
+std::atomic<int> stop_signals_alive = 0;
 
 // timeout(1), or a batch system together with mpirun, may deliver one request twice within microseconds.
 constexpr std::int64_t same_request_ms = 250;

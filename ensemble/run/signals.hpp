@@ -27,7 +27,7 @@ inline constexpr std::array stop_signals{SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUS
 bool is_to_be_outlived(int signal);
 
 /// Catches the signals during its lifetime. Of several in a process, those within another one see what that received
-/// before them.
+/// before them; only those may be of other threads.
 class StopSignals {
   public:
     StopSignals();

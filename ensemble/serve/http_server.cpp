@@ -64,6 +64,25 @@ std::optional<HttpReply> reply_to(const error_code& error, const HttpLimits& lim
     return refusal(http::status::bad_request, kind, fmt::format("This is not HTTP: {}", error.message()));
 }
 
+/// Whether they are equal, in a time that depends on `given` alone: nobody finds the token letter by letter.
+bool equals(std::string_view given, std::string_view token) {
+    volatile unsigned differs = given.size() == token.size() ? 0 : 1;
+    for (std::size_t i = 0; i < given.size(); ++i)
+        differs = differs | static_cast<unsigned char>(given[i] ^ token[i % token.size()]);
+    return differs == 0;
+}
+
+/// Why a request with this field is not answered; none where it bears the token.
+std::optional<std::string> refusal_of(std::string_view authorization, const std::string& token) {
+    constexpr std::string_view scheme = "Bearer ";
+    if (token.empty()) return std::nullopt;
+    const std::string_view begin = authorization.substr(0, scheme.size());
+    if (!beast::iequals({begin.data(), begin.size()}, {scheme.data(), scheme.size()}))
+        return "This server asks for a token; send it in a header, Authorization: Bearer TOKEN";
+    if (!equals(authorization.substr(scheme.size()), token)) return "The token is not that of this server";
+    return std::nullopt;
+}
+
 /// One connection: a request, its reply, the next request. All in the server's thread; the listener owns it.
 class Connection : public std::enable_shared_from_this<Connection> {
   public:
@@ -99,6 +118,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
             return write(refusal(http::status::forbidden, ModelError::Kind::unavailable,
                                  "Requests of web pages are not answered; ask from a program"),
                          false);
+        const std::string authorization = text_of(request[http::field::authorization]);
+        if (const auto refused = refusal_of(authorization, keeper_.limits.token))
+            return write(refusal(http::status::unauthorized, ModelError::Kind::unavailable, *refused), false);
         stream_.expires_never();  // an answer takes as long as its simulations
         // Whoever answers late must not keep alive what belongs to a server that has ended.
         auto respond = [context = std::weak_ptr(context_), one = weak_from_this(),
@@ -118,6 +140,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
         keep = keep && !keeper_.ending;
         response_.emplace(static_cast<http::status>(reply.status), version, reply.body + "\n");
         response_->set(http::field::content_type, "application/json");
+        if (response_->result() == http::status::unauthorized) response_->set(http::field::www_authenticate, "Bearer");
         response_->keep_alive(keep);
         response_->prepare_payload();
         if (head_) response_->body().clear();
@@ -164,19 +187,23 @@ class Connection : public std::enable_shared_from_this<Connection> {
     bool head_ = false;
 };
 
-tcp::endpoint endpoint_of(const std::string& host, int port) {
+asio::ip::address address_of(const std::string& host) {
     error_code error;
-    const auto address =
+    auto address =
         host == "localhost" ? asio::ip::address(asio::ip::address_v4::loopback()) : asio::ip::make_address(host, error);
     if (error)
         throw InputError(
             fmt::format("--host {} is no address; give a numeric one: 127.0.0.1 for this machine alone, 0.0.0.0 for "
                         "everybody who reaches it",
                         host));
-    return {address, static_cast<unsigned short>(port)};
+    return address;
 }
 
 }  // namespace
+
+bool is_loopback(const std::string& host) {
+    return address_of(host).is_loopback();
+}
 
 /// Accepts connections as long as there are not too many. In the server's thread.
 class HttpServer::Listener {
@@ -248,7 +275,7 @@ class HttpServer::Listener {
 struct HttpServer::Running {
     Running(const std::string& host, int port, const HttpLimits& limits, Handler handler)
         : keeper{limits, std::move(handler), {}},
-          listener(context, endpoint_of(host, port), keeper),
+          listener(context, {address_of(host), static_cast<unsigned short>(port)}, keeper),
           where(listener.where()),
           thread([this] {
               context->run();

@@ -24,7 +24,11 @@ struct HttpLimits {
     std::size_t connections = 64;               ///< at a time; further ones wait until one ends
     std::chrono::milliseconds patience{30000};  ///< for a request to arrive and for a reply to leave
     std::chrono::milliseconds parting{3000};    ///< for replies under way when the server ends
+    std::string token = {};                     ///< that every request must bear; empty: none
 };
+
+/// Whether only this machine reaches the numeric address `host`, or "localhost". Throws InputError for none.
+bool is_loopback(const std::string& host);
 
 /// Serves from its construction to its destruction, in a thread of its own.
 class HttpServer {
@@ -35,9 +39,9 @@ class HttpServer {
     using Handler = std::function<void(const HttpRequest&, Respond)>;
 
     /// Listens at the numeric address `host`, or at the loopback address for "localhost"; port 0 is any free one. What
-    /// HTTP itself does not allow is answered without the handler, in the form of reply(ModelError), and so is a
-    /// request that a web page makes, which a browser would send without asking its user. Throws InputError for an
-    /// address that is none, RunError if it cannot be listened at.
+    /// HTTP itself does not allow is answered without the handler, in the form of reply(ModelError), and so are a
+    /// request without the token (401), and one that a web page makes, which a browser would send without asking its
+    /// user (403). Throws InputError for an address that is none, RunError if it cannot be listened at.
     HttpServer(const std::string& host, int port, const HttpLimits& limits, Handler handler);
     HttpServer(const HttpServer&) = delete;
     HttpServer& operator=(const HttpServer&) = delete;

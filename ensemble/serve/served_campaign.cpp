@@ -97,18 +97,21 @@ std::vector<std::string> given_cases_of(const Campaign& campaign) {
 }
 
 /// Returns the exit status of the run. Throws ModelError where the ice of the point cannot be calibrated.
-int compute(Campaign& campaign, const std::filesystem::path& file, const ServingCores& cores) {
+int compute(Campaign& campaign, const std::filesystem::path& file, const ServingCores& cores, std::mutex& publishing) {
     std::filesystem::create_directories(file.parent_path());
     LocalLink link;
-    RunOptions options{.places = {.campaign_file = file, .existing = Existing::resume},
-                       .threads = cores.threads,
-                       .resume_command = "ask again"};
-    Progress progress(cores.progress, style_of_standard_error());
-    const int threads = threads_of(link, cores.threads);
+    RunOptions options{.places = {.campaign_file = file, .existing = Existing::resume, .publishing = &publishing},
+                       .threads = cores.pool.threads(),
+                       .resume_command = "ask again",
+                       .cores = {&cores.pool, cores.turn}};
+    Progress progress(cores.progress, cores.alone ? style_of_standard_error() : Progress::Style::plain,
+                      cores.alone ? "floes" : fmt::format("floes: {}", file.stem().string()));
     const std::vector<CalibrationRecord> kept = kept_calibrations(options.places);
     try {
-        options.places.calibrations = calibrate_campaign(campaign, kept, threads, progress);
-        settle_moduli(campaign, threads, progress);
+        cores.pool.execute(cores.turn, [&] {
+            options.places.calibrations = calibrate_campaign(campaign, kept, 1, progress);
+            settle_moduli(campaign, 1, progress);
+        });
     } catch (const InputError& error) {
         throw invalid_point(error);
     }
@@ -116,6 +119,18 @@ int compute(Campaign& campaign, const std::filesystem::path& file, const Serving
 }
 
 }  // namespace
+
+FilesInUse::Hold::Hold(FilesInUse& files, std::filesystem::path file) : files_(files), file_(std::move(file)) {
+    std::unique_lock lock(files_.mutex_);
+    files_.left_.wait(lock, [&] { return !files_.files_.contains(file_); });
+    files_.files_.insert(file_);
+}
+
+FilesInUse::Hold::~Hold() {
+    const std::scoped_lock lock(files_.mutex_);
+    files_.files_.erase(file_);
+    files_.left_.notify_all();
+}
 
 ServedCampaign::ServedCampaign(ReadCampaign read, const Campaign& whole, std::vector<ModelInput> inputs,
                                Options options)
@@ -174,19 +189,30 @@ std::filesystem::path ServedCampaign::file_of(const Campaign& campaign) const {
     return options_.folder / fmt::format("{}-{}.h5", campaign.name, fingerprint(one).substr(0, digits_of_a_name));
 }
 
+/// Throws what reading and computing throw.
+ModelAnswer ServedCampaign::answer_from(const std::filesystem::path& file, Campaign& campaign,
+                                        const std::vector<std::string>& outputs, const ServingCores& cores) const {
+    const FilesInUse::Hold hold(files_, file);  // another number of arrangements has the same file
+    const int asked = campaign.arrangements;
+    const auto alone = [&](const auto& read) {
+        const std::scoped_lock lock(files_.reading_or_writing);
+        return read();
+    };
+    if (const auto rows = alone([&] { return kept_members(file, asked); })) return means(*rows, outputs, file);
+    // What is kept is never made less: a campaign that has more is finished, and its first arrangements are taken.
+    campaign.arrangements = std::max(asked, kept_arrangements(file));
+    if (compute(campaign, file, cores, files_.reading_or_writing) == exit_stopped)
+        return ModelError(ModelError::Kind::unavailable, "The server was stopped; what it has computed is kept");
+    return means(alone([&] { return members_of(file, asked); }), outputs, file);
+}
+
 ModelAnswer ServedCampaign::answer(const ModelQuestion& question, const std::vector<std::string>& outputs,
                                    const ServingCores& cores) const {
     std::filesystem::path file;
     try {
         Campaign campaign = at(question);
         file = file_of(campaign);
-        const int asked = campaign.arrangements;
-        if (const auto rows = kept_members(file, asked)) return means(*rows, outputs, file);
-        // What is kept is never made less: a campaign that has more is finished, and its first arrangements are taken.
-        campaign.arrangements = std::max(asked, kept_arrangements(file));
-        if (compute(campaign, file, cores) == exit_stopped)
-            return ModelError(ModelError::Kind::unavailable, "The server was stopped; what it has computed is kept");
-        return means(members_of(file, asked), outputs, file);
+        return answer_from(file, campaign, outputs, cores);
     } catch (const ModelError& error) {
         return error;
     } catch (const InputError& error) {

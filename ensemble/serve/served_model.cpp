@@ -109,16 +109,18 @@ void QuestionQueue::add(const ModelQuestion& question, Tell tell) {
     if (const std::optional<ModelError> refusal = take(question, tell)) tell(*refusal);
 }
 
+QuestionQueue::Waiting* QuestionQueue::like(const ModelQuestion& question) {
+    for (auto& [turn, one] : under_way_)
+        if (one.question.same_point(question)) return &one;
+    for (Waiting& one : waiting_)
+        if (one.question.same_point(question)) return &one;
+    return nullptr;
+}
+
 std::optional<ModelError> QuestionQueue::take(const ModelQuestion& question, const Tell& tell) {
     const std::scoped_lock lock(mutex_);
     if (closed_) return closed_;
-    if (current_ && current_->question.same_point(question)) {
-        current_->told.push_back(tell);
-        return std::nullopt;
-    }
-    const auto same =
-        std::ranges::find_if(waiting_, [&](const Waiting& one) { return one.question.same_point(question); });
-    if (same != waiting_.end()) {
+    if (Waiting* same = like(question); same != nullptr) {
         same->told.push_back(tell);
         return std::nullopt;
     }
@@ -132,23 +134,20 @@ std::optional<ModelError> QuestionQueue::take(const ModelQuestion& question, con
     return std::nullopt;
 }
 
-std::optional<ModelQuestion> QuestionQueue::next(std::chrono::milliseconds patience) {
+std::optional<AskedQuestion> QuestionQueue::next(std::chrono::milliseconds patience) {
     std::unique_lock lock(mutex_);
-    FLOES_EXPECTS(!current_);
     if (!came_.wait_for(lock, patience, [&] { return !waiting_.empty(); })) return std::nullopt;
-    current_ = std::move(waiting_.front());
+    const auto begun = under_way_.emplace(next_turn_++, std::move(waiting_.front())).first;
     waiting_.pop_front();
-    return current_->question;
+    return AskedQuestion{begun->first, begun->second.question};
 }
 
-void QuestionQueue::answer(const ModelAnswer& answer) {
-    std::optional<Waiting> answered;
-    {
-        const std::scoped_lock lock(mutex_);
-        answered = std::exchange(current_, std::nullopt);
-    }
-    FLOES_EXPECTS(answered.has_value());
-    for (const Tell& tell : answered->told) tell(answer);
+void QuestionQueue::answer(std::int64_t turn, const ModelAnswer& answer) {
+    std::unique_lock lock(mutex_);
+    const auto answered = under_way_.extract(turn);
+    lock.unlock();
+    FLOES_EXPECTS(!answered.empty());
+    for (const Tell& tell : answered.mapped().told) tell(answer);
 }
 
 void QuestionQueue::close(const ModelError& why) {
@@ -157,7 +156,7 @@ void QuestionQueue::close(const ModelError& why) {
         const std::scoped_lock lock(mutex_);
         closed_ = why;
         all = std::exchange(waiting_, {});
-        if (current_) all.push_back(*std::exchange(current_, std::nullopt));
+        for (auto& [turn, one] : std::exchange(under_way_, {})) all.push_back(std::move(one));
     }
     for (const Waiting& one : all)
         for (const Tell& tell : one.told) tell(why);

@@ -8,6 +8,7 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -77,26 +78,32 @@ class ModelError : public std::runtime_error {
 
 using ModelAnswer = std::variant<ModelValues, ModelError>;
 
-// Questions wait here for the one thread that answers them, so that each has all cores. Two alike are answered once.
+// Questions wait here for the threads that answer them, in the order in which they came. Two alike are answered once.
+
+/// A question that is being answered.
+struct AskedQuestion {
+    std::int64_t turn = 0;  ///< lower ones came sooner; unique
+    ModelQuestion question;
+};
 
 /// Called from any thread. Every call-back is called once: by answer(), or by close().
 class QuestionQueue {
   public:
     using Tell = std::function<void(const ModelAnswer&)>;
 
-    /// No more than `most` different questions wait, beside the one that is being answered.
+    /// No more than `most` different questions wait, beside those that are being answered.
     explicit QuestionQueue(std::size_t most) : most_(most) {}
 
     /// Lets the question wait. `tell` is called at once with the reason where it cannot.
     void add(const ModelQuestion& question, Tell tell);
 
     /// The question to be answered next, which counts as being answered from now on; none within `patience`.
-    std::optional<ModelQuestion> next(std::chrono::milliseconds patience);
+    std::optional<AskedQuestion> next(std::chrono::milliseconds patience);
 
-    /// Answers the question that next() gave.
-    void answer(const ModelAnswer& answer);
+    /// Answers the question that next() gave with this turn, once.
+    void answer(std::int64_t turn, const ModelAnswer& answer);
 
-    /// Answers all that wait, and all that come later, with `why`.
+    /// Answers all that wait or are being answered, and all that come later, with `why`.
     void close(const ModelError& why);
 
     std::size_t waiting() const;
@@ -107,13 +114,15 @@ class QuestionQueue {
         std::vector<Tell> told;
     };
 
+    Waiting* like(const ModelQuestion& question);
     std::optional<ModelError> take(const ModelQuestion& question, const Tell& tell);
 
     mutable std::mutex mutex_;
     std::condition_variable came_;
     std::size_t most_;
     std::deque<Waiting> waiting_;
-    std::optional<Waiting> current_;
+    std::map<std::int64_t, Waiting> under_way_;  // by turn
+    std::int64_t next_turn_ = 0;
     std::optional<ModelError> closed_;
 };
 

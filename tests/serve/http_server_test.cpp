@@ -8,6 +8,8 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include <fmt/format.h>
+
 #include <array>
 #include <condition_variable>
 #include <mutex>
@@ -110,6 +112,38 @@ TEST(HttpServer, ClosesWhoSaysNothing) {
     limits.patience = std::chrono::milliseconds(50);
     const HttpServer server("127.0.0.1", 0, limits, held.handler());
     EXPECT_EQ(received(sent(server, "GET /a HT")), "");
+}
+
+TEST(HttpServer, AnswersWhoBearsTheToken) {
+    int answered = 0;
+    HttpLimits limits;
+    limits.token = "0123456789abcdef";
+    const HttpServer server("127.0.0.1", 0, limits, [&](const HttpRequest&, const HttpServer::Respond& respond) {
+        ++answered;
+        respond({200, "{}"});
+    });
+    const auto reply_to = [&](const std::string& field) {
+        return received(sent(server, "GET /a HTTP/1.1\r\nConnection: close\r\n" + field + "\r\n"));
+    };
+    EXPECT_THAT(reply_to("Authorization: Bearer 0123456789abcdef\r\n"), HasSubstr("HTTP/1.1 200 OK"));
+    EXPECT_THAT(reply_to("authorization: bearer 0123456789abcdef\r\n"), HasSubstr("HTTP/1.1 200 OK"));
+    EXPECT_EQ(answered, 2);
+    for (const char* wrong : {"0123456789abcdeg", "1123456789abcdef", "0123456789abcde", "0123456789abcdef0",
+                              "0123456789abcdef0123456789abcdef", ""}) {
+        const std::string reply = reply_to(fmt::format("Authorization: Bearer {}\r\n", wrong));
+        EXPECT_THAT(reply, HasSubstr("HTTP/1.1 401 Unauthorized")) << wrong;
+        EXPECT_THAT(reply, HasSubstr("WWW-Authenticate: Bearer"));
+        EXPECT_THAT(reply, testing::Not(HasSubstr("0123456789abcdef")));
+    }
+    EXPECT_THAT(reply_to("Authorization: Bearer 0123456789abcdeg\r\n"), HasSubstr("The token is not that of this"));
+    EXPECT_THAT(reply_to(""), HasSubstr("This server asks for a token; send it in a header"));
+    EXPECT_THAT(reply_to("Authorization: Basic 0123456789abcdef\r\n"), HasSubstr("HTTP/1.1 401"));
+    EXPECT_EQ(answered, 2);
+}
+
+TEST(HttpServer, KnowsWhichAddressesOthersReach) {
+    for (const char* host : {"127.0.0.1", "127.3.2.1", "localhost", "::1"}) EXPECT_TRUE(is_loopback(host)) << host;
+    for (const char* host : {"0.0.0.0", "::", "192.168.1.2"}) EXPECT_FALSE(is_loopback(host)) << host;
 }
 
 TEST(HttpServer, RefusesAnAddressThatItCannotHave) {

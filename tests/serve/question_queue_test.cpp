@@ -38,12 +38,32 @@ TEST(QuestionQueue, AnswersInOrder) {
     queue.add({{1}}, notes.next());
     queue.add({{2}}, notes.next());
     EXPECT_EQ(queue.waiting(), 2u);
-    EXPECT_EQ(queue.next(0ms)->values, std::vector{1.0});
-    queue.answer(value(10));
-    EXPECT_EQ(queue.next(0ms)->values, std::vector{2.0});
-    queue.answer(value(20));
+    const std::optional<AskedQuestion> one = queue.next(0ms);
+    EXPECT_EQ(one->question.values, std::vector{1.0});
+    queue.answer(one->turn, value(10));
+    const std::optional<AskedQuestion> two = queue.next(0ms);
+    EXPECT_EQ(two->question.values, std::vector{2.0});
+    EXPECT_GT(two->turn, one->turn);
+    queue.answer(two->turn, value(20));
     EXPECT_FALSE(queue.next(1ms));
     EXPECT_THAT(notes.said, ElementsAre("10", "20"));
+}
+
+TEST(QuestionQueue, GivesSeveralAtOnce) {
+    QuestionQueue queue(1);
+    Notes notes;
+    std::vector<AskedQuestion> asked;
+    for (const double number : {1.0, 2.0, 3.0}) {
+        queue.add({{number}}, notes.next());
+        asked.push_back(queue.next(0ms).value());
+    }
+    queue.add({{2}}, notes.next());  // is being answered, as the second of them
+    EXPECT_EQ(queue.waiting(), 0u);
+    queue.answer(asked[1].turn, value(20));
+    EXPECT_THAT(notes.said, ElementsAre("20", "20"));
+    queue.answer(asked[2].turn, value(30));
+    queue.close(ModelError(ModelError::Kind::unavailable, "over"));
+    EXPECT_THAT(notes.said, ElementsAre("20", "20", "30", "over"));
 }
 
 TEST(QuestionQueue, AnswersTwoAlikeOnce) {
@@ -53,10 +73,11 @@ TEST(QuestionQueue, AnswersTwoAlikeOnce) {
     queue.add({{1}, {}, {}, true}, notes.next());  // waits with the other, beyond the one place
     queue.add({{1}, 4}, notes.next());             // another number of arrangements is another question
     EXPECT_THAT(notes.said, ElementsAre(HasSubstr("No more than 1 evaluation may wait")));
-    ASSERT_TRUE(queue.next(0ms));
+    const std::optional<AskedQuestion> asked = queue.next(0ms);
+    ASSERT_TRUE(asked);
     queue.add({{1}}, notes.next());  // while it is being answered
     EXPECT_EQ(queue.waiting(), 0u);
-    queue.answer(value(10));
+    queue.answer(asked->turn, value(10));
     EXPECT_EQ(notes.said.size(), 4u);
     EXPECT_EQ(notes.said.back(), "10");
     EXPECT_FALSE(queue.next(0ms));

@@ -8,6 +8,7 @@ PAGE is docs/serve.md, whose block of Python is run.
 
 import concurrent.futures
 import json
+import os
 import pathlib
 import re
 import signal
@@ -37,10 +38,10 @@ design = {method = "sobol", points = 4, axis = [
 class Server:
     """A server in a folder of its own, on a free port."""
 
-    def __init__(self, folder, *options):
+    def __init__(self, folder, *options, **environment):
         (folder / "quick.toml").write_text(CONFIGURATION)
         self.process = subprocess.Popen([PROGRAM, "serve", "quick.toml", "--port", "0", *options], cwd=folder,
-                                        stderr=subprocess.PIPE, text=True)
+                                        stderr=subprocess.PIPE, text=True, env={**os.environ, **environment})
         self.said = ""
         while not (found := re.search(r"(http://127\.0\.0\.1:(\d+))", self.said)):
             line = self.process.stderr.readline()
@@ -79,6 +80,12 @@ class Server:
     def evaluate(self, *values, **config):
         status, reply = self.ask("/Evaluate", {"name": "forward", "input": [list(values)], "config": config})
         return reply["output"] if status == 200 else (status, reply["error"]["type"], reply["error"]["message"])
+
+
+def evaluate_all(server, points, **config):
+    """Each in a thread of its own."""
+    with concurrent.futures.ThreadPoolExecutor(len(points)) as pool:
+        return [one.result() for one in [pool.submit(server.evaluate, *point, **config) for point in points]]
 
 
 class Serve(unittest.TestCase):
@@ -156,13 +163,68 @@ class Serve(unittest.TestCase):
                 one.close()
 
     def test_evaluations_wait(self):
-        with Server(self.folder, "--waiting", "1") as server, concurrent.futures.ThreadPoolExecutor() as pool:
-            asked = [pool.submit(server.evaluate, 0.02 + 0.001 * k, 0.2, arrangements=4) for k in range(6)]
-            answers = [one.result() for one in asked]
-        refused = [one for one in answers if isinstance(one, tuple)]
-        self.assertTrue(1 <= len(refused) <= 5, answers)
-        self.assertTrue(all(one[:2] == (503, "Unavailable") and "No more than 1 evaluation may wait" in one[2]
-                            for one in refused), refused)
+        for at_once in ("1", "2"):
+            with Server(self.folder, "--waiting", "1", "--at-once", at_once, "-o", at_once) as server:
+                answers = evaluate_all(server, [(0.02 + 0.001 * k, 0.2) for k in range(7)], arrangements=4)
+            refused = [one for one in answers if isinstance(one, tuple)]
+            self.assertTrue(1 <= len(refused) <= 6, answers)
+            self.assertTrue(all(one[:2] == (503, "Unavailable") and "No more than 1 evaluation may wait" in one[2]
+                                for one in refused), refused)
+
+    def test_points_at_once_have_the_answers_of_points_in_sequence(self):
+        points = [(0.02 + 0.003 * k, 0.2) for k in range(8)]
+        with Server(self.folder, "--at-once", "8") as server:
+            together = evaluate_all(server, points, standard_errors=True)
+        with Server(self.folder, "--at-once", "1", "-o", "alone", "--threads", "1") as server:
+            self.assertEqual(together, [server.evaluate(*point, standard_errors=True) for point in points])
+        kept = {one.name for one in (self.folder / "quick.served").iterdir()}
+        self.assertEqual(len([one for one in kept if one.endswith(".h5")]), 8)
+        self.assertEqual(kept, {one.name for one in (self.folder / "alone").iterdir()})
+
+    def test_a_point_asked_twice_is_computed_once(self):
+        with Server(self.folder, "--at-once", "4") as server:
+            answers = evaluate_all(server, [(0.03, 0.2)] * 6, arrangements=4)
+            self.assertEqual(answers[1:], answers[:-1])
+            self.assertNotIsInstance(answers[0], tuple)
+            server.end(signal.SIGINT)
+            self.assertEqual(server.said.count("4 members = 1 case x 4 arrangements"), 1, server.said)
+
+    def test_a_signal_during_many_loses_nothing(self):
+        points = [(0.02 + 0.004 * k, 0.3) for k in range(4)]
+        with Server(self.folder, "--at-once", "4") as server, concurrent.futures.ThreadPoolExecutor() as pool:
+            asked = pool.submit(evaluate_all, server, points, arrangements=12)
+            while not any(one.stat().st_size > 10000 for one in (self.folder / "quick.served").glob("*.journal")):
+                time.sleep(0.05)
+            status, seconds = server.end(signal.SIGTERM)
+            self.assertEqual(status, 0)
+            self.assertLess(seconds, 60)
+            stopped = asked.result()
+            self.assertIn((503, "Unavailable"), [one[:2] for one in stopped])
+        begun = [re.search(r"(\d+) of 12 members done and on the disk", line) for line in server.said.splitlines()]
+        kept = sum(int(one[1]) for one in begun if one)
+        self.assertGreater(kept, 0, server.said)
+        with Server(self.folder, "--at-once", "4") as server:
+            together = evaluate_all(server, points, arrangements=12)
+            server.end(signal.SIGINT)
+        reused = [re.search(r"resumed: (\d+) members? reused", line) for line in server.said.splitlines()]
+        self.assertEqual(sum(int(one[1]) for one in reused if one), kept, server.said)
+        with Server(self.folder, "-o", "afresh") as server:
+            self.assertEqual(together, evaluate_all(server, points, arrangements=12))
+
+    def test_token(self):
+        secret = "never-printed-0123456789"
+        (self.folder / "token").write_text(secret + "\n")
+        for options, environment in ((["--token-file", "token"], {}), ([], {"FLOES_TOKEN": secret})):
+            with Server(self.folder, *options, **environment) as server:
+                for headers, sentence in (({}, "asks for a token"),
+                                          ({"Authorization": f"Bearer {secret}0"}, "is not that of this server")):
+                    status, reply = server.ask("/Info", headers=headers)
+                    self.assertEqual(status, 401)
+                    self.assertIn(sentence, reply["error"]["message"])
+                self.assertEqual(server.ask("/Info", headers={"Authorization": f"Bearer {secret}"})[0], 200)
+                server.end(signal.SIGINT)
+                self.assertIn("requests need the token", server.said)
+                self.assertNotIn(secret, server.said)
 
     def test_signals_end_it(self):
         for by in (signal.SIGINT, signal.SIGTERM):
@@ -191,6 +253,8 @@ class Serve(unittest.TestCase):
                                   (["--output", "mean"], "--output mean: this is no quantity"),
                                   (["--case", "E30"], "there is no case E30"),
                                   (["--host", "example.org"], "--host example.org is no address"),
+                                  (["--host", "0.0.0.0"], "at --host 0.0.0.0 other machines can ask"),
+                                  (["--token-file", "quick.toml"], "the token of quick.toml is shorter than 16"),
                                   (["-o", "quick.toml"], "cannot be made a folder"),
                                   (["--set", "field.floes=-1"], "field.floes")):
             done = subprocess.run([PROGRAM, "serve", "quick.toml", "--port", "0", *options], cwd=self.folder,

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <condition_variable>
 #include <csignal>
+#include <mutex>
 #include <sstream>
+#include <thread>
 
 #include "core/error.hpp"
 #include "run/signals.hpp"
@@ -32,8 +35,13 @@ class Served {
         return read_campaign({write_campaign(synthetic::campaign(2)), "synthetic.toml", overrides}, nullptr);
     }
 
-    MemberResult compute(const Campaign& of, int number, const std::stop_token&) {
+    MemberResult compute(const Campaign& of, int number, const std::stop_token& stop) {
         ++computed;
+        if (stopped_by_a_member) {
+            if (!raised_.exchange(true)) std::raise(SIGTERM);
+            while (!stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        if (meeting > 0) meet();
         if (of.cases.size() != 1) throw std::logic_error("more than one case is computed");
         MemberResult result = synthetic::record(of, number).result;
         result.load.mean += 1000 * (of.cases.front().scenario.floe.thickness - 0.03) + static_cast<double>(of.seed) - 7;
@@ -41,12 +49,24 @@ class Served {
         return result;
     }
 
-    ModelAnswer answer(const ModelQuestion& question, const std::vector<std::string>& outputs = {"mean_load"}) {
+    ModelAnswer answer(const ModelQuestion& question, const std::vector<std::string>& outputs = {"mean_load"},
+                       std::int64_t turn = 0) {
         std::ostringstream said;
         return campaign.answer(
             question, outputs,
             {[this](const Campaign& of, int number, const std::stop_token& stop) { return compute(of, number, stop); },
-             2, nullptr, said});
+             pool, turn, nullptr, said});
+    }
+
+    /// Each in a thread of its own.
+    std::vector<ModelAnswer> answer_at_once(const std::vector<ModelQuestion>& questions) {
+        std::vector<ModelAnswer> answers(questions.size());
+        std::vector<std::jthread> threads;
+        for (std::size_t k = 0; k < questions.size(); ++k)
+            threads.emplace_back(
+                [&, k] { answers[k] = answer(questions[k], {"mean_load"}, static_cast<std::int64_t>(k)); });
+        threads.clear();
+        return answers;
     }
 
     double mean(const ModelQuestion& question) {
@@ -59,8 +79,25 @@ class Served {
 
     std::filesystem::path folder;
     ServedCampaign campaign;
+    CorePool pool{2};
     std::atomic<int> computed = 0;
     int failing = -1;
+    int meeting = 0;  ///< of members, each of which waits until so many are being computed; 0: none waits
+    bool stopped_by_a_member = false;  ///< the first raises SIGTERM, and all end once they are told to stop
+
+  private:
+    void meet() {
+        std::unique_lock lock(mutex_);
+        ++came_;
+        changed_.notify_all();
+        if (!changed_.wait_for(lock, std::chrono::seconds(20), [this] { return came_ >= meeting; }))
+            throw MemberFailure("nobody else came");
+    }
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    int came_ = 0;
+    std::atomic<bool> raised_ = false;
 };
 
 TEST(ServedCampaign, AnswersWithMeansAndTheirStandardErrors) {
@@ -170,6 +207,65 @@ TEST(ServedCampaign, IsUnavailableWhereASignalStopsIt) {
         EXPECT_EQ(signals.received(), SIGTERM);
     }
     EXPECT_DOUBLE_EQ(served.mean({{0.03}}), 150.1);
+}
+
+double mean_of(const ModelAnswer& answer) {
+    if (const auto* error = std::get_if<ModelError>(&answer)) ADD_FAILURE() << error->what();
+    return std::holds_alternative<ModelValues>(answer) ? std::get<ModelValues>(answer).means.at(0) : 0;
+}
+
+TEST(ServedCampaign, AnswersManyAtOnceAsOneByOne) {
+    const TemporaryFolder folder;
+    std::vector<ModelQuestion> questions;
+    for (int k = 0; k < 8; ++k) questions.push_back({{0.03 + 0.001 * k}, 1 + k % 3});
+    const StopSignals signals;  // of the server
+    Served together(folder / "together");
+    const std::vector<ModelAnswer> answers = together.answer_at_once(questions);
+    Served alone(folder / "alone");
+    for (std::size_t k = 0; k < questions.size(); ++k) EXPECT_EQ(mean_of(answers[k]), alone.mean(questions[k])) << k;
+    EXPECT_EQ(together.computed, 15);
+    EXPECT_EQ(alone.computed, 15);
+}
+
+TEST(ServedCampaign, GivesACoreOfOnePointToAnother) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    served.meeting = 2;  // cores, and a point has one member
+    const StopSignals signals;
+    for (const ModelAnswer& answer : served.answer_at_once({{{0.03}, 1}, {{0.04}, 1}})) EXPECT_GT(mean_of(answer), 0);
+}
+
+TEST(ServedCampaign, ComputesNothingTwiceAtOnce) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    const StopSignals signals;
+    const std::vector<ModelAnswer> answers =
+        served.answer_at_once({{{0.03}, 4}, {{0.03}, 2}, {{0.03}, 4}, {{0.03}, 3}, {{0.03}, 1}});
+    std::vector<double> means;
+    for (const ModelAnswer& answer : answers) means.push_back(mean_of(answer));
+    EXPECT_THAT(means, ElementsAre(testing::DoubleEq(250.1), testing::DoubleEq(150.1), testing::DoubleEq(250.1),
+                                   testing::DoubleEq(200.1), testing::DoubleEq(100.1)));
+    EXPECT_EQ(served.computed, 4);
+}
+
+TEST(ServedCampaign, KeepsAllThatASignalStops) {
+    const TemporaryFolder folder;
+    const std::vector<ModelQuestion> questions{{{0.03}, 3}, {{0.04}, 3}, {{0.05}, 3}, {{0.045}, 3}};
+    Served served(folder / "kept");
+    {
+        const StopSignals signals;
+        served.stopped_by_a_member = true;
+        for (const ModelAnswer& answer : served.answer_at_once(questions)) {
+            const auto* error = std::get_if<ModelError>(&answer);
+            ASSERT_TRUE(error);
+            EXPECT_EQ(error->kind(), ModelError::Kind::unavailable) << error->what();
+        }
+    }
+    EXPECT_GT(served.computed, 0);
+    served.stopped_by_a_member = false;
+    const StopSignals signals;
+    for (const ModelAnswer& answer : served.answer_at_once(questions)) EXPECT_GT(mean_of(answer), 200);
+    EXPECT_EQ(served.computed, 12) << "a member was lost, or computed twice";
 }
 
 TEST(ServedCampaign, IsOfOneCase) {
