@@ -101,9 +101,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
         });
     }
 
-    /// The server ends: no further request is read.
+    /// The server ends: no further request is read. (A mere cancel() would miss a read between two of its parts.)
     void leave() {
-        if (reading_) stream_.cancel();
+        if (reading_) stream_.close();
     }
 
   private:
