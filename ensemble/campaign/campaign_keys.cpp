@@ -76,12 +76,10 @@ std::optional<std::string> design_fault(const Campaign& campaign, const DesignOf
     }
     if (any) return {};
     return fmt::format(
-        "stop.of = \"{}\" is the {}, which {}: it is of structures that give way (moorings.mass_t) in {}{}{}; "
+        "stop.of = \"{}\" is the {}, which {}: it is of structures that give way (moorings.mass_t) in {}{}; "
         "write \"{}load\", or name another case in stop.case",
         stop.of, of.largest, stop.case_name == "all" ? "no case has" : fmt::format("case {} has not", stop.case_name),
-        motion_names.at(at(of.motions[0])),
-        of.motions[0] == of.motions[1] ? "" : fmt::format(" or {}", motion_names.at(at(of.motions[1]))),
-        of.has == nullptr ? "" : " on lines with a break load", design_prefix);
+        of.motion_words(), of.has == nullptr ? "" : " on lines with a break load", design_prefix);
 }
 
 /// "mean_load", "design_load" and all others that a rule may be of.

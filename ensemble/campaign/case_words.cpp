@@ -565,19 +565,13 @@ Odd size_without_floe(const Case& one) {
 Odd long_period(const Case& one) {
     const Scenario& scenario = one.scenario;
     if (!scenario.moorings.give_way()) return {};
-    double longest = 0;
-    Motion of = Motion::surge;
-    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
-        if (!std::isfinite(mode.period) || mode.period <= longest) continue;
-        longest = mode.period;
-        of = mode.motion;
-    }
-    if (longest <= scenario.analysis.window / fewest_periods) return {};
-    return {
-        fmt::format("{} is shorter than three natural periods of {:.4g} s in {}, so floes design would give no "
-                    "design value of it; take a window of {:.4g} s or more",
-                    given(scenario, "analysis.window_s"), longest, motion_names.at(at(of)), fewest_periods * longest),
-        longest / scenario.analysis.window};
+    const std::optional<NaturalMode> mode = longest_mode(scenario.moorings, scenario.water_stiffness());
+    if (!mode || mode->period <= scenario.analysis.window / fewest_periods) return {};
+    return {fmt::format("{} is shorter than three natural periods of {:.4g} s in {}, so floes design would give no "
+                        "design value of it; take a window of {:.4g} s or more",
+                        given(scenario, "analysis.window_s"), mode->period, motion_names.at(at(mode->motion)),
+                        fewest_periods * mode->period),
+            mode->period / scenario.analysis.window};
 }
 
 constexpr std::array<Oddity, 14> oddities{

@@ -28,18 +28,6 @@ void set_levels(MemberRow& row, std::span<const double> all, std::span<const dou
     }
 }
 
-std::optional<int> member_with_largest_load(const CampaignTable& table,
-                                            const std::function<bool(const MemberRow&)>& counts) {
-    std::optional<int> largest;
-    for (std::size_t k = 0; k < table.members.size(); ++k) {
-        const MemberRow& row = table.members[k];
-        if (!row.done() || !counts(row)) continue;
-        if (!largest || row.load.maximum > table.members[static_cast<std::size_t>(*largest)].load.maximum)
-            largest = static_cast<int>(k);
-    }
-    return largest;
-}
-
 ArrangementRows::ArrangementRows(const Campaign& campaign)
     : group_of_case_(sharing_groups(campaign)), arrangements_(campaign.arrangements) {
     groups_ = *std::ranges::max_element(group_of_case_) + 1;

@@ -83,11 +83,6 @@ struct CampaignTable {
     std::vector<Quantity> quantities() const { return quantities_with(averaging_times); }
 };
 
-/// The number of the done member with the largest surge load in a step of its window, of those that `counts` takes;
-/// none where there is none.
-std::optional<int> member_with_largest_load(const CampaignTable& table,
-                                            const std::function<bool(const MemberRow&)>& counts);
-
 /// The table that read_campaign_file() gives after publish() of the same members.
 CampaignTable campaign_table(const Campaign& campaign, const StoredMembers& members);
 

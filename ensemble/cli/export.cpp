@@ -30,8 +30,7 @@ struct ExportOptions {
     /// What --worst and --quantile compare.
     Asked asked() const {
         if (of.empty() && !quantile) return {};
-        const std::string& word = of.empty() ? std::string("load") : of;
-        return {static_cast<AskedOf>(std::ranges::find(asked_names, word) - asked_names.begin()), averaging};
+        return {of.empty() ? AskedOf::load : *asked_of(of), averaging};
     }
 };
 
@@ -74,8 +73,7 @@ std::string interval_words(const OrderQuantile& found, std::string_view unit) {
 std::string quantile_words(const OrderQuantile& found, double quantile, const Asked& asked, const std::string& name) {
     return fmt::format(
         "Chosen: of {} of case {}, its largest {} in the window, {:.4g} {}, has rank {} from the least and stands for "
-        "the "
-        "quantile {:g} of such members' largest. {}",
+        "the quantile {:g} of such members' largest. {}",
         counted(found.count, "member"), name, asked.words(), found.value, asked.unit(), found.rank, quantile,
         interval_words(found, asked.unit()));
 }
@@ -186,7 +184,7 @@ void add_members(Verb& verb, ExportOptions& options) {
     verb.option("--of", options.of,
                 "What --worst and --quantile compare: load or mooring_force, both over --averaging-s; offset; tension; "
                 "default: the load, of --worst that of a step")
-        .one_of({"load", "mooring_force", "offset", "tension"});
+        .one_of({asked_names.begin(), asked_names.end()});
     verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s")
         .within(0.0, 1000.0)
         .shows_default();

@@ -22,7 +22,7 @@ struct ReplayOptions {
 
     Asked asked() const {
         if (of.empty()) return {};
-        return {static_cast<AskedOf>(std::ranges::find(asked_names, of) - asked_names.begin()), averaging};
+        return {*asked_of(of), averaging};
     }
 };
 
@@ -165,7 +165,7 @@ void add_choices(Verb& verb, ReplayOptions& options) {
             "--of", options.of,
             "What is largest: load or mooring_force, both over --averaging-s; offset; tension of a line, whose moment "
             "is found by computing the member once more; default: the load of a step")
-        .one_of({"load", "mooring_force", "offset", "tension"});
+        .one_of({asked_names.begin(), asked_names.end()});
     verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s")
         .within(0.0, 1000.0)
         .shows_default();

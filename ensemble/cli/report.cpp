@@ -84,11 +84,10 @@ void add_moments(const std::filesystem::path& file, bool all, ReportData& data) 
     tbb::parallel_for(std::size_t{0}, subjects.size(),
                       [&](std::size_t k) { frames[k] = key_frames(subjects[k], times[k]); });
     for (std::size_t k = 0; k < subjects.size(); ++k)
-        data.moments.push_back(
-            {.member = subjects[k].about.member,
-             .of = asked == Asked{} ? "" : std::string{asked_names.at(static_cast<std::size_t>(asked.of))},
-             .pictures = pictures_of(frames[k]),
-             .differences = differences(subjects[k], frames[k].result)});
+        data.moments.push_back({.member = subjects[k].about.member,
+                                .of = asked == Asked{} ? "" : std::string{name_of(asked.of)},
+                                .pictures = pictures_of(frames[k]),
+                                .differences = differences(subjects[k], frames[k].result)});
 }
 
 // floes report: a complete or incomplete campaign as one HTML page.

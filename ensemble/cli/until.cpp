@@ -19,8 +19,7 @@ std::vector<std::string> until_settings(const std::string& text) {
     if (!std::regex_match(text, found, form))
         throw InputError(
             fmt::format("--until \"{}\" is not understood; write what, in how many hours, and how precisely, as "
-                        "\"mooring_force 3 h "
-                        "+- 15 %\" for a design value, or \"mean_load +- 5 %\" for a mean.",
+                        "\"mooring_force 3 h +- 15 %\" for a design value, or \"mean_load +- 5 %\" for a mean.",
                         text));
     const DesignOf* design = find_design_of(found[1].str());
     const std::optional<Quantity> quantity = any_quantity(found[1].str());

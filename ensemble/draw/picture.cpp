@@ -13,6 +13,7 @@
 
 #include "core/units.hpp"
 #include "draw/canvas.hpp"
+#include "tables/figure.hpp"
 #include "tables/units.hpp"
 
 namespace floes {
@@ -46,14 +47,6 @@ double reach(const Projection& projection, const Vec2& size, const Vec3& from, c
 /// Where arrows of the load begin.
 Vec3 middle_of(const Stage& stage, const Frame& frame) {
     return frame.structure.position + Vec3(0, stage.subject().scenario.structure.shape.top(), 0);
-}
-
-/// 1, 2 or 5 times a power of ten, at least `value`.
-double round_number(double value) {
-    const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= value * (1 - 1e-9)) return factor * power;
-    return 10 * power;
 }
 
 /// A bar of this length with ends, and its words behind it; where the next one begins.
@@ -181,8 +174,9 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const P
     const Vec2 corner(size.x() - width, size.y() - height);
     draw_ground(canvas, corner, size);
     const double left = corner.x() + 14 * unit;
-    const double least = 45 * unit;  // a bar is at most two and a half times as long: two and their words fit
-    const double metres = round_number(least / projection.scale());
+    // A bar is at most two and a half times as long: two and their words fit. What is there but for rounding counts.
+    const double least = 45 * unit * (1 - 1e-9);
+    const double metres = round_above(least / projection.scale());
     const double next = draw_bar(canvas, {left, corner.y() + 18 * unit}, metres * projection.scale(),
                                  fmt::format("{:g} m", metres), unit);
     const std::string through =
@@ -193,7 +187,7 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const P
         if (lines) draw_sample(canvas, {x, second}, line_violet, "mooring line", unit);
         return;
     }
-    const double force = round_number(least / newton);
+    const double force = round_above(least / newton);
     const Units::Shown newtons = Units(10 * force).of("N");  // the shorter number
     draw_bar(canvas, {next, corner.y() + 18 * unit}, force * newton,
              fmt::format("{:g} {unit}; on floes {:g} {unit}", force * newtons.factor,

@@ -422,7 +422,7 @@ json history(const Recording& recording, double from, double to) {
                {"sway", points(loads.sway)},
                {"heave", points(loads.heave)}};
     for (const AskedOf of : of_hull(recording.outcome().hull))
-        found[std::string{asked_names.at(static_cast<std::size_t>(of))}] =
+        found[std::string{name_of(of)}] =
             points(asked_history({of, recording.subject().asked.averaging}, loads, recording.outcome().hull, step));
     return found;
 }
@@ -433,10 +433,7 @@ json hull_histories(const Recording& recording) {
     json all = json::array();
     for (const AskedOf of : of_hull(recording.outcome().hull)) {
         const Asked one{of, asked.averaging};
-        all.push_back({{"key", asked_names.at(static_cast<std::size_t>(of))},
-                       {"words", one.words()},
-                       {"unit", one.unit()},
-                       {"asked", of == asked.of}});
+        all.push_back({{"key", name_of(of)}, {"words", one.words()}, {"unit", one.unit()}, {"asked", of == asked.of}});
     }
     return all;
 }

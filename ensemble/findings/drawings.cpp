@@ -191,14 +191,6 @@ int common_arrangement(const Sample& sample) {
     return found == done.end() ? -1 : static_cast<int>(found - done.begin());
 }
 
-/// The next larger of 1, 2 and 5 times a power of ten.
-double round_above(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    for (const double digit : {1.0, 2.0, 5.0})
-        if (digit * power >= value) return digit * power;
-    return 10 * power;
-}
-
 Figure history_figure(const Summary& summary, std::vector<DrawnHistory> histories) {
     double largest = 0;
     double end = 0;

@@ -110,7 +110,13 @@ std::string replay_command(const Evidence& evidence, int member, std::string_vie
 }
 
 std::optional<int> most_loaded_member(const Evidence& evidence) {
-    return member_with_largest_load(evidence.table, [](const MemberRow&) { return true; });
+    const std::vector<MemberRow>& members = evidence.table.members;
+    std::optional<int> most;
+    for (std::size_t k = 0; k < members.size(); ++k)
+        if (members[k].done() &&
+            (!most || members[k].load.maximum > members[static_cast<std::size_t>(*most)].load.maximum))
+            most = static_cast<int>(k);
+    return most;
 }
 
 }  // namespace floes

@@ -80,7 +80,7 @@ std::string undrawn_text(const Summary& summary);
 /// What plays the worst moment of a member in a browser; `of`: as floes replay --of, empty: the load of a step.
 std::string replay_command(const Evidence& evidence, int member, std::string_view of = {});
 
-/// The done member with the largest load; none where none is done.
+/// The done member with the largest load of a step in its window; none where none is done.
 std::optional<int> most_loaded_member(const Evidence& evidence);
 
 }  // namespace floes

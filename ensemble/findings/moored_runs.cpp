@@ -368,11 +368,7 @@ std::string no_response(const Evidence& evidence, const DesignOf& of) {
     return fmt::format(
         "{}: no case gives way in {}. moorings.mass_t makes a structure give way, moorings.free says in which motions. "
         "--mooring-kN-m, --mass-t and --damping-percent move a hull by the stored loads of a fixed one.{}",
-        of.title,
-        of.motions[0] == of.motions[1]
-            ? std::string(motion_names.at(at(of.motions[0])))
-            : fmt::format("{} or {}", motion_names.at(at(of.motions[0])), motion_names.at(at(of.motions[1]))),
-        of.has == nullptr ? "" : " Lines that never break (a break load of 0) have none.");
+        of.title, of.motion_words(), of.has == nullptr ? "" : " Lines that never break (a break load of 0) have none.");
 }
 
 }  // namespace

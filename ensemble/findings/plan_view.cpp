@@ -147,18 +147,6 @@ void add_arrow(Figure& figure, const Vec2& from, const Vec2& to, double head, co
     figure.area(std::move(tip), style);
 }
 
-namespace {
-
-/// 1, 2 or 5 times a power of ten, at most `value`.
-double round_below(double value) {
-    const double power = std::pow(10, std::floor(std::log10(value)));
-    for (const double factor : {5.0, 2.0})
-        if (factor * power <= value) return factor * power;
-    return power;
-}
-
-}  // namespace
-
 void add_scale_bar(Figure& figure) {
     const double width = figure.x.high - figure.x.low;
     const double height = figure.y.high - figure.y.low;
@@ -170,6 +158,14 @@ void add_scale_bar(Figure& figure) {
     for (const double at : {x, x + length}) figure.line({{at, y - end}, {at, y + end}}, "");
     figure.line({{x, y}, {x + length, y}}, "");
     figure.text(x + length + 0.008 * width, y, fmt::format("{:g} m", length), "start", "halo");
+}
+
+void add_hull_from_abeam(Figure& figure, const Shape& shape) {
+    for (const std::vector<Vec2>& piece : shape.side_view()) {
+        Figure::Points outline;
+        for (const Vec2& point : piece) outline.emplace_back(point.x(), point.y());
+        figure.area(std::move(outline), "structure");
+    }
 }
 
 Figure elevation_of(const Scenario& scenario, const std::string& names, double widest) {
@@ -192,11 +188,7 @@ Figure elevation_of(const Scenario& scenario, const std::string& names, double w
                      {sign * reach, freeboard},
                      {sign * beside, freeboard}},
                     "ice");
-    for (const std::vector<Vec2>& piece : shape.side_view()) {
-        Figure::Points outline;
-        for (const Vec2& point : piece) outline.emplace_back(point.x(), point.y());
-        figure.area(std::move(outline), "structure");
-    }
+    add_hull_from_abeam(figure, shape);
     figure.level(0, "dashed");
     return figure;
 }

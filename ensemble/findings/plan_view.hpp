@@ -51,6 +51,9 @@ void add_arrow(Figure& figure, const Vec2& from, const Vec2& to, double head, co
 /// A bar of about a sixth of the figure's width, with its length in words, at the lower left.
 void add_scale_bar(Figure& figure);
 
+/// Its pieces, the axis at 0 and the calm water at height 0.
+void add_hull_from_abeam(Figure& figure, const Shape& shape);
+
 /// The hull from abeam, the water and the ice beside it. `names` stands before the unit of the axis.
 Figure elevation_of(const Scenario& scenario, const std::string& names, double widest);
 

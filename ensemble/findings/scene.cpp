@@ -165,15 +165,18 @@ void add_way(Figure& plan, const Drawn& of) {
     if (end.x() <= plan.x.high) plan.legend.emplace_back("", "dashed: hull at the end");
 }
 
+bool leaves(const Figure& plan, const LaidLine& line) {
+    return line.anchor.x() < plan.x.low || line.anchor.x() > plan.x.high || line.anchor.z() < plan.y.low ||
+           line.anchor.z() > plan.y.high;
+}
+
 void add_lines(Figure& plan, const Drawn& of) {
     for (const LaidLine& line : of.lines) {
         Figure::Points points;
         for (const Vec3& point : line.course) points.emplace_back(point.x(), point.z());
         add_clipped(plan, points, "c3");
         plan.dot(line.fairlead.x(), line.fairlead.z(), "c3", 2);
-        const bool within = line.anchor.x() >= plan.x.low && line.anchor.x() <= plan.x.high &&
-                            line.anchor.z() >= plan.y.low && line.anchor.z() <= plan.y.high;
-        if (within) plan.cross(line.anchor.x(), line.anchor.z(), "c3 thick", 4);
+        if (!leaves(plan, line)) plan.cross(line.anchor.x(), line.anchor.z(), "c3 thick", 4);
     }
     if (!of.lines.empty()) plan.legend.emplace_back("c3", "mooring lines, × anchors");
     const Turret& turret = of.scenario.moorings.turret;
@@ -262,11 +265,6 @@ Figure hull_of(const Drawn& of) {
     return figure;
 }
 
-bool leaves(const Figure& plan, const LaidLine& line) {
-    return line.anchor.x() < plan.x.low || line.anchor.x() > plan.x.high || line.anchor.z() < plan.y.low ||
-           line.anchor.z() > plan.y.high;
-}
-
 /// All lines to their anchors from above, and the ice among them.
 Figure anchors_of(const Drawn& of) {
     Seen seen;
@@ -309,11 +307,7 @@ Figure hanging_of(const Drawn& of) {
     };
     slab(-depth, 0, "water");
     slab(figure.y.low, -depth, "sheet");
-    for (const std::vector<Vec2>& piece : of.shape().side_view()) {
-        Figure::Points outline;
-        for (const Vec2& point : piece) outline.emplace_back(point.x(), point.y());
-        figure.area(std::move(outline), "structure");
-    }
+    add_hull_from_abeam(figure, of.shape());
     for (const LaidLine& line : of.lines) {
         if (!line.hangs) continue;
         Figure::Points points;

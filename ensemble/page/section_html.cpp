@@ -414,14 +414,7 @@ std::vector<double> ticks(const Axis& axis, int most) {
         return found;
     }
     const double rough = (axis.high - axis.low) / most;
-    const double power = std::pow(10.0, std::floor(std::log10(rough)));
-    double step = 10 * power;
-    for (const double digit : {1.0, 2.0, 5.0}) {
-        if (digit * power >= rough) {
-            step = digit * power;
-            break;
-        }
-    }
+    double step = round_above(rough);
     if (axis.step > 0) step = axis.step;
     const double slack = 1e-9 * (axis.high - axis.low);
     for (double i = std::ceil((axis.low - slack) / step); i * step <= axis.high + slack; ++i) found.push_back(i * step);

@@ -9,6 +9,12 @@
 
 namespace floes {
 
+std::optional<AskedOf> asked_of(std::string_view name) {
+    const auto* found = std::ranges::find(asked_names, name);
+    if (found == asked_names.end()) return {};
+    return static_cast<AskedOf>(found - asked_names.begin());
+}
+
 std::string Asked::words() const {
     const char* what = "load";
     switch (of) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,6 +24,12 @@ enum class AskedOf : std::uint8_t {
 };
 
 inline constexpr std::array<std::string_view, 4> asked_names{"load", "mooring_force", "offset", "tension"};
+
+constexpr std::string_view name_of(AskedOf of) {
+    return asked_names.at(static_cast<std::size_t>(of));
+}
+/// None of another word.
+std::optional<AskedOf> asked_of(std::string_view name);
 
 struct Asked {
     AskedOf of = AskedOf::load;

@@ -92,10 +92,10 @@ constexpr std::array<HullColumn, 4> hull_columns{
 Asked read_asked(hid_t file) {
     if (!hdf5::has_attribute(file, "largest_of")) return {};
     const std::string name = hdf5::read_text_attribute(file, "largest_of");
-    const auto found = std::ranges::find(asked_names, name);
-    if (found == asked_names.end()) hdf5::refuse_damaged(file, "largest_of is none of " + name);
+    const std::optional<AskedOf> of = asked_of(name);
+    if (!of) hdf5::refuse_damaged(file, "largest_of is none of " + name);
     const int milliseconds = hdf5::read_int_attribute(file, "averaging_ms").at(0);
-    return {static_cast<AskedOf>(found - asked_names.begin()), milliseconds / 1e3};
+    return {*of, milliseconds / 1e3};
 }
 
 /// Both throw InputError for files that are damaged.
@@ -444,7 +444,7 @@ void write_root(hid_t file, const RecordingSubject& subject) {
     hdf5::write_attribute(file, "case", subject.case_name);
     write_number("member", subject.member);
     write_number("arrangement", subject.arrangement);
-    hdf5::write_attribute(file, "largest_of", std::string(asked_names.at(static_cast<std::size_t>(subject.asked.of))));
+    hdf5::write_attribute(file, "largest_of", std::string(name_of(subject.asked.of)));
     write_number("averaging_ms", static_cast<std::int32_t>(std::lround(1e3 * subject.asked.averaging)));
     hdf5::write_attribute(file, "time_step", subject.scenario.general.time_step);
 }

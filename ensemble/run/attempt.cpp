@@ -173,6 +173,7 @@ Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, 
     const Deadline deadline(limits, member, stuck);
     return attempt_at(compute, campaign, number, limits, attempting, [&deadline] { return deadline.passed(); });
 }
+
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -196,7 +196,7 @@ void Recorder::finish(const std::string& outcome) {
     if (places_.with_file) publish_now();
     if (outcome.starts_with("complete"))
         remove_saved(places_.campaign_file, [](const MemberIdentity&) { return false; });
-    else
+    else if (!places_.with_file)
         remove_saved_of_done();
     std::error_code ignored;
     fs::remove(heartbeat_path(places_.campaign_file), ignored);

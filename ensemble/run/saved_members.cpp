@@ -176,6 +176,12 @@ class LongMember {
   private:
     void say(const std::string& sentence) const { fmt::print(stderr, "floes: member {} {}\n", number_, sentence); }
 
+    /// Made once: it reads the whole program.
+    const std::string& stamp() {
+        if (stamp_.empty()) stamp_ = saved_stamp(campaign_, number_);
+        return stamp_;
+    }
+
     void begin_anew(const std::string& why) {
         say(fmt::format("begins at its start, since {} cannot be used: {}", path_.string(), why));
         before_ = {};
@@ -185,7 +191,7 @@ class LongMember {
     void take_up() {
         if (!fs::exists(path_)) return;
         try {
-            before_ = read_saved(path_, saved_stamp(campaign_, number_)).value_or(SavedMember{});
+            before_ = read_saved(path_, stamp()).value_or(SavedMember{});
         } catch (const std::exception& error) {
             begin_anew(error.what());
         }
@@ -243,7 +249,7 @@ class LongMember {
     void save(const Simulation& simulation, Clock::time_point now) {
         const double cpu = cpu_seconds_of_this_thread() - cpu_begin_;
         try {
-            write_saved(path_, saved_stamp(campaign_, number_),
+            write_saved(path_, stamp(),
                         {before_.wall_time + seconds_between(begin_, now), before_.cpu_time + cpu, simulation.saved()});
         } catch (const std::exception& error) {
             if (!std::exchange(said_, true)) say(fmt::format("is not saved: {}", error.what()));
@@ -257,6 +263,7 @@ class LongMember {
     const Attempting& attempting_;
     fs::path path_;
     double interval_;
+    std::string stamp_;
     SavedMember before_;  // of earlier runs
     Clock::time_point begin_ = Clock::now();
     double cpu_begin_ = cpu_seconds_of_this_thread();

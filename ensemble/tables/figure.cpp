@@ -8,6 +8,20 @@
 
 namespace floes {
 
+double round_above(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double digit : {1.0, 2.0, 5.0})
+        if (digit * power >= value) return digit * power;
+    return 10 * power;
+}
+
+double round_below(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double digit : {5.0, 2.0})
+        if (digit * power <= value) return digit * power;
+    return power;
+}
+
 Axis axis_around(std::string label, std::span<const double> values, bool with_zero, std::string unit) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;

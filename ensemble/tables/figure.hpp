@@ -21,6 +21,10 @@ struct Axis {
     bool downwards = false;               ///< values grow down the page, as +z does from above
 };
 
+/// The next larger, and the next smaller, of 1, 2 and 5 times a power of ten; of a value above 0.
+double round_above(double value);
+double round_below(double value);
+
 /// An axis with a margin around the finite `values`; `with_zero`: the range includes 0.
 Axis axis_around(std::string label, std::span<const double> values, bool with_zero, std::string unit = {});
 

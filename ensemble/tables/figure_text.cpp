@@ -200,10 +200,7 @@ class Screen {
     /// About a fifth of the width.
     std::string bar() const {
         const double width = columns_ * dots_across * metres_;
-        const double power = std::pow(10, std::floor(std::log10(width / 5)));
-        double length = power;
-        for (const double factor : {2.0, 5.0})
-            if (factor * power <= width / 5) length = factor * power;
+        const double length = round_below(width / 5);
         const int letters = std::max(2, static_cast<int>(std::lround(length / metres_ / dots_across)));
         std::string line(signs_.bar_end);
         for (int k = 2; k < letters; ++k) line += signs_.bar;

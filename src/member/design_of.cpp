@@ -69,6 +69,11 @@ bool DesignOf::is_of(const Scenario& scenario) const {
            (has == nullptr || has(moorings));
 }
 
+std::string DesignOf::motion_words() const {
+    const std::string first{motion_names.at(at(motions[0]))};
+    return motions[0] == motions[1] ? first : first + " or " + std::string{motion_names.at(at(motions[1]))};
+}
+
 const DesignOf* find_design_of(std::string_view word) {
     const auto found = std::ranges::find(design_ofs, word, &DesignOf::word);
     return found == design_ofs.end() ? nullptr : &*found;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct DesignOf {
 
     /// Whether members of the scenario have it.
     bool is_of(const Scenario& scenario) const;
+    /// "surge or sway": the motions that it is of.
+    std::string motion_words() const;
     /// Of the scale, by Froude.
     int power() const { return unit == "N" ? 3 : unit == "m" ? 1 : 0; }
     /// For people, who are shown angles in degrees.

@@ -114,13 +114,8 @@ Swing longest_swing(const Scenario& scenario) {
     Contradictions found;
     check_moorings(alone, found);
     if (!found.empty()) return {};
-    Swing longest;
-    for (const NaturalMode& mode : natural_modes(scenario.moorings, scenario.water_stiffness())) {
-        if (weathervanes(scenario.moorings, mode) || !std::isfinite(mode.period) || mode.period <= longest.period)
-            continue;
-        longest = {mode.period, motion_names.at(at(mode.motion))};
-    }
-    return longest;
+    const std::optional<NaturalMode> longest = longest_mode(scenario.moorings, scenario.water_stiffness());
+    return longest ? Swing{longest->period, motion_names.at(at(longest->motion))} : Swing{};
 }
 
 /// A length of a field, which all cases share, and why.

@@ -280,6 +280,13 @@ std::vector<NaturalMode> natural_modes(const Moorings& moorings, const Mat6& wat
     return modes;
 }
 
+std::optional<NaturalMode> longest_mode(const Moorings& moorings, const Mat6& water) {
+    std::optional<NaturalMode> longest;
+    for (const NaturalMode& mode : natural_modes(moorings, water))
+        if (std::isfinite(mode.period) && (!longest || mode.period > longest->period)) longest = mode;
+    return longest;
+}
+
 bool weathervanes(const Moorings& moorings, const NaturalMode& mode) {
     return std::isinf(mode.period) && mode.motion == Motion::yaw && moorings.turret.any() && moorings.turret.ahead > 0;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <numbers>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -244,6 +245,9 @@ bool weathervanes(const Moorings& moorings, const NaturalMode& mode);
 /// All natural modes, one for each direction in which it gives way, by Motion. `water`: its stiffness
 /// (water_stiffness() in shapes/hydrostatics.hpp). The inertia is positive definite.
 std::vector<NaturalMode> natural_modes(const Moorings& moorings, const Mat6& water);
+
+/// Of those with a finite period the one with the longest; none where there is none.
+std::optional<NaturalMode> longest_mode(const Moorings& moorings, const Mat6& water);
 
 /// A matrix of a radiation program (x ahead, y to port, z up; surge, sway, heave, roll, pitch, yaw) in floes' order and
 /// axes, in which sway and pitch change sign. The only place that knows.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "member/run_member.hpp"
-#include "support/sweeping_scenario.hpp"
+#include "support/short_scenario.hpp"
 
 namespace floes {
 namespace member_function_test {
@@ -16,16 +16,7 @@ Campaign short_campaign() {
     made.name = "short";
     made.seed = 7;
     made.arrangements = 2;
-    Scenario scenario = sweeping_scenario();
-    scenario.field.floes = 4;
-    scenario.field.concentration = 0.4;
-    scenario.field.begin = 2.0;
-    scenario.field.half_width = 1.25;
-    scenario.arrangement.sweeps = 50;
-    scenario.structure.start = 1.38;
-    scenario.structure.speed = 0.5;
-    scenario.analysis.steady_start = 0.2;
-    scenario.analysis.window = 2.0;
+    Scenario scenario = short_scenario();
     made.cases.push_back({"soft", scenario});
     scenario.joint.cfm = 1e-10;
     made.cases.push_back({"stiff", scenario});

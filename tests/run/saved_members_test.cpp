@@ -10,7 +10,7 @@
 #include "core/error.hpp"
 #include "member/run_member.hpp"
 #include "support/file_bytes.hpp"
-#include "support/sweeping_scenario.hpp"
+#include "support/short_scenario.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -22,17 +22,7 @@ Campaign short_campaign() {
     made.name = "short";
     made.seed = 7;
     made.arrangements = 2;
-    Scenario scenario = sweeping_scenario();
-    scenario.field.floes = 4;
-    scenario.field.concentration = 0.4;
-    scenario.field.begin = 2.0;
-    scenario.field.half_width = 1.25;
-    scenario.arrangement.sweeps = 50;
-    scenario.structure.start = 1.38;
-    scenario.structure.speed = 0.5;
-    scenario.analysis.steady_start = 0.2;
-    scenario.analysis.window = 2.0;
-    made.cases.push_back({"only", scenario});
+    made.cases.push_back({"only", short_scenario()});
     return made;
 }
 
