@@ -1,7 +1,8 @@
 # Members that are stopped or killed in their middle go on where they were saved, on any rank, to the same file.
 source "$(dirname "$0")/common.sh"
 
-channel 12 1 96.0 > long.toml  # of two cases: two members
+# Of two cases: two members. Of some seconds each, so that none ends between its first save and the signal.
+channel 12 1 96.0 0.004 > long.toml
 SAVING=(--checkpoint-min 0.005 --threads 2)
 
 # wait_for_saved NAME: until both members have a file.

@@ -21,10 +21,11 @@ fi
 touch $FOLDER/held.\$part
 nice -n 10 $PROGRAM "\$@" &  # so that what watches it is not late
 child=\$!
-trap 'kill -USR1 \$child; kill -CONT \$child' USR1 TERM
+source $FLOES_HOME/tests/slurm/sleeping.sh
+trap 'ask_and_wake \$child' USR1 TERM
 # A journal with a member: 2.6 kB of header, 1.4 kB of session at most, 4.3 kB of a member at least.
 until [[ \$(stat -c %s $FOLDER/campaign.part\$part.journal 2> /dev/null || echo 0) -gt 6000 ]]; do sleep 0.02; done
-kill -STOP \$child
+put_to_sleep \$child
 touch $FOLDER/asleep.\$part
 while kill -0 \$child 2> /dev/null; do wait \$child; done
 wait \$child
