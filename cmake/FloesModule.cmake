@@ -30,10 +30,11 @@ function(floes_module path)
   set_target_properties(floes_${name} PROPERTIES UNITY_BUILD ${FLOES_UNITY} UNITY_BUILD_BATCH_SIZE 10)
 endfunction()
 
-# No FMA contraction: the same bits on every CPU and at every lane width.
+# No FMA contraction: the same bits on every CPU and at every lane width. Modules are in the shared library of FMUs too,
+# which exports no symbol of theirs.
 function(floes_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_compile_options(${target} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic
+  target_compile_options(${target} PRIVATE -ffp-contract=off -fPIC -fvisibility=hidden -Wall -Wextra -Wpedantic
                          -Wshadow$<$<BOOL:${FLOES_UNITY}>:=local>  # a constant of another source is no shadow
                          -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${FLOES_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()

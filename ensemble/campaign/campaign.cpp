@@ -38,6 +38,18 @@ std::uint64_t arrangement_seed(const Campaign& campaign, int case_index) {
     return digest64(fmt::format("seed {} case {}", campaign.seed, name));
 }
 
+const Case& chosen_case(const Campaign& campaign, const std::string& name) {
+    if (campaign.cases.size() == 1 && name.empty()) return campaign.cases.front();
+    const auto found = std::ranges::find(campaign.cases, name, &Case::name);
+    if (found != campaign.cases.end()) return *found;
+    std::vector<std::string> names;
+    for (const Case& one : campaign.cases) names.push_back(one.name);
+    throw InputError(
+        name.empty()
+            ? fmt::format("one case is taken, and this campaign has several; name it with --case: {}", name_list(names))
+            : fmt::format("there is no case {}; the cases are {}", name, name_list(names)));
+}
+
 std::optional<std::size_t> base_case(const Campaign& campaign) {
     const auto found = std::ranges::find(campaign.cases, campaign.run.base_case, &Case::name);
     if (found == campaign.cases.end()) return {};

@@ -108,6 +108,9 @@ MemberKey member_key(const Campaign& campaign, int number);
 /// common, otherwise one that the case's name gives.
 std::uint64_t arrangement_seed(const Campaign& campaign, int case_index);
 
+/// The campaign's case of that name, or its only one where none is named. Throws InputError if there is none.
+const Case& chosen_case(const Campaign& campaign, const std::string& name);
+
 /// Index of run.base_case; none where it is not given.
 std::optional<std::size_t> base_case(const Campaign& campaign);
 

@@ -1,10 +1,11 @@
-// floes export: the load of members as files that other programs read.
+// floes export: the load of members as files that other programs read, or a member as an FMU that they step.
 
 #include <algorithm>
 #include <filesystem>
 
 #include "campaign_file/read.hpp"
 #include "cli/commands.hpp"
+#include "cli/export_fmu.hpp"
 #include "inference/order_quantile.hpp"
 #include "load_files/read_loads.hpp"
 #include "replay/replay_member.hpp"
@@ -25,6 +26,7 @@ struct ExportOptions {
     double averaging = 1;  ///< s
     std::string axes = "earth";
     LoadRequest request;
+    FmuOptions fmu;
 
     const LoadFormat& written() const { return *std::ranges::find(load_formats(), format, &LoadFormat::word); }
     /// What --worst and --quantile compare.
@@ -131,6 +133,10 @@ std::string path_of(const std::string& output, int member, bool several) {
 }
 
 void expect_sense(const ExportOptions& options) {
+    if (options.format.empty() || options.output.empty())
+        throw InputError(
+            "Of a campaign file, --for says which program reads the load and -o names the file; of a configuration, "
+            "--fmu names the FMU.");
     const LoadFormat& format = options.written();
     if (std::ranges::none_of(format.endings, [&](std::string_view end) { return options.output.ends_with(end); }))
         throw InputError(fmt::format("{} would be a file for {}: give a name that ends with {}.", options.output,
@@ -147,6 +153,15 @@ void expect_sense(const ExportOptions& options) {
     if (ways > 1) throw InputError("Give one of --member, --worst, --quantile and --all: each chooses members.");
     if (!options.numbers.empty() && (!options.member.case_name.empty() || options.member.arrangement))
         throw InputError("--member names members by number; leave --case and --arrangement out.");
+}
+
+int make_fmu(const ExportOptions& options) {
+    if (!options.format.empty() || !options.output.empty() || !options.numbers.empty() || options.all ||
+        options.member.worst || options.quantile)
+        throw InputError("--fmu makes an FMU of a configuration: of the options for loads it takes --case alone.");
+    FmuOptions fmu = options.fmu;
+    fmu.arrangement = options.member.arrangement;
+    return write_fmu(fmu, options.file, options.member.case_name);
 }
 
 int write_loads(const ExportOptions& options) {
@@ -215,8 +230,9 @@ void add_series(Verb& verb, ExportOptions& options) {
 
 void add_export(CommandLine& line) {
     auto options = std::make_shared<ExportOptions>();
-    Verb verb = line.verb("export", "The load of members as files for OpenFAST, SubDyn, OrcaFlex, or as a table");
-    verb.option("file", options->file, "The campaign file (CAMPAIGN.h5)").required();
+    Verb verb =
+        line.verb("export", "The load of members as files for OpenFAST, SubDyn, OrcaFlex, or as a table; or an FMU");
+    verb.option("file", options->file, "The campaign file (CAMPAIGN.h5); for --fmu the configuration").required();
     std::vector<std::string> words;
     std::string help = "What reads it";
     for (const LoadFormat& format : load_formats()) {
@@ -224,21 +240,24 @@ void add_export(CommandLine& line) {
         help += fmt::format("{} {} ({}), {}", words.size() > 1 ? ";" : ":", format.word,
                             fmt::join(format.endings, ", "), format.words);
     }
-    verb.option("--for", options->format, help).one_of(words).required();
+    verb.option("--for", options->format, help).one_of(words);
     verb.option("-o,--output", options->output,
                 "The file; of several members its name gets their numbers, and what belongs to it stands beside it")
-        .writes_file()
-        .required();
+        .writes_file();
     add_members(verb, *options);
     add_series(verb, *options);
+    add_fmu_options(verb, options->fmu);
     verb.footer(
         "Each file says which member it is of, axes, signs, point and units. The load is that of the run's own hull:\n"
-        "another program's hull cannot move away from it. docs/coupling.md says what that neglects.\n\n"
+        "another program's hull cannot move away from it. An FMU is stepped by another program and does. "
+        "docs/coupling.md\n"
+        "says what each neglects.\n\n"
+        "  floes export my.toml --fmu ice.fmu --case E60\n"
         "  floes export my.h5 --worst --for csv -o worst.csv\n"
         "  floes export my.h5 --case E60 --quantile 0.9 --for openfast -o ice.dat --step 0.05\n"
         "  floes export my.h5 --member 3,7 --for subdyn -o ice.csv --tow-towards 180\n"
         "  floes export my.h5 --all --for csv -o ice.csv --from 100 --to 250");
-    verb.runs([options] { return write_loads(*options); });
+    verb.runs([options] { return options->fmu.file.empty() ? write_loads(*options) : make_fmu(*options); });
 }
 
 }  // namespace floes

@@ -215,18 +215,6 @@ Campaign load_campaign(const std::string& name, const std::vector<std::string>& 
     return campaign;
 }
 
-const Case& chosen_case(const Campaign& campaign, const std::string& name) {
-    if (campaign.cases.size() == 1 && name.empty()) return campaign.cases.front();
-    const auto found = std::ranges::find(campaign.cases, name, &Case::name);
-    if (found != campaign.cases.end()) return *found;
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
-    throw InputError(
-        name.empty()
-            ? fmt::format("one case is taken, and this campaign has several; name it with --case: {}", name_list(names))
-            : fmt::format("there is no case {}; the cases are {}", name, name_list(names)));
-}
-
 Option add_overrides(OptionList& verb, std::vector<std::string>& overrides) {
     // One value for each --set: the next word is an argument of the verb.
     return verb.option("--set", overrides, "key=value: override a key of the file; may be repeated").one_each();

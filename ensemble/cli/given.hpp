@@ -69,9 +69,6 @@ std::string find_config(const std::string& name);
 /// InputError.
 Campaign load_campaign(const std::string& name, const std::vector<std::string>& overrides);
 
-/// The campaign's case of that name, or its only one where none is named. Throws InputError if there is none.
-const Case& chosen_case(const Campaign& campaign, const std::string& name);
-
 // Options that several verbs have.
 
 /// The option --set of a verb that reads a configuration: key=value, repeatable, into `overrides`.

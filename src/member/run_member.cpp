@@ -14,6 +14,7 @@
 #include "member/design_of.hpp"
 #include "member/quantity.hpp"
 #include "member/result.hpp"
+#include "member/stepped_member.hpp"
 #include "simulation/simulation.hpp"
 #include "statistics/load_statistics.hpp"
 
@@ -178,12 +179,13 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
                         const Watcher& watch, std::span<const std::byte> saved) {
     const auto start = std::chrono::steady_clock::now();
     const double cpu_start = cpu_seconds_of_this_thread();  // one thread computes a member from start to end
-    auto [floes, ahead] = lay_field(scenario, seed, arrangement);
+    SteppedMember member(scenario, seed, arrangement);
+    const Arrangement& floes = member.floes();
+    Simulation& simulation = member.simulation();
     MemberResult result;
     result.arrangement = floes.poses();
     if (floes_may_differ(scenario)) result.floe_properties = properties_of(floes);
     result.psi4 = floes.psi4;
-    Simulation simulation(scenario, floes, std::move(ahead));
     if (!saved.empty()) go_on_from(saved, simulation);
     try {
         if (!simulation.run(stop, watch)) {

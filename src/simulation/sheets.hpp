@@ -63,8 +63,8 @@ class Sheets {
     /// touch it.
     void read(const World& world, const StructurePose& structure, double time);
 
-    /// Throws MemberFailure when the structure, which its moorings have let go by `offset` (m along x and z), has come
-    /// to a fixed sheet.
+    /// Throws MemberFailure when the structure, which is `offset` (m along x and z) from where its tow or path would
+    /// have it, has come to a fixed sheet.
     void check_fixed(const StructurePose& structure, const Vec2& offset, double time) const;
 
     const std::vector<SheetMotion>& motions() const { return motions_; }

@@ -214,9 +214,9 @@ FrameContact Simulation::seen(const ContactForce& contact) const {
     return {b, a, contact.point, -contact.normal, -contact.friction};
 }
 
-void Simulation::step() {
+void Simulation::step(const FromOutside& outside) {
     if (steps_ == scenario_.first_window_step()) astern_before_ = astern();
-    move_structure();
+    move_structure(outside);
     move_window();
     wake_floes();
     apply_water();
@@ -229,8 +229,7 @@ void Simulation::step() {
     sheets_.read(world_, motion_.after(), step_end());
     if (work_.looks_at(steps_)) work_.add(world_, ice_, sheets_, piece_water_, motion_, states_before_, states_);
     check_wellbeing();
-    if (const auto& moored = motion_.moored())
-        sheets_.check_fixed(motion_.after(), moored->state().offset.head<2>(), step_end());
+    if (motion_.gives_way()) sheets_.check_fixed(motion_.after(), motion_.offset().head<2>(), step_end());
     world_.read_contacts(structure_contacts_, structure_);
     read_ice_load();
     encounters_.meet(structure_contacts_, ice_);
@@ -253,8 +252,13 @@ void Simulation::place_structure() {
                               .angular_velocity = motion_.angular_velocity()});
 }
 
-void Simulation::move_structure() {
-    motion_.advance(ice_load_);
+void Simulation::lead_hull(const Vec6& offset) {
+    motion_.lead(offset);
+    place_structure();
+}
+
+void Simulation::move_structure(const FromOutside& outside) {
+    motion_.advance(ice_load_, outside);
     world_.move_structure(motion_.after().pose());
 }
 
@@ -402,12 +406,13 @@ void Simulation::move_window() {
     sleeping_.list_awake();
 }
 
-/// Only moorings let a structure come so far back: of the other ways scenario/checks_field.cpp has seen the whole.
+/// Only moorings, or who leads it, let a structure come so far back: of the other ways scenario/checks_field.cpp has
+/// seen the whole.
 void Simulation::check_way_back() const {
     const double x = motion_.before().position.x();
     if (!window_->has_left(x)) return;
     throw MemberFailure(
-        fmt::format("The moored structure has come back to x = {:.4g} m (t = {:.2f} s), and floes behind x = {:.4g} m "
+        fmt::format("The structure has come back to x = {:.4g} m (t = {:.2f} s), and floes behind x = {:.4g} m "
                     "are gone from the field without end; take a larger field.behind_m or moorings that hold it.",
                     x, time(), window_->first()));
 }

@@ -115,7 +115,11 @@ class Simulation {
 
     /// One time step. Throws MemberFailure, with the element, its floe and the time, when an element runs away, is gone
     /// or is no longer a number; the histories then end with the step before.
-    void step();
+    void step(const FromOutside& outside = {});
+
+    /// Before the first step, and before set(): others lead a hull without moorings from now on. It begins at this
+    /// offset from where tow or path have it (by Motion, m and rad), and each step is told the next one.
+    void lead_hull(const Vec6& offset);
 
     /// Steps to the end of the analysis window. False if `stop` was requested before that.
     bool run(const std::stop_token& stop, const Watcher& watch = {});
@@ -127,6 +131,8 @@ class Simulation {
     const LoadHistory& loads() const { return loads_; }
     const MotionHistory& motions() const { return motions_; }
     const StructureMotion& structure() const { return motion_; }
+    /// Of the ice on the hull in the last step: in the world's axes and about its reference point at the step's end.
+    const Wrench& ice_load() const { return ice_load_; }
     const IceField& ice() const { return ice_; }  ///< breaks, broken floes, peak reactions
 
     /// Floes that were computed at any time so far: all of a field with an end.
@@ -180,7 +186,7 @@ class Simulation {
     FrameContact seen(const ContactForce& contact) const;
     double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
     void place_structure();
-    void move_structure();
+    void move_structure(const FromOutside& outside);
     void start_window(const FloeSet& floes, IceAhead ahead);
     void move_window();
     void check_way_back() const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contract.hpp"
 #include "core/state_archive.hpp"
 
 namespace floes {
@@ -33,9 +34,8 @@ void StructureMotion::follow(const PathPlace& place) {
     pace_ = place.velocity.norm();
 }
 
-/// Beside the place that it would have with moorings that do not give way.
-void StructureMotion::add_offset() {
-    const Vec6& offset = moored_->state().offset;
+/// To the place that it has by tow or path alone.
+void StructureMotion::add(const Vec6& offset) {
     after_.position += Vec3(offset[at(Motion::surge)], offset[at(Motion::heave)], offset[at(Motion::sway)]);
     after_.yaw += offset[at(Motion::yaw)];
     after_.pitch = offset[at(Motion::pitch)];
@@ -55,22 +55,35 @@ void StructureMotion::place(int steps, const MooredState& moored) {
     follow(prescribed(steps));
     if (moored_) {
         moored_->place(moored);
-        add_offset();
+        add(moored_->state().offset);
     }
     before_ = after_;
 }
 
-void StructureMotion::advance(const Wrench& load) {
+void StructureMotion::lead(const Vec6& offset) {
+    FLOES_EXPECTS(!moored_ && step_ == 0);
+    led_ = true;
+    led_offset_ = offset;
+    follow(prescribed(0));
+    add(offset);
+    before_ = after_;
+}
+
+void StructureMotion::advance(const Wrench& ice, const FromOutside& outside) {
     before_ = after_;
     follow(prescribed(++step_));
-    if (!moored_) return;
-    const Vec6 from = moored_->state().offset;
-    moored_->advance(on_motions(load), step_ * time_step_);
-    add_offset();
-    const Vec6 moved = (moored_->state().offset - from) / time_step_;
+    if (!gives_way()) return;
+    const Vec6 from = offset();
+    if (moored_)
+        moored_->advance(on_motions({ice.force + outside.load.force, ice.moment + outside.load.moment}),
+                         step_ * time_step_);
+    else
+        led_offset_ = outside.offset;
+    add(offset());
+    const Vec6 moved = (offset() - from) / time_step_;
     velocity_ += Vec3(moved[at(Motion::surge)], moved[at(Motion::heave)], moved[at(Motion::sway)]);
     angular_velocity_.y() += moved[at(Motion::yaw)];
-    if (!moored_->floats()) return;
+    if (moored_ && !moored_->floats()) return;
     const Quat flat = turned_about_y(after_.yaw);
     const Vec3 pitched(std::cos(after_.pitch), std::sin(after_.pitch), 0);
     angular_velocity_ += flat * Vec3(moved[at(Motion::roll)] * pitched + moved[at(Motion::pitch)] * Vec3::UnitZ());
@@ -397,10 +410,10 @@ void MooredMotion::archive(StateArchive& state) {
 }
 
 void StructureMotion::archive(StateArchive& state) {
-    auto& [time_step, tow, straight, places, moored, step, before, after, velocity, angular_velocity, towed,
-           towed_turning, pace] = *this;
+    auto& [time_step, tow, straight, places, moored, led, led_offset, step, before, after, velocity, angular_velocity,
+           towed, towed_turning, pace] = *this;
     if (moored) moored->archive(state);
-    state(step, before, after, velocity, angular_velocity, towed, towed_turning, pace);
+    state(led_offset, step, before, after, velocity, angular_velocity, towed, towed_turning, pace);
 }
 
 }  // namespace floes

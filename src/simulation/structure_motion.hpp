@@ -133,15 +133,27 @@ class MooredMotion {
     double line_use_ = 0;
 };
 
-// Where the structure is from step to step: on the straight tow, on its path, and beside these on its moorings.
+/// What others do to the hull in a step, beside the ice. By default nothing.
+struct FromOutside {
+    /// On a hull that gives way, constant in the step: in the world's axes and about its reference point.
+    Wrench load{};
+    /// At the end of the step, of a hull that others lead: from where tow or path have it, by Motion, m and rad.
+    Vec6 offset = Vec6::Zero();
+};
+
+// Where the structure is from step to step: on the straight tow, on its path, and beside these on its moorings, or
+// where others lead it.
 
 class StructureMotion {
   public:
     explicit StructureMotion(const Scenario& scenario);
 
-    /// Begins a step: after() is where the structure is at its end. `load`: of the ice in the step before, in the
-    /// world's axes and about the reference point; only moorings ask for it.
-    void advance(const Wrench& load);
+    /// Begins a step: after() is where the structure is at its end. `ice`: its load in the step before, in the world's
+    /// axes and about the reference point; only moorings ask for it.
+    void advance(const Wrench& ice, const FromOutside& outside = {});
+
+    /// At the start, without moorings: from now on others lead it, from this offset on.
+    void lead(const Vec6& offset);
 
     /// As after `steps` steps, with the moorings in this state.
     void place(int steps, const MooredState& moored);
@@ -162,7 +174,12 @@ class StructureMotion {
     double pace() const { return pace_; }
 
     /// Whether it moves other than the straight tow.
-    bool is_free() const { return !straight_; }
+    bool is_free() const { return !straight_ || led_; }
+
+    /// Whether it may be elsewhere than tow or path have it: on its moorings, or where others lead it.
+    bool gives_way() const { return moored_ || led_; }
+    /// From there, by Motion, at after().
+    const Vec6& offset() const { return moored_ ? moored_->state().offset : led_offset_; }
 
     /// Mooring lines that hold, at after(). The vector keeps its memory.
     void read_lines(std::vector<FrameLine>& lines) const;
@@ -177,13 +194,15 @@ class StructureMotion {
     PathPlace prescribed(int step) const;
     void follow(const PathPlace& place);
     Vec6 on_motions(const Wrench& load) const;
-    void add_offset();
+    void add(const Vec6& offset);
 
     double time_step_;
     Tow tow_;
     bool straight_;
     std::vector<PathPlace> places_;
     std::optional<MooredMotion> moored_;
+    bool led_ = false;  ///< others lead it
+    Vec6 led_offset_ = Vec6::Zero();
     int step_ = 0;
     StructurePose before_, after_;
     Vec3 velocity_ = Vec3::Zero();

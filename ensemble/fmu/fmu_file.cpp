@@ -1,0 +1,129 @@
+#include "fmu/fmu_file.hpp"
+
+#include <zlib.h>
+
+#include <cstdint>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "core/digest.hpp"
+#include "core/error.hpp"
+
+namespace floes {
+
+namespace {
+
+/// Little endian.
+void put(std::string& text, std::uint32_t value, int bytes) {
+    for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> (8 * k) & 0xff);
+}
+
+/// As zip wants it: without a header of its own.
+std::string deflated(const std::string& bytes) {
+    z_stream stream{};
+    if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+        throw RunError("There is no memory to compress a file of the FMU.");
+    std::string made(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(made.data());
+    stream.avail_out = static_cast<uInt>(made.size());
+    const int end = deflate(&stream, Z_FINISH);
+    made.resize(stream.total_out);
+    deflateEnd(&stream);
+    if (end != Z_STREAM_END) throw RunError("A file of the FMU could not be compressed.");
+    return made;
+}
+
+}  // namespace
+
+std::string zip_archive(const std::vector<ArchivedFile>& files) {
+    constexpr std::uint32_t local_mark = 0x04034b50;
+    constexpr std::uint32_t central_mark = 0x02014b50;
+    constexpr std::uint32_t end_mark = 0x06054b50;
+    constexpr std::uint32_t version = 20;        // 2.0, for deflate
+    constexpr std::uint32_t date = 0x0021;       // 1 January 1980, the first that there is
+    constexpr std::uint32_t unix_made = 3 << 8;  // so that the permissions below count
+    constexpr std::uint32_t permissions = 0100755U << 16;
+    std::string archive;
+    std::string central;
+    for (const auto& [name, bytes] : files) {
+        if (bytes.size() > std::numeric_limits<std::int32_t>::max())
+            throw RunError(fmt::format("{} has {} bytes, more than an FMU can hold.", name, bytes.size()));
+        const std::string packed = deflated(bytes);
+        std::string facts;
+        put(facts, version, 2);
+        put(facts, 0, 2);           // flags
+        put(facts, Z_DEFLATED, 2);  // which zip counts as zlib does
+        put(facts, 0, 2);           // time
+        put(facts, date, 2);
+        put(facts,
+            static_cast<std::uint32_t>(
+                crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()))),
+            4);
+        put(facts, static_cast<std::uint32_t>(packed.size()), 4);
+        put(facts, static_cast<std::uint32_t>(bytes.size()), 4);
+        put(facts, static_cast<std::uint32_t>(name.size()), 2);
+        put(facts, 0, 2);  // extra field
+        put(central, central_mark, 4);
+        put(central, unix_made | version, 2);
+        central += facts;
+        put(central, 0, 2);  // comment
+        put(central, 0, 2);  // disk
+        put(central, 0, 2);  // a binary
+        put(central, permissions, 4);
+        put(central, static_cast<std::uint32_t>(archive.size()), 4);
+        central += name;
+        put(archive, local_mark, 4);
+        archive += facts + name + packed;
+    }
+    const auto begin = static_cast<std::uint32_t>(archive.size());
+    archive += central;
+    put(archive, end_mark, 4);
+    put(archive, 0, 4);  // disks
+    put(archive, static_cast<std::uint32_t>(files.size()), 2);
+    put(archive, static_cast<std::uint32_t>(files.size()), 2);
+    put(archive, static_cast<std::uint32_t>(central.size()), 4);
+    put(archive, begin, 4);
+    put(archive, 0, 2);  // comment
+    return archive;
+}
+
+namespace {
+
+/// For people who open the archive.
+std::string index_page(const FmuDescription& of) {
+    std::string rows;
+    for (const FmuVariable& one : fmu_variables(of.mover)) {
+        constexpr std::array<std::string_view, 3> roles{"parameter", "input", "output"};
+        rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", one.name,
+                            roles.at(static_cast<std::size_t>(one.role)), one.unit, one.words);
+    }
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title></head><body>\n"
+        "<h1>{0}</h1>\n<p>The load of ice floes on a hull that is moved {1} this FMU, made by {2}. Axes: X along the "
+        "channel as the tow goes, Y to port, Z up, from where the tow has the hull; forces on the hull, at its axis at "
+        "the height of the calm water.</p>\n<table>\n{3}</table>\n</body></html>\n",
+        of.model_name, hull_mover_words.at(static_cast<std::size_t>(of.mover)), of.program, rows);
+}
+
+}  // namespace
+
+std::string fmu_file(FmuParts parts, FmiVersion version) {
+    FmuDescription& of = parts.description;
+    const std::string mover(hull_mover_words.at(static_cast<std::size_t>(of.mover)));
+    of.token = digest_hex(fmt::format("{}\n{}\n{}\n{}", mover, of.program, parts.configuration, parts.library));
+    const std::string binaries = version == FmiVersion::two ? "binaries/linux64/" : "binaries/x86_64-linux/";
+    std::vector<ArchivedFile> files{{"modelDescription.xml", fmu_description(of, version)},
+                                    {fmt::format("resources/{}", fmu_start),
+                                     fmt::format("{}\n{}\n{}\n{}\n", mover, of.token, of.case_name, of.arrangement)},
+                                    {fmt::format("resources/{}", fmu_configuration), parts.configuration},
+                                    {fmt::format("{}{}.so", binaries, fmu_identifier), std::move(parts.library)},
+                                    {"documentation/index.html", index_page(of)}};
+    for (auto& [name, bytes] : parts.libraries) files.emplace_back(binaries + name, std::move(bytes));
+    for (auto& [name, text] : parts.licences) files.emplace_back("documentation/licenses/" + name, std::move(text));
+    return zip_archive(files);
+}
+
+}  // namespace floes
