@@ -16,7 +16,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from fmu_host import Fmu  # noqa: E402
 
-MASS, STIFFNESS, DAMPING_RATIO = 226.6, 800.0, 0.1  # kg with the water that moves along, N/m, of the critical
+MASS, STIFFNESS, DAMPING_RATIO = 800.0, 2800.0, 0.1  # kg with the water that moves along, N/m, of the critical
 DAMPING = 2 * DAMPING_RATIO * math.sqrt(MASS * STIFFNESS)
 
 

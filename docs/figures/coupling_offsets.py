@@ -24,22 +24,23 @@ text { font: 13px sans-serif; fill: #1b2733; }
 def draw():
     with open(FOLDER / "offsets.csv", encoding="utf-8") as file:
         rows = [[float(value) for value in row] for row in list(csv.reader(file))[1:]]
-    most = 1.1 * max(-value for row in rows for value in row[1:])
+    offsets = [-value for row in rows for value in row[1:]]
+    most, least = 1.05 * max(offsets), 1.05 * min(offsets)
     end = rows[-1][0]
 
     def place(time, offset):
-        return (LEFT + (WIDTH - LEFT - 10) * time / end, HEIGHT - BOTTOM - (HEIGHT - BOTTOM - TOP) * offset / most)
+        return (LEFT + (WIDTH - LEFT - 10) * time / end, HEIGHT - BOTTOM - (HEIGHT - BOTTOM - TOP) * (offset - least) / (most - least))
 
-    step = next(width for width in (0.01, 0.02, 0.05, 0.1, 0.2, 0.5) if most / width < 7)
+    step = next(width for width in (0.01, 0.02, 0.05, 0.1, 0.2, 0.5) if (most - least) / width < 8)
     lines = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" '
              'role="img" aria-label="The offset of a hull, moved inside and outside an FMU">', f"<style>{STYLE}</style>",
              f'<rect class="ground" width="{WIDTH}" height="{HEIGHT}"/>']
-    for k in range(int(most / step) + 1):
+    for k in range(int(least / step), int(most / step) + 1):
         x, y = place(0, k * step)
         lines += [f'<line class="grid" x1="{x:.1f}" y1="{y:.1f}" x2="{WIDTH - 10}" y2="{y:.1f}"/>',
                   f'<text x="{x - 6:.1f}" y="{y + 4:.1f}" text-anchor="end">{1e3 * k * step:.0f}</text>']
     for time in range(0, int(end) + 1, 10):
-        x, y = place(time, 0)
+        x, y = place(time, least)
         lines.append(f'<text x="{x:.1f}" y="{y + 18:.1f}" text-anchor="middle">{time}</text>')
     for column, kind in ((1, "inside"), (2, "outside")):
         points = " ".join("{:.1f},{:.1f}".format(*place(row[0], -row[column])) for row in rows)

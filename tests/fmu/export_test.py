@@ -22,8 +22,7 @@ import mass_on_a_spring  # noqa: E402
 FLOES = sys.argv.pop(1) if len(sys.argv) > 1 else "floes"
 CONFIG = str(PROJECT / "configs" / "moored_free.toml")
 BRIEF = ["--set", "analysis.steady_start_s=2", "--set", "analysis.window_s=2", "--set", "analysis.segments=1"]
-SPRING_OUTSIDE = ["--case", "moored", "--set", 'moorings.free=["surge"]', "--set", "moorings.surge_kN_m=1e-6", "--set",
-                  "moorings.damping_percent=0"]
+HULL = str(PROJECT / "docs" / "coupling" / "hull.toml")
 
 
 class Export(unittest.TestCase):
@@ -55,8 +54,8 @@ class Export(unittest.TestCase):
             self.assertTrue(any(name.startswith(binary + "libLinearMath") for name in names), names)
 
     def test_both_ways_give_one_offset_until_bits_matter(self):
-        self.export(*SPRING_OUTSIDE, *BRIEF, "--fmu", "inside.fmu")
-        self.export("--case", "fixed", *BRIEF, "--fmu", "outside.fmu")
+        self.export("--case", "free", *BRIEF, "--fmu", "inside.fmu", config=HULL)
+        self.export("--case", "led", *BRIEF, "--fmu", "outside.fmu", config=HULL)
         inside = list(mass_on_a_spring.moved_inside(self.folder / "inside.fmu"))
         outside = list(mass_on_a_spring.moved_outside(self.folder / "outside.fmu"))
         self.assertEqual(len(inside), 200)
@@ -89,8 +88,8 @@ class Export(unittest.TestCase):
     def test_warns_where_ice_outweighs_a_hull_that_is_led(self):
         _, said = self.export("--case", "fixed", "--fmu", "a.fmu")
         self.assertNotIn("heaviest floe", said)
-        _, said = self.export("--case", "fixed", "--set", "floe.length_m=2.0", "--set", "floe.breadth_m=2.0", "--set",
-                              "field.floes=4", "--fmu", "a.fmu")
+        _, said = self.export("--case", "E60", "--set", "floe.length_m=2.0", "--set", "floe.breadth_m=2.0", "--set",
+                              "field.floes=4", "--fmu", "a.fmu", config=str(PROJECT / "configs" / "smoke.toml"))
         self.assertRegex(said, "times the heaviest floe with its water")
         self.assertRegex(said, "added_mass")
 
