@@ -26,7 +26,7 @@ for path in bin/floes share/floes/configs/smoke.toml share/floes/configs/validat
     [[ -e $root/$path ]] || fail "$path is not installed"
 done
 cd "$root"
-allowed='^\./(bin/floes$|lib.*/floes-fmu/floes_fmu\.so$|share/(floes|man/man1|doc/floes|bash-completion|zsh|fish)/)'
+allowed='^\./(bin/floes$|lib.*/floes-fmu/.*/floes_fmu\.so$|share/(floes|man/man1|doc/floes|bash-completion|zsh|fish)/)'
 others=$(find . -type f | grep -vE "$allowed") || true
 [[ -z $others ]] || fail "installed as well: $others"
 
@@ -58,7 +58,7 @@ PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/share/floes/python /usr/bin/python3 -
 
 # The program finds the library of FMUs where it is installed.
 if [[ $(uname -m) == x86_64 ]]; then
-    bin/floes export smoke --case E60 --fmu "$stage/ice.fmu" >"$stage/log" 2>&1 || fail "export --fmu: $(<"$stage/log")"
+    "$root/bin/floes" export smoke --case E60 --fmu "$stage/ice.fmu" >"$stage/log" 2>&1 || fail "export --fmu: $(<"$stage/log")"
 fi
 
 # The scripts of Slurm find the installed program.
