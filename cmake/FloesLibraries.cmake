@@ -33,9 +33,14 @@ pkg_check_modules(xxhash REQUIRED IMPORTED_TARGET libxxhash)
 find_library(FLOES_HDF5_HL NAMES hdf5_serial_hl hdf5_hl HINTS ${hdf5_LIBRARY_DIRS} REQUIRED)
 target_link_libraries(PkgConfig::hdf5 INTERFACE ${FLOES_HDF5_HL})
 
-# Not compiled: it becomes part of the pages that play replays.
+# Not compiled: they become part of the pages with scripts, which play replays and show members to be explored.
 find_file(FLOES_THREE three.min.js PATHS /usr/share/javascript/three NO_DEFAULT_PATH)
 if(NOT FLOES_THREE)
   message(FATAL_ERROR "three.min.js is missing, which draws replays; install Debian's package libjs-three, or give its "
                       "place with -D FLOES_THREE=FILE.")
+endif()
+find_file(FLOES_D3 d3.min.js PATHS /usr/share/javascript/d3 NO_DEFAULT_PATH)
+if(NOT FLOES_D3)
+  message(FATAL_ERROR "d3.min.js is missing, which pages of floes explore need; install Debian's package libjs-d3, or "
+                      "give its place with -D FLOES_D3=FILE.")
 endif()

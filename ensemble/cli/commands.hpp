@@ -49,6 +49,7 @@ void add_hydro(CommandLine& line);
 void add_report(CommandLine& line);
 void add_replay(CommandLine& line);
 void add_export(CommandLine& line);
+void add_explore(CommandLine& line);
 void add_match(CommandLine& line);
 void add_serve(CommandLine& line);
 void add_vary(CommandLine& line);

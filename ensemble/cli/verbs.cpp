@@ -21,6 +21,7 @@ void add_verbs(CommandLine& line, std::span<char* const> command) {
     add_hybrid(line);
     add_hydro(line);
     add_report(line);
+    add_explore(line);
     add_replay(line);
     add_export(line);
     add_match(line);

@@ -1,10 +1,7 @@
 #include "draw/replay_page.hpp"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -12,7 +9,6 @@
 #include <fstream>
 #include <optional>
 #include <ostream>
-#include <type_traits>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,6 +16,7 @@
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "draw/page_parts.hpp"
 #include "draw/picture.hpp"
 #include "replay/view.hpp"
 #include "scenario/scenario.hpp"
@@ -27,67 +24,10 @@
 
 namespace floes {
 
-/// The content of the file of page_assets/ with this name, or of three.js, as it was when the program was built;
-/// nothing if there is none.
-std::optional<std::string_view> asset(std::string_view name);
-
-class Deflater::Stream {
-  public:
-    Stream() {
-        if (deflateInit(&state_, Z_DEFAULT_COMPRESSION) != Z_OK) throw RunError("zlib has no memory to compress with");
-    }
-    ~Stream() { deflateEnd(&state_); }
-    Stream(const Stream&) = delete;
-    Stream& operator=(const Stream&) = delete;
-
-    void feed(std::span<const std::byte> bytes, int flush) {
-        // zlib's interface takes a pointer to what it only reads.
-        state_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
-        state_.avail_in = static_cast<uInt>(bytes.size());
-        std::array<std::byte, 1 << 16> room;
-        do {
-            state_.next_out = reinterpret_cast<Bytef*>(room.data());
-            state_.avail_out = static_cast<uInt>(room.size());
-            deflate(&state_, flush);
-            packed_.insert(packed_.end(), room.begin(), room.end() - state_.avail_out);
-        } while (state_.avail_out == 0);
-    }
-
-    Bytes& packed() { return packed_; }
-
-  private:
-    z_stream state_{};
-    Bytes packed_;
-};
-
-Deflater::Deflater() : stream_(std::make_unique<Stream>()) {}
-Deflater::~Deflater() = default;
-Deflater::Deflater(Deflater&&) noexcept = default;
-
-void Deflater::add(std::span<const std::byte> bytes) {
-    stream_->feed(bytes, Z_NO_FLUSH);
-}
-
-std::size_t Deflater::size() const {
-    return stream_->packed().size();
-}
-
-Bytes Deflater::finish() {
-    stream_->feed({}, Z_FINISH);
-    return std::move(stream_->packed());
-}
-
 namespace {
 
 constexpr double most_quanta = 32767;
 constexpr std::size_t parts = 7;  // of an element's state
-
-template <typename Number>
-void put(Bytes& bytes, Number value) {
-    using Bits = std::conditional_t<sizeof(Number) == 2, std::uint16_t, std::uint32_t>;
-    const auto bits = std::bit_cast<Bits>(value);
-    for (std::size_t k = 0; k < sizeof(Number); ++k) bytes.push_back(static_cast<std::byte>(bits >> (8 * k)));
-}
 
 std::int16_t rounded(double quanta) {
     return static_cast<std::int16_t>(std::lround(std::clamp(quanta, -most_quanta, most_quanta)));
@@ -539,31 +479,8 @@ PackedFrames pack_within(const Recording& recording, const Quanta& quanta, std::
     }
 }
 
-/// JSON that may stand in a script element.
-std::string in_a_script(std::string text) {
-    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) text.replace(at, 2, "<\\/");
-    return text;
-}
-
 void write_frames(std::ostream& page, const PackedFrames& frames) {
-    for (const auto& [name, stream] : streams_of(frames)) {
-        page << fmt::format("<script type=\"application/octet-stream\" id=\"{}\">", name);
-        write_base64(page, *stream);
-        page << "</script>\n";
-    }
-}
-
-/// Calls `text` for each part of a template and `name` for each {{name}} in it.
-template <typename Text, typename Name>
-void expand(std::string_view pattern, const Text& text, const Name& name) {
-    for (std::size_t at = 0;;) {
-        const std::size_t open = pattern.find("{{", at);
-        text(pattern.substr(at, open - at));
-        if (open == std::string_view::npos) return;
-        const std::size_t close = pattern.find("}}", open);
-        name(pattern.substr(open + 2, close - open - 2));
-        at = close + 2;
-    }
+    for (const auto& [name, stream] : streams_of(frames)) write_stream(page, name, *stream);
 }
 
 std::string_view pattern() {

@@ -1,39 +1,4 @@
 #pragma once
-// Compresses a stream of bytes while it is made (zlib's format, which browsers inflate without further code).
-
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <iosfwd>
-#include <memory>
-#include <optional>
-#include <span>
-#include <vector>
-
-#include "core/bytes.hpp"
-#include "core/vector.hpp"
-#include "replay/recording.hpp"
-#include "simulation/record.hpp"
-
-namespace floes {
-
-class Deflater {
-  public:
-    Deflater();
-    ~Deflater();
-    Deflater(Deflater&&) noexcept;
-
-    void add(std::span<const std::byte> bytes);
-    /// Counts the compressed bytes so far; those that zlib still holds back are not counted.
-    std::size_t size() const;
-    /// All compressed bytes. The last call.
-    Bytes finish();
-
-  private:
-    class Stream;
-    std::unique_ptr<Stream> stream_;
-};
-
 // Frames of a replay as few bytes: numbers in whole quanta, each frame as its difference from the one before, and
 // compressed. A whole member of the paper's tank
 // (1701 elements, 1351 frames) takes 4 MB.
@@ -48,6 +13,22 @@ class Deflater {
 //   contacts     a contact: 10 int16: point, normal force and friction on the ice, and 1 if it is one of the structure;
 //                those among the ice only where their force is not too small to be seen
 //   pieces       a change: 3 int32: frame, element, the piece that it then belongs to; frame 0 sets all
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iosfwd>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/bytes.hpp"
+#include "core/vector.hpp"
+#include "draw/page_parts.hpp"
+#include "replay/recording.hpp"
+#include "simulation/record.hpp"
+
+namespace floes {
 
 /// What a whole number stands for.
 struct Quanta {

@@ -38,7 +38,7 @@ std::string packed(const std::vector<char>& bytes) {
 }
 
 /// The document is collected in two parts: elements that say where the data stand, and the data.
-class Document {
+class XmlDocument {
   public:
     void line(std::string_view text) { text_.append(text).append("\n"); }
 
@@ -87,7 +87,7 @@ void write_vtk(const std::filesystem::path& path, const VtkMesh& mesh, double ti
     std::vector<VtkArray> topology{vtk_array("connectivity", mesh.connectivity), vtk_array("offsets", mesh.offsets)};
     if (volume) topology.push_back(vtk_array("types", cell_types(mesh)));
 
-    Document document;
+    XmlDocument document;
     document.line(R"(<?xml version="1.0"?>)");
     document.line(fmt::format(R"(<VTKFile type="{}" version="1.0" byte_order="{}" header_type="UInt64" )"
                               R"(compressor="vtkZLibDataCompressor">)",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -249,25 +250,35 @@ std::string value_of(const Key& key) {
     return text.starts_with('"') ? text.substr(1, text.size() - 2) : text;
 }
 
-/// For the keys in which cases differ, with the cases in which they have an effect. Lists and profiles are left to the
-/// conditions, which draw or name them.
-std::vector<std::pair<std::string, Values>> varied(const Campaign& campaign, const Summary& summary) {
-    std::vector<std::pair<std::string, Values>> all;
+/// The value of every key in each case, empty where it has no effect. Lists and profiles are left to the conditions,
+/// which draw or name them.
+std::vector<std::pair<std::string, std::vector<std::string>>> values_by_key(const Campaign& campaign) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> all;
     for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
         Scenario scenario = campaign.cases[k].scenario;
         std::size_t place = 0;
         for (const Key& key : describe(scenario)) {
             if (key.derived() || key.replaced || std::holds_alternative<RowsField>(key.field)) continue;
-            if (k == 0) all.emplace_back(std::string(key.path), Values{});
-            Values& values = all.at(place++).second;
-            if (key.idle()) continue;
-            const std::string value = value_of(key);
-            auto found = std::ranges::find(values, value, &Values::value_type::first);
-            if (found == values.end()) found = values.insert(found, {value, {}});
-            found->second.push_back(summary.label_of(k));
+            if (k == 0) all.emplace_back(std::string(key.path), std::vector<std::string>{});
+            all.at(place++).second.push_back(key.idle() ? std::string{} : value_of(key));
         }
     }
-    std::erase_if(all, [](const auto& one) { return one.second.size() < 2; });
+    return all;
+}
+
+/// Those in which cases differ, with the cases in which they have an effect.
+std::vector<std::pair<std::string, Values>> varied(const Campaign& campaign, const Summary& summary) {
+    std::vector<std::pair<std::string, Values>> all;
+    for (const auto& [path, texts] : values_by_key(campaign)) {
+        Values values;
+        for (std::size_t k = 0; k < texts.size(); ++k) {
+            if (texts[k].empty()) continue;
+            auto found = std::ranges::find(values, texts[k], &Values::value_type::first);
+            if (found == values.end()) found = values.insert(found, {texts[k], {}});
+            found->second.push_back(summary.label_of(k));
+        }
+        if (values.size() >= 2) all.emplace_back(path, std::move(values));
+    }
     return all;
 }
 
@@ -312,6 +323,45 @@ std::string design_line(const Campaign& campaign) {
 }
 
 }  // namespace
+
+bool VariedInput::numeric() const {
+    return std::ranges::all_of(values, [](const auto& value) {
+        const auto* words = std::get_if<std::string>(&value);
+        return words == nullptr || words->empty();
+    });
+}
+
+std::vector<VariedInput> varied_inputs(const Campaign& campaign) {
+    std::vector<VariedInput> inputs;
+    if (campaign.design.active()) {
+        const DesignPoints points = find_points(campaign);
+        const std::vector<KeyWords> words = axis_words(points);
+        for (std::size_t axis = 0; axis < points.keys.size(); ++axis) {
+            VariedInput& input = inputs.emplace_back(VariedInput{points.keys[axis], words[axis]});
+            input.logarithmic = points.scales[axis] == AxisScale::log;
+            for (const PointRow& row : points.rows) input.values.push_back(row.values[axis]);
+        }
+        return inputs;
+    }
+    for (const auto& [path, texts] : values_by_key(campaign)) {
+        std::vector<std::string> distinct;
+        for (const std::string& text : texts)
+            if (!text.empty() && std::ranges::find(distinct, text) == distinct.end()) distinct.push_back(text);
+        if (distinct.size() < 2) continue;
+        VariedInput& input = inputs.emplace_back(VariedInput{path, {full_name(path), key_words(path).unit}});
+        for (const std::string& text : texts) {
+            double number = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+            const bool whole = error == std::errc{} && end == text.data() + text.size();
+            if (whole) {
+                input.values.emplace_back(number);
+            } else {
+                input.values.emplace_back(text);
+            }
+        }
+    }
+    return inputs;
+}
 
 std::string range_text(const std::vector<double>& values) {
     const auto [least, most] = std::ranges::minmax(values);

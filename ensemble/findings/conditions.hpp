@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "findings/summary.hpp"
@@ -49,6 +50,20 @@ std::vector<Condition> conditions();
 
 /// "0.02", "0.02 to 0.04": the least and the largest of the values.
 std::string range_text(const std::vector<double>& values);
+
+/// A key in which cases differ, with its value in each.
+struct VariedInput {
+    std::string key;  ///< full path
+    KeyWords words;
+    bool logarithmic = false;                                    ///< an axis of a design that is
+    std::vector<std::variant<double, std::string>> values = {};  ///< one a case, in its unit; "" without an effect
+
+    /// In every case in which the key has an effect.
+    bool numeric() const;
+};
+
+/// Of a design its axes, else every key in which the cases that it has an effect in differ, lists and profiles apart.
+std::vector<VariedInput> varied_inputs(const Campaign& campaign);
 
 /// A sentence for each key in which the cases that it has an effect in differ, "Varies: thickness 0.02 m (soft), 0.03 m
 /// (stiff, open)."; of a design one for its axes. At most a handful, and then how many more.

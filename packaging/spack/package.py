@@ -32,12 +32,14 @@ class Floes(CMakePackage):
     depends_on("cairo")
     depends_on("libxlsxwriter")
 
-    # three.js, which pages of replays contain, is no package of Spack: a file three.min.js of release 111.
+    # What pages with scripts contain is no package of Spack: three.min.js of release 111, d3.min.js of release 3.5.17.
     variant("three", default="", values=str, description="Where three.min.js lies")
+    variant("d3", default="", values=str, description="Where d3.min.js lies")
 
     def cmake_args(self):
         return [
             self.define("FLOES_TESTS", False),
             self.define("FLOES_WARNINGS_AS_ERRORS", False),
             self.define("FLOES_THREE", self.spec.variants["three"].value),
+            self.define("FLOES_D3", self.spec.variants["d3"].value),
         ]

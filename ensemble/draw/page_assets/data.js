@@ -2,20 +2,6 @@
 // Reads what the program put into the page: a header in JSON and six compressed streams, which ensemble/draw/
 // frame_packer.hpp describes. Positions stay whole numbers of quanta; the graphics card turns them into metres.
 
-function takenBytes(id) {
-  const element = document.getElementById(id);
-  const text = atob(element.textContent);
-  element.remove(); // its memory is needed elsewhere
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  return bytes;
-}
-
-async function inflated(id) {
-  const plain = new Blob([takenBytes(id)]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Response(plain).arrayBuffer();
-}
-
 // Adds up the differences between frames. Elements lie together: x, y, z of one, then of the next; likewise the parts
 // x, y, z, w of their quaternions, which is the order of the shaders.
 function summedStates(low, high, frames, elements) {

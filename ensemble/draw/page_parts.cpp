@@ -1,0 +1,83 @@
+#include "draw/page_parts.hpp"
+
+#include <zlib.h>
+
+#include <array>
+#include <ostream>
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+
+namespace floes {
+
+void expand(std::string_view pattern, const std::function<void(std::string_view)>& text,
+            const std::function<void(std::string_view)>& name) {
+    for (std::size_t at = 0;;) {
+        const std::size_t open = pattern.find("{{", at);
+        text(pattern.substr(at, open - at));
+        if (open == std::string_view::npos) return;
+        const std::size_t close = pattern.find("}}", open);
+        name(pattern.substr(open + 2, close - open - 2));
+        at = close + 2;
+    }
+}
+
+std::string in_a_script(std::string text) {
+    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) text.replace(at, 2, "<\\/");
+    return text;
+}
+
+void write_stream(std::ostream& page, std::string_view id, std::span<const std::byte> bytes) {
+    page << fmt::format("<script type=\"application/octet-stream\" id=\"{}\">", id);
+    write_base64(page, bytes);
+    page << "</script>\n";
+}
+
+class Deflater::Stream {
+  public:
+    Stream() {
+        if (deflateInit(&state_, Z_DEFAULT_COMPRESSION) != Z_OK) throw RunError("zlib has no memory to compress with");
+    }
+    ~Stream() { deflateEnd(&state_); }
+    Stream(const Stream&) = delete;
+    Stream& operator=(const Stream&) = delete;
+
+    void feed(std::span<const std::byte> bytes, int flush) {
+        // zlib's interface takes a pointer to what it only reads.
+        state_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
+        state_.avail_in = static_cast<uInt>(bytes.size());
+        std::array<std::byte, 1 << 16> room;
+        do {
+            state_.next_out = reinterpret_cast<Bytef*>(room.data());
+            state_.avail_out = static_cast<uInt>(room.size());
+            deflate(&state_, flush);
+            packed_.insert(packed_.end(), room.begin(), room.end() - state_.avail_out);
+        } while (state_.avail_out == 0);
+    }
+
+    Bytes& packed() { return packed_; }
+
+  private:
+    z_stream state_{};
+    Bytes packed_;
+};
+
+Deflater::Deflater() : stream_(std::make_unique<Stream>()) {}
+Deflater::~Deflater() = default;
+Deflater::Deflater(Deflater&&) noexcept = default;
+
+void Deflater::add(std::span<const std::byte> bytes) {
+    stream_->feed(bytes, Z_NO_FLUSH);
+}
+
+std::size_t Deflater::size() const {
+    return stream_->packed().size();
+}
+
+Bytes Deflater::finish() {
+    stream_->feed({}, Z_FINISH);
+    return std::move(stream_->packed());
+}
+
+}  // namespace floes
