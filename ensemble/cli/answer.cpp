@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -46,6 +47,18 @@ int terminal_width() {
         if (wished > 0) width = wished;
     }
     return std::max(width, 40);
+}
+
+Letters letters_of_terminal() {
+    for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+        const char* value = std::getenv(name);
+        if (value == nullptr || *value == '\0') continue;
+        std::string words(value);
+        std::ranges::transform(words, words.begin(), [](unsigned char c) { return std::tolower(c); });
+        return words.find("utf-8") != std::string::npos || words.find("utf8") != std::string::npos ? Letters::unicode
+                                                                                                   : Letters::ascii;
+    }
+    return Letters::ascii;
 }
 
 std::string written(const std::vector<Section>& sections, const std::string& format, const Units& units) {

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include "core/started_program.hpp"
+#include "tables/figure_text.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
@@ -24,6 +25,9 @@ namespace floes {
 /// Characters on a line of standard output: of the terminal, otherwise the environment's COLUMNS, otherwise 100; at
 /// least 40.
 int terminal_width();
+
+/// Whether the terminal shows more than ASCII, as the environment has it.
+Letters letters_of_terminal();
 
 /// The sections in that format: "table", "json" or "csv".
 std::string written(const std::vector<Section>& sections, const std::string& format, const Units& units = {});

@@ -1,8 +1,6 @@
 // floes show: what a configuration says, to scale, before anything is computed.
 
 #include <algorithm>
-#include <cctype>
-#include <cstdlib>
 #include <iostream>
 
 #include "campaign/case_words.hpp"
@@ -22,19 +20,6 @@ struct ShowOptions {
     std::string output;
     std::vector<std::string> overrides;
 };
-
-/// Whether the terminal shows more than ASCII, as the environment has it.
-Letters letters_of_terminal() {
-    for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
-        const char* value = std::getenv(name);
-        if (value == nullptr || *value == '\0') continue;
-        std::string words(value);
-        std::ranges::transform(words, words.begin(), [](unsigned char c) { return std::tolower(c); });
-        return words.find("utf-8") != std::string::npos || words.find("utf8") != std::string::npos ? Letters::unicode
-                                                                                                   : Letters::ascii;
-    }
-    return Letters::ascii;
-}
 
 /// Those that are drawn: the case that is named, or the first.
 std::size_t drawn_case(const Campaign& campaign, const std::string& name) {

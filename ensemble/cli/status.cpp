@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "cli/commands.hpp"
+#include "cli/watch.hpp"
 #include "page/page.hpp"
 #include "run/campaign_status.hpp"
 #include "store/session.hpp"
@@ -127,7 +128,6 @@ struct StatusOptions {
     bool watch = false;
 };
 
-constexpr const char* clear_screen = "\033[H\033[2J";
 constexpr std::chrono::seconds watch_interval{2};
 constexpr std::chrono::seconds page_interval{status_page_seconds};
 constexpr int least_pause_per_look = 10;  // reading a large campaign takes seconds
@@ -141,13 +141,18 @@ bool show(const StatusOptions& options) {
         return snapshot.status.at_work;
     }
     const CampaignStatus status = read_status(files);
-    if (options.watch && options.format == "table" && ::isatty(STDOUT_FILENO) == 1) std::fputs(clear_screen, stdout);
     std::fputs((options.format == "json" ? status_json(status) : status_table(status)).c_str(), stdout);
     std::fflush(stdout);
     return status.at_work;
 }
 
 void watch(const StatusOptions& options) {
+    if (options.page.empty() && options.format == "table" && ::isatty(STDOUT_FILENO) == 1) {
+        const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
+        watch_on_terminal(files);
+        show(options);
+        return;
+    }
     using Clock = std::chrono::steady_clock;
     const Clock::duration interval = options.page.empty() ? watch_interval : page_interval;
     while (true) {
@@ -172,7 +177,10 @@ void add_status(CommandLine& line) {
                 "--watch anew every 30 s, and the page loads itself again")
         .file_ending({".html", ".htm"})
         .excludes(format);
-    verb.flag("--watch", options->watch, "Repeat every few seconds until no run is active");
+    verb.flag("--watch", options->watch,
+              "Until no run is active or q is pressed, fill the terminal: bars by case, intervals, failures, what runs "
+              "and what "
+              "is slowest; elsewhere repeat every few seconds");
     verb.runs([options] {
         if (options->watch) {
             watch(*options);
