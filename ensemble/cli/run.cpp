@@ -13,8 +13,10 @@
 #include "campaign/case_words.hpp"
 #include "cli/commands.hpp"
 #include "cli/until.hpp"
+#include "core/started_program.hpp"
 #include "findings/answer.hpp"
 #include "run/calibrate.hpp"
+#include "run/campaign_status.hpp"
 #include "run/link.hpp"
 #include "run/run_campaign.hpp"
 #include "run/saved_members.hpp"
@@ -127,6 +129,8 @@ struct RunVerb {
     std::string until;
     double time_left = 0;
     double checkpoint = 5;  // min
+    std::string on_end;     // command
+    std::string metrics;
     std::vector<std::string> overrides;
 };
 
@@ -168,6 +172,8 @@ std::string resume_command(const RunVerb& verb, const std::string& program, cons
         if (verb.writers > 0) command += fmt::format(" --writers {}", verb.writers);
         if (verb.checkpoint != RunVerb{}.checkpoint) command += fmt::format(" --checkpoint-min {}", verb.checkpoint);
         if (verb.no_file) command += " --no-file";
+        if (!verb.metrics.empty()) command += " --metrics " + shell_word(verb.metrics);
+        if (!verb.on_end.empty()) command += " --on-end " + shell_word(verb.on_end);
     }
     for (const std::string& setting : verb.overrides) command += " --set " + shell_word(setting);
     return command;
@@ -202,6 +208,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, const Memb
                                   .existing = existing_of(verb),
                                   .part = part_of(verb, campaign),
                                   .with_file = !verb.no_file,
+                                  .metrics = verb.metrics,
                                   .retry_failed = verb.retry_failed},
                        .threads = verb.threads,
                        .writers = verb.writers,
@@ -236,13 +243,68 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, const Memb
     return status;
 }
 
+constexpr Seconds longest_message{60};
+
+/// What the command of --on-end finds in its environment.
+void tell_environment(const RunVerb& verb, int status) {
+    const char* outcome = status == 0              ? "done"
+                          : status == exit_stopped ? "stopped"
+                          : status == 2            ? "refused"
+                                                   : "failed";
+    const std::filesystem::path file = output_of(verb);
+    setenv("FLOES_OUTCOME", outcome, 1);
+    setenv("FLOES_EXIT_STATUS", std::to_string(status).c_str(), 1);
+    setenv("FLOES_CAMPAIGN_FILE", file.c_str(), 1);
+    CaseStatus total;
+    std::string words = fmt::format("floes run {}: {}", verb.config, outcome);
+    try {
+        const CampaignStatus campaign = read_status(file);
+        total = total_of(campaign);
+        words = counts_sentence(campaign);
+    } catch (const std::exception&) {
+        // The run was refused, or its file cannot be read; the words say how it ended.
+    }
+    setenv("FLOES_DONE", std::to_string(total.done).c_str(), 1);
+    setenv("FLOES_FAILED", std::to_string(total.failed).c_str(), 1);
+    setenv("FLOES_MISSING", std::to_string(total.missing).c_str(), 1);
+    setenv("FLOES_WORDS", words.c_str(), 1);
+}
+
+/// Starts the command of --on-end, and waits for it.
+void tell_of_end(const RunVerb& verb, int status) {
+    if (verb.on_end.empty()) return;
+    tell_environment(verb, status);
+    StartedProgram command({"/bin/sh", "-c", verb.on_end}, {.out = STDERR_FILENO, .errors = STDERR_FILENO});
+    if (!command.fault().empty()) {
+        note("the command of --on-end could not be started: {}", command.fault());
+    } else if (!command.wait(longest_message)) {
+        note("the command of --on-end ran for longer than {:g} s and was ended", longest_message.count());
+    } else if (command.status() != 0) {
+        note("the command of --on-end ended with status {}", command.status());
+    }
+}
+
 int run(const RunVerb& verb, const std::string& program) {
     outlive_readers();
     const MemberFunction compute = long_members(output_of(verb), saves_every(verb));
     Helper helper(compute, verb.checkpoint > 0 ? longest_save : 0);  // before MPI and the first thread
     const std::unique_ptr<Link> link = open_link();
     if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute, &helper);
-    return lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, compute, helper); });
+    const int status = lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, compute, helper); });
+    tell_of_end(verb, status);
+    return status;
+}
+
+/// What tells others of the run.
+void add_messages(Verb& verb, RunVerb& options) {
+    verb.option("--metrics", options.metrics,
+                "A file in the text format of Prometheus, written anew every 5 s: members by state, rate and time left")
+        .writes_file();
+    verb.option(
+        "--on-end", options.on_end,
+        "A command for the shell when the run has ended, as for a message: it finds FLOES_OUTCOME (done, failed, "
+        "stopped, refused), FLOES_EXIT_STATUS, FLOES_CAMPAIGN_FILE, FLOES_DONE, FLOES_FAILED, FLOES_MISSING and "
+        "FLOES_WORDS, a sentence, in its environment, and has a minute");
 }
 
 }  // namespace
@@ -290,6 +352,7 @@ void add_run(CommandLine& line, std::span<char* const> command) {
                 "Run until the question is answered: \"mooring_force 3 h +- 15 %\" for a design value of every case "
                 "(load, mooring_force, offset, yaw, line_tension ...), \"mean_load +- 5 %\" for a mean; takes as many "
                 "arrangements as that needs, at most 1000 unless --set campaign.arrangements says how many");
+    add_messages(verb, *options);
     add_overrides(verb, options->overrides);
     verb.runs([options, &line, command] {
         if (options->ranks > 0 && !started_by_mpi()) return run_ranks(options->ranks, command);

@@ -84,6 +84,7 @@ class Tally {
     int computed() const { return computed_; }                             ///< members done in this session
     int set_aside() const { return static_cast<int>(set_aside_.size()); }  ///< members set aside in this session
     int done() const { return found_.done + computed_; }                   ///< of this session and before
+    int running() const { return static_cast<int>(under_way_.size()); }
     int failed() const;  ///< members of published() that are set aside, in this session and before
 
     /// The campaign's stop rule with the members known so far; empty if there is no rule.

@@ -141,14 +141,13 @@ std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file)
     return std::filesystem::path(campaign_file).replace_extension(".alive");
 }
 
-void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat) {
+namespace {
+
+/// A reader finds the old text or the new one.
+void replace_text(const std::filesystem::path& path, const std::string& text) {
     const std::filesystem::path aside = path.string() + ".tmp";
     std::ofstream out(aside, std::ios::trunc);
-    out << fmt::format("host {}\nprocess {}\ntime {}\n", host_name(), ::getpid(), std::time(nullptr));
-    out << fmt::format("elapsed {}\nfinished {}\nfinished_cost {}\nremaining_cost {}\n", heartbeat.elapsed,
-                       heartbeat.finished, heartbeat.finished_cost, heartbeat.remaining_cost);
-    for (const Heartbeat::UnderWay& one : heartbeat.under_way)
-        out << fmt::format("member {} {} {} {} {}\n", one.number, one.attempt, one.seconds, one.time, one.end);
+    out << text;
     out.close();
     std::error_code ignored;
     if (out) {
@@ -156,6 +155,48 @@ void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat) {
     } else {
         std::filesystem::remove(aside, ignored);
     }
+}
+
+/// A label's value as the format has it.
+std::string escaped(const std::string& label) {
+    std::string text;
+    for (const char letter : label) {
+        if (letter == '\\' || letter == '"') text += '\\';
+        text += letter == '\n' ? std::string("\\n") : std::string(1, letter);
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string metrics_text(const Metrics& metrics) {
+    const std::string of = fmt::format("campaign=\"{}\"", escaped(metrics.campaign));
+    std::string text = "# HELP floes_members Members of the campaign by their state.\n# TYPE floes_members gauge\n";
+    for (const auto& [state, count] : {std::pair{"done", metrics.done}, std::pair{"failed", metrics.failed},
+                                       std::pair{"running", metrics.running}, std::pair{"to_do", metrics.to_do}})
+        text += fmt::format("floes_members{{{},state=\"{}\"}} {}\n", of, state, count);
+    const auto add = [&](const char* name, const char* help, double value) {
+        text += fmt::format("# HELP {0} {1}\n# TYPE {0} gauge\n{0}{{{2}}} {3}\n", name, help, of, value);
+    };
+    add("floes_run_active", "1 while the run is at work, 0 after its end.", metrics.at_work ? 1 : 0);
+    add("floes_session_seconds", "Time since the session began.", metrics.elapsed);
+    add("floes_session_members", "Members done or failed in the session.", metrics.finished);
+    if (metrics.seconds_left >= 0)
+        add("floes_left_seconds", "Time until the last member at the present rate.", metrics.seconds_left);
+    return text;
+}
+
+void write_metrics(const std::filesystem::path& path, const Metrics& metrics) {
+    replace_text(path, metrics_text(metrics));
+}
+
+void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat) {
+    std::string text = fmt::format("host {}\nprocess {}\ntime {}\n", host_name(), ::getpid(), std::time(nullptr));
+    text += fmt::format("elapsed {}\nfinished {}\nfinished_cost {}\nremaining_cost {}\n", heartbeat.elapsed,
+                        heartbeat.finished, heartbeat.finished_cost, heartbeat.remaining_cost);
+    for (const Heartbeat::UnderWay& one : heartbeat.under_way)
+        text += fmt::format("member {} {} {} {} {}\n", one.number, one.attempt, one.seconds, one.time, one.end);
+    replace_text(path, text);
 }
 
 std::optional<Heartbeat> read_heartbeat(const std::filesystem::path& path) {

@@ -13,6 +13,26 @@
 
 namespace floes {
 
+// A run in numbers for programs that collect such: a text file in the format of Prometheus, which its node exporter
+// reads from a folder (--collector.textfile.directory), and others read too.
+
+struct Metrics {
+    std::string campaign = {};
+    bool at_work = true;
+    int done = 0;  ///< members with a result
+    int failed = 0;
+    int running = 0;
+    int to_do = 0;
+    double elapsed = 0;        ///< s, of the session
+    int finished = 0;          ///< members done or failed in the session
+    double seconds_left = -1;  ///< at the present rate; negative: not known
+};
+
+std::string metrics_text(const Metrics& metrics);
+
+/// Replaces the file by renaming. Errors of the file system are ignored.
+void write_metrics(const std::filesystem::path& path, const Metrics& metrics);
+
 // A small file beside the journal that shows other terminals and nodes what a run is doing. It is replaced every few
 // seconds and removed at the end. It is for display only; no decision depends on it.
 

@@ -136,6 +136,7 @@ std::string Recorder::tend(Time now) {
     keeper_.tend(now);
     if (timer_.heartbeat_is_due(now)) {
         write_heartbeat(heartbeat_path(places_.campaign_file), tally_.heartbeat(now));
+        write_metrics_now(now, true);
         timer_.heartbeat_written(now);
     }
     std::string trouble;
@@ -184,6 +185,7 @@ void Recorder::give_up() noexcept {
     try {
         std::error_code ignored;
         fs::remove(heartbeat_path(places_.campaign_file), ignored);
+        write_metrics_now(Clock::now(), false);
         keeper_.journal().end_session("failed");
     } catch (const std::exception&) {
         // The original error is the one to report.
@@ -200,6 +202,25 @@ void Recorder::finish(const std::string& outcome) {
         remove_saved_of_done();
     std::error_code ignored;
     fs::remove(heartbeat_path(places_.campaign_file), ignored);
+    write_metrics_now(Clock::now(), false);
+}
+
+void Recorder::write_metrics_now(Time now, bool at_work) const {
+    if (places_.metrics.empty()) return;
+    const Heartbeat heartbeat = tally_.heartbeat(now);
+    const double rate = heartbeat.elapsed > 0 ? heartbeat.finished_cost / heartbeat.elapsed : 0;
+    const int running = at_work ? tally_.running() : 0;
+    const int finished = tally_.computed() + tally_.set_aside();
+    write_metrics(places_.metrics,
+                  {.campaign = campaign_.name,
+                   .at_work = at_work,
+                   .done = tally_.done(),
+                   .failed = tally_.failed(),
+                   .running = running,
+                   .to_do = std::max(0, static_cast<int>(tally_.found().tasks.size()) - finished - running),
+                   .elapsed = heartbeat.elapsed,
+                   .finished = finished,
+                   .seconds_left = at_work && rate > 0 ? heartbeat.remaining_cost / rate : -1});
 }
 
 /// Members that still run have such files too; hardly ever are there more.

@@ -56,9 +56,10 @@ class Recorder {
         std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, stored with the members
         CampaignPart part = {};                            ///< what to compute; default: the whole campaign
         bool with_file = true;                             ///< publish; otherwise there are journals only
-        bool retry_failed = false;         ///< give members set aside before the full number of attempts again
-        std::mutex* publishing = nullptr;  ///< held meanwhile where several runs of this process publish: HDF5 need
-                                           ///< not be thread-safe
+        std::filesystem::path metrics = {};  ///< file of metrics, replaced with every heartbeat; empty: none
+        bool retry_failed = false;           ///< give members set aside before the full number of attempts again
+        std::mutex* publishing = nullptr;    ///< held meanwhile where several runs of this process publish: HDF5 need
+                                             ///< not be thread-safe
     };
 
     /// Throws InputError if the files exist and `existing` does not allow it.
@@ -114,6 +115,7 @@ class Recorder {
 
   private:
     void publish_now();
+    void write_metrics_now(Time now, bool at_work) const;
     void remove_saved_of_done() const;
     void look_at_other_parts();
 

@@ -5,6 +5,9 @@ SMALL=(--set campaign.arrangements=1 --set analysis.window_s=3.0)
 
 expect 2 no_file "$FLOES" run nowhere.toml
 said no_file "nowhere.toml"
+expect 2 told "$FLOES" run nowhere.toml --on-end 'echo "$FLOES_OUTCOME $FLOES_DONE: $FLOES_WORDS" > told.txt; exit 3'
+[ "$(cat told.txt)" = "refused 0: floes run nowhere.toml: refused" ] || fail "--on-end was told '$(cat told.txt)'"
+said told "ended with status 3"
 expect 2 no_file_ranks "${MPIRUN[@]}" -n 2 "$FLOES" run nowhere.toml
 expect 2 both "$FLOES" run campaign.toml --resume --overwrite
 expect 2 threads "$FLOES" run campaign.toml --threads 0

@@ -10,7 +10,15 @@ stopped() {
     h5diff "$1.h5" "$1.h5" > difference.log 2>&1 || fail "$1.h5 is not whole"
 }
 
-expect 0 whole "$FLOES" run campaign.toml -o whole.h5
+# told NAME WORDS: fails unless the command of --on-end wrote these to NAME.told.
+told() {
+    [ "$(cat "$1.told")" = "$2" ] || fail "--on-end was told '$(cat "$1.told")' and not '$2'"
+}
+
+expect 0 whole "$FLOES" run campaign.toml -o whole.h5 --metrics whole.prom --on-end \
+    'echo "$FLOES_OUTCOME $FLOES_EXIT_STATUS $FLOES_DONE $FLOES_FAILED $FLOES_MISSING $FLOES_CAMPAIGN_FILE" > whole.told'
+told whole "done 0 8 0 0 whole.h5"
+grep -q "^floes_members{campaign=\".*\",state=\"done\"} 8\$" whole.prom || fail "metrics: $(cat whole.prom)"
 
 "$FLOES" run campaign.toml -o alone.h5 --threads 1 --set campaign.seed=1 > alone.log 2>&1 &
 wait_for_a_member alone.journal
@@ -24,10 +32,12 @@ said alone_resumed "resumed: "
 same whole.h5 alone.h5
 
 # The terminal is closed.
-"$FLOES" run campaign.toml -o closed.h5 --threads 1 > closed.log 2>&1 &
+"$FLOES" run campaign.toml -o closed.h5 --threads 1 --on-end 'echo "$FLOES_OUTCOME $FLOES_EXIT_STATUS" > closed.told' \
+    > closed.log 2>&1 &
 wait_for_a_member closed.journal
 stopped closed HUP $!
 said closed "stopped by SIGHUP"
+told closed "stopped 85"
 expect 0 closed_resumed "$FLOES" run campaign.toml -o closed.h5 --resume
 same whole.h5 closed.h5
 

@@ -90,5 +90,25 @@ TEST(Heartbeat, ThatCannotBeWrittenOrUnderstoodIsNoTrouble) {
     }
 }
 
+TEST(Metrics, AreInTheTextFormatOfPrometheus) {
+    const std::string text =
+        metrics_text({.campaign = "a \"b\"\\", .done = 5, .failed = 1, .running = 2, .to_do = 4, .seconds_left = 90});
+    EXPECT_NE(text.find("# TYPE floes_members gauge\nfloes_members{campaign=\"a \\\"b\\\"\\\\\",state=\"done\"} 5\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find(",state=\"to_do\"} 4\n"), std::string::npos);
+    EXPECT_NE(text.find("floes_run_active{campaign="), std::string::npos);
+    EXPECT_NE(text.find("} 90\n"), std::string::npos);
+    EXPECT_EQ(metrics_text({}).find("floes_left_seconds"), std::string::npos) << "not known";
+}
+
+TEST(Metrics, ReplaceTheFile) {
+    const TemporaryFolder folder;
+    write_metrics(folder / "a.prom", {.done = 1});
+    write_metrics(folder / "a.prom", {.at_work = false, .done = 2});
+    EXPECT_EQ(file_text(folder / "a.prom"), metrics_text({.at_work = false, .done = 2}));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.prom.tmp"));
+}
+
 }  // namespace heartbeat_test
 }  // namespace floes
