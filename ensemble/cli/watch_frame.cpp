@@ -160,16 +160,18 @@ Lines head(const WatchedRun& run, const Screen& screen) {
     return lines;
 }
 
-/// "21.3 ± 7.4 N", with as many decimals in both.
+/// "21.3 ± 7.4 N": three digits of the mean, and as many decimals in both.
 std::string load_text(const WatchedLoad& load, const Units& units, Letters letters) {
-    if (!std::isfinite(load.mean.value)) return "-";
     const Units::Shown shown = units.of("N");
-    const std::string value = units.number(load.mean.value, "N");
-    if (!load.mean.said || !std::isfinite(load.mean.high)) return fmt::format("{} {}", value, shown.name);
-    const std::size_t point = value.find('.');
-    const int decimals = point == std::string::npos ? 0 : static_cast<int>(value.size() - point - 1);
-    return fmt::format("{} {} {:.{}f} {}", value, letters == Letters::ascii ? "+-" : "±",
-                       shown.factor * (load.mean.high - load.mean.low) / 2, decimals, shown.name);
+    const double mean = shown.factor * load.mean.value;
+    if (!std::isfinite(mean)) return "-";
+    const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::max(std::abs(mean), 1e-3)))), 0, 5);
+    const bool known = load.mean.said && std::isfinite(load.mean.high);
+    return fmt::format("{:.{}f}{} {}", mean, decimals,
+                       known ? fmt::format(" {} {:.{}f}", letters == Letters::ascii ? "+-" : "±",
+                                           shown.factor * (load.mean.high - load.mean.low) / 2, decimals)
+                             : "",
+                       shown.name);
 }
 
 /// Places of cases: all in order, or where there are more than `most`, the unfinished before the finished ones.

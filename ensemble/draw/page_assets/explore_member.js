@@ -102,9 +102,10 @@ function drawList(explorer) {
     : `Marked members, by their ${y.words}`;
   const shown = [y, ...[x, ...data.columns.filter(column => column.kind === 'input'), ...explorer.headlines]
     .filter((column, k, all) => column !== y && column.kind !== 'place' && all.indexOf(column) === k)].slice(0, 7);
+  const withCase = data.header.cases.length > 1 && data.header.cases.length <= 6; // else inputs tell it better
   const head = element('tr');
   head.append(element('th', 'member'));
-  if (data.header.cases.length > 1 && data.header.cases.length <= 40) head.append(element('th', 'case'));
+  if (withCase) head.append(element('th', 'case'));
   for (const column of shown) head.append(element('th', column.heading, {title: column.about}));
   const rows = best.map(i => {
     const row = element('tr', undefined, i === picked ? {class: 'is-picked'} : {});
@@ -113,7 +114,7 @@ function drawList(explorer) {
     const cell = element('td');
     cell.append(button);
     row.append(cell);
-    if (data.header.cases.length > 1 && data.header.cases.length <= 40)
+    if (withCase)
       row.append(element('td', shortened(data.header.cases[data.cases[i]], 34)));
     for (const column of shown) row.append(element('td', valueText(column, column.values[i])));
     return row;
