@@ -479,7 +479,6 @@ Section next_commands(const Evidence& evidence, const std::string& program) {
     const std::optional<int> worst = most_loaded_member(evidence);
     std::vector<std::pair<std::string, std::string>> commands;
     commands.emplace_back(fmt::format("{} report {}", program, file), "everything on one page");
-    commands.emplace_back(fmt::format("{} explore {}", program, file), "members to brush and pick, in a browser");
     const bool moored = std::ranges::any_of(evidence.campaign.cases, [](const Case& one) {
         return one.scenario.moorings.give_way() && one.scenario.analysis.keep_history;
     });
