@@ -1,5 +1,5 @@
 #pragma once
-// How a campaign is run, and when it has enough arrangements: the tables [run] and [stop].
+// A campaign: cases times arrangements, how it is run, when it has enough arrangements, and what tells it from others.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// Whether every case measures the quantity of the stop rule.
+// The keys of [campaign], [design], [stop], [run] and of a [[case]], and what is printed about keys.
 
 #include <cstdint>
 #include <optional>
@@ -14,8 +14,6 @@ namespace floes {
 
 /// The sentence that says what is wrong with stop.of; none if every case measures that quantity.
 std::optional<std::string> stop_quantity_fault(const Campaign& campaign);
-
-// The keys of [campaign], [design], [stop], [run] and of a [[case]], and what is printed about keys.
 
 /// The fields of [campaign].
 struct CampaignHead {

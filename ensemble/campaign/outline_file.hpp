@@ -1,5 +1,5 @@
 #pragma once
-// Outlines of floes as a file has them.
+// From a file of traced floes to the outlines of a campaign.
 
 #include <string>
 #include <vector>
@@ -21,8 +21,6 @@ struct TracedFloe {
 inline constexpr std::size_t most_outlines = 10'000;
 inline constexpr std::size_t most_ring_corners = 5'000;
 inline constexpr std::size_t most_file_corners = 200'000;
-
-// From a file of traced floes to the outlines of a campaign.
 
 /// The longest file of outlines, bytes.
 inline constexpr std::size_t longest_outline_file = 32 << 20;

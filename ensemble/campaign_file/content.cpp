@@ -1,4 +1,4 @@
-// The arrays of members in a campaign file, by their list.
+// Campaign files as they are written, by the list of arrays and quantities.
 
 #include "campaign_file/content.hpp"
 

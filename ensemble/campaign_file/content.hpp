@@ -1,6 +1,6 @@
 #pragma once
-// Where the values of a member's arrays lie in the rows of a campaign file, which are as wide as all cases together
-// need. For this module only.
+// A campaign file as it is written: where the values of members lie in its rows, which are as wide as all cases
+// together need, and the datasets that take one member after another. For this module only.
 
 #include <algorithm>
 #include <cstddef>

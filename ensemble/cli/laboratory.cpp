@@ -1,4 +1,4 @@
-// floes laboratory cantilever: the measured strength of a numerical beam compared with its input strength.
+// floes laboratory: plates that bend and cantilevers that break, on numerical ice.
 
 #include <cmath>
 
@@ -327,8 +327,6 @@ void add_plate(Verb& laboratory) {
 }
 
 }  // namespace
-
-// floes laboratory: the numerical ice tested by itself, without a tow.
 
 void add_laboratory(CommandLine& line) {
     Verb verb = line.verb("laboratory", "Test the numerical ice by itself: its elastic modulus, its strength");

@@ -1,4 +1,5 @@
-// Pictures of the worst moments of a campaign for its report: members computed again, side by side on all cores.
+// floes report: a campaign, complete or not, as one HTML page, with pictures of its worst moments, computed again on
+// all cores.
 
 #include <algorithm>
 #include <cmath>
@@ -89,8 +90,6 @@ void add_moments(const std::filesystem::path& file, bool all, ReportData& data) 
                                 .pictures = pictures_of(frames[k]),
                                 .differences = differences(subjects[k], frames[k].result)});
 }
-
-// floes report: a complete or incomplete campaign as one HTML page.
 
 struct ReportOptions {
     std::vector<std::string> files;

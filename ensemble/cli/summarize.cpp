@@ -1,4 +1,5 @@
-// The sheets of a workbook that floes summarize makes of a campaign.
+// floes summarize: the findings of a campaign file as a table, JSON, CSV or the sheets of a workbook, of incomplete
+// campaigns too.
 
 #include <algorithm>
 #include <array>
@@ -107,8 +108,6 @@ std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::st
                    }))});
     return sheets;
 }
-
-// floes summarize: the findings of a campaign file as a table, JSON or CSV. Works on incomplete campaigns too.
 
 struct SummarizeOptions {
     std::vector<std::string> files;

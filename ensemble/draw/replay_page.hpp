@@ -1,18 +1,5 @@
 #pragma once
-// Frames of a replay as few bytes: numbers in whole quanta, each frame as its difference from the one before, and
-// compressed. A whole member of the paper's tank
-// (1701 elements, 1351 frames) takes 4 MB.
-//
-// Six streams, little endian; e elements, in the order of IceField::elements():
-//   low, high    a frame: lower and upper bytes of 7 e int16 differences; x of all elements, then y, z, and w, x, y, z
-//   of
-//                their unit quaternions, whose signs are such that neighbouring frames are near each other
-//                An element that is not there has four zeros in place of them, and else what it had before
-//   utilisation  a frame: e bytes of differences, %
-//   numbers      a frame: 5 float32: time (s), load x, y, z (N), number of its contacts
-//   contacts     a contact: 10 int16: point, normal force and friction on the ice, and 1 if it is one of the structure;
-//                those among the ice only where their force is not too small to be seen
-//   pieces       a change: 3 int32: frame, element, the piece that it then belongs to; frame 0 sets all
+// The page of a replay, one self-contained HTML file, and what it plays: frames as few bytes, and thinned histories.
 
 #include <cstddef>
 #include <cstdint>
@@ -29,6 +16,20 @@
 #include "simulation/record.hpp"
 
 namespace floes {
+
+// Frames of a replay as few bytes: numbers in whole quanta, each frame as its difference from the one before, and
+// compressed. A whole member of the paper's tank
+// (1701 elements, 1351 frames) takes 4 MB.
+//
+// Six streams, little endian; e elements, in the order of IceField::elements():
+//   low, high    a frame: lower and upper bytes of 7 e int16 differences; x of all elements, then y, z, and w, x, y, z of
+//                their unit quaternions, whose signs are such that neighbouring frames are near each other
+//                An element that is not there has four zeros in place of them, and else what it had before
+//   utilisation  a frame: e bytes of differences, %
+//   numbers      a frame: 5 float32: time (s), load x, y, z (N), number of its contacts
+//   contacts     a contact: 10 int16: point, normal force and friction on the ice, and 1 if it is one of the structure;
+//                those among the ice only where their force is not too small to be seen
+//   pieces       a change: 3 int32: frame, element, the piece that it then belongs to; frame 0 sets all
 
 /// What a whole number stands for.
 struct Quanta {

@@ -1,5 +1,5 @@
 #pragma once
-// What is wrong with a campaign as a whole, said before its figures.
+// A campaign in sentences: what is wrong with it, what its loads rest on, and all of it on one screen.
 
 #include <string>
 #include <vector>

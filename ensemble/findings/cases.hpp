@@ -1,6 +1,6 @@
 #pragma once
-// The few figures that everybody asks for first: mean load, largest load over 1 s, broken floes. The same columns in
-// every table that has room for only these.
+// The cases of a campaign: the few figures that everybody asks for first, Table 3 beside the paper's, and every
+// quantity.
 
 #include <array>
 #include <string>
@@ -70,8 +70,6 @@ const PaperRow* paper_row(const Case& one);
 /// Two rows for each case: means with their intervals, and what one further run gives. Rows of the paper and of the
 /// experiment follow the case that they belong to.
 Results table3(const Campaign& campaign, const Summary& summary);
-
-// The section on the cases of a campaign.
 
 /// Conditions, counts, every quantity with its intervals, failures by mode, members set aside; for people one column
 /// for each case. CSV and JSON: for each case its counts and conditions; for each quantity KEY with KEY_low and

@@ -1,5 +1,6 @@
 #pragma once
-// Segment maxima of each case, averaged over the time of the headlines: fits, return levels, exceedance.
+// Segment maxima of each case, averaged over the time of the headlines: fits, return levels, exceedance; and how long
+// loads exceed given levels.
 
 #include <cstddef>
 #include <vector>
@@ -37,8 +38,6 @@ Figure exceedance_figure(const Summary& summary, const std::vector<CaseExtremes>
 
 /// "Gumbel" or "GEV".
 const char* name_of(ExtremeKind kind);
-
-// How long and how often the load exceeds the levels that the members counted, over arrangements. Needs no histories.
 
 /// One level in one case.
 struct LevelRow {

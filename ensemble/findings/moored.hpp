@@ -134,8 +134,8 @@ struct SimulatedDesign {
 /// simulated_peaks() does.
 std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request);
 
-/// Sentences on cases in which lines broke, whose force is that of what was left, or which thrusters alone hold, so
-/// that there is none; empty without such cases.
+/// Sentences on cases in which lines broke, so that the force is limited by that of the lines left, and on those that
+/// thrusters alone hold, so that there is none; empty without such cases.
 std::string mooring_notes(const Evidence& evidence);
 
 /// All design values of structures that give way, over 3 h and exceeded with 10 %, for people; `design --of` has them

@@ -1,4 +1,4 @@
-// Structures that gave way in the simulation: the line of each case.
+// Structures that gave way in the simulation: how they moved, what their lines bore, and their design values.
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
-// Datasets with a known number of rows, which are added in order, so that at most one chunk of each is in memory.
-// Only for sources of modules with HDF5 files of their own.
+// Datasets row by row: written with at most one chunk in memory, packed or as they grow, and read with checks. Only for
+// sources of modules with HDF5 files of their own.
 
 #include <cstdint>
 #include <optional>
@@ -74,7 +74,7 @@ class TextColumn {
 };
 
 // Reading datasets and checking that they are complete. Those of files with digests are; older files may be damaged
-// without a trace. Only for sources of modules with HDF5 files of their own.
+// without a trace.
 
 inline void check_count(hid_t file, const std::string& name, std::size_t found, std::size_t wanted) {
     if (found != wanted) refuse_damaged(file, fmt::format("{} has {} values where {} belong", name, found, wanted));
@@ -114,8 +114,7 @@ std::vector<Value> read_table(hid_t file, const std::string& name, std::size_t r
     return values;
 }
 
-// Compressed tables whose rows are written one at a time or arrive compressed. Only for sources of modules with HDF5
-// files of their own.
+// Compressed tables whose rows are written one at a time or arrive compressed.
 
 /// A compressed table of doubles with one chunk per row, written row by row. A row may itself have dimensions; it is
 /// then given in row-major order.
@@ -138,7 +137,7 @@ class Rows {
     std::vector<std::uint32_t> checksums_;  ///< of each row
 };
 
-// Datasets that grow during a run. Only for sources of modules with HDF5 files of their own.
+// Datasets that grow during a run.
 
 /// A compressed dataset with checksums whose first dimension grows by whole rows. Value: float, double, int32 or int8.
 template <class Value>

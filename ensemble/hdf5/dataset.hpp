@@ -1,5 +1,6 @@
 #pragma once
-// Names of links and of attributes. For this module only.
+// How a self-describing HDF5 file is written: names, attributes, and datasets along named dimensions. Only for sources
+// of modules with HDF5 files of their own.
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ std::vector<std::string> names_in_order(const Iterate& iterate) {
     return names;
 }
 
-// The name, unit and dimensions of a dataset. Only for sources of modules with HDF5 files of their own.
+// The name, unit and dimensions of a dataset.
 
 /// The attributes of every dataset.
 struct Label {
@@ -60,7 +61,7 @@ class Scale {
 
 using Dimensions = std::vector<std::reference_wrapper<const Scale>>;
 
-// Attributes of files, groups and datasets. Only for sources of modules with HDF5 files of their own.
+// Attributes of files, groups and datasets.
 
 void write_attribute(hid_t object, const std::string& name, const std::string& value);
 void write_attribute(hid_t object, const std::string& name, double value);
@@ -128,9 +129,6 @@ std::vector<hsize_t> sizes_of(const Dimensions& dimensions);
 
 /// Attaches a scale to each dimension from number `first` on.
 void attach(const Handle& dataset, const Dimensions& dimensions, unsigned first, const std::string& name);
-
-// Writes a self-describing HDF5 file like those of netCDF-4: labelled datasets with named dimension scales.
-// Only for sources of modules with HDF5 files of their own.
 
 /// The flags of an enumeration that counts from 0 in the order of `words`.
 Flags flags_of(std::span<const char* const> words, std::optional<std::int8_t> missing = {});

@@ -1,6 +1,5 @@
 #pragma once
-// The checksum that HDF5's filter Fletcher32 appends to each chunk, for chunks that are written without the filters;
-// HDF5 does not export its own function. For this module only.
+// Digests of datasets, and the checksum of HDF5's filter Fletcher32, whose function HDF5 does not export.
 
 #include <cstdint>
 #include <optional>

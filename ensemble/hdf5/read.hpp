@@ -1,6 +1,6 @@
 #pragma once
-// What can be read of a dataset before its digest is compared: its sizes, as far as they are plausible, and texts. Only
-// for files inside this module.
+// Reads HDF5 files, which may be damaged: datasets, attributes and digests, and the check of a whole file. Only for
+// sources of modules with HDF5 files of their own.
 
 #include <cstddef>
 #include <cstdint>
@@ -44,8 +44,7 @@ StoredShape shape_of(const Handle& dataset, const std::string& name, Portion por
 /// All texts of a dataset. Throws RunError if they cannot be read.
 std::vector<std::string> texts_of(const Handle& dataset, const std::string& name);
 
-// The contents of a whole file: the paths of all datasets, and one digest over them. Only for sources of modules with
-// HDF5 files of their own.
+// The contents of a whole file: the paths of all datasets, and one digest over them.
 
 /// Paths of all groups, or of all datasets, from the root on ("/members/status"), each group's in alphabetical order.
 struct Paths {
@@ -81,7 +80,7 @@ void write_contents_digests(hid_t file);
 /// The digests that the file has; empty if there are none.
 ContentsDigests read_contents_digests(hid_t file);
 
-// Reading named datasets and attributes of an HDF5 file. Only for sources of modules with HDF5 files of their own.
+// Reading named datasets and attributes of an HDF5 file.
 
 /// A file that another program has open for writing, or did when it was killed.
 class OpenElsewhere : public InputError {

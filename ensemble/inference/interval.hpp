@@ -70,7 +70,7 @@ std::vector<std::size_t> rows_standing_apart(std::span<const double> values);
 /// The largest share of members of a kind that is not among `members` in one of twenty samples.
 double unseen_share(std::size_t members);
 
-/// Fewest members of which a kind of that share is missing in at most one of twenty samples; 0 < share < 1.
+/// Fewest members that show a kind of that share in at least 19 of 20 samples; 0 < share < 1.
 int members_to_see(double share);
 
 // The mean of members of which some are of another kind, as where ice jams in one of twenty arrangements. Student's t

@@ -1,5 +1,5 @@
 #pragma once
-// The ice of an environmental contour: two inputs with their joint distribution, and the hours that such ice is there.
+// Environmental contours: the ice that they are of, and what people are shown of them.
 
 #include <array>
 #include <optional>
@@ -38,8 +38,6 @@ struct ContourInputs {
 /// Throws InputError, one sentence, as read_regimes() does, and for anything but two inputs, fewer than 3 values of
 /// either, values that are not positive, and parameters that a distribution does not have or cannot have.
 ContourInputs read_contour_inputs(std::string_view text, const std::string& file);
-
-// An environmental contour as sections and as a figure.
 
 struct ContourRequest {
     std::vector<double> per_year{1e-2, 1e-4};  ///< probabilities that a year has a state beyond, falling

@@ -1,5 +1,5 @@
 #pragma once
-// Targets: what was measured, as numbers that members of a campaign can be compared with.
+// The data of a matching: what was measured, the campaigns that are compared with it, and the scatter at their points.
 
 #include <filesystem>
 #include <span>

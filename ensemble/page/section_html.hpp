@@ -1,6 +1,6 @@
 #pragma once
-// The style sheet of the report and of pictures: light and dark, screen and print. Cases have the colours of Okabe and
-// Ito, which are safe for colour-blind readers. For this module only.
+// Sections as HTML and figures as SVG, in one style for light and dark, screen and print. Cases have the colours of
+// Okabe and Ito, which are safe for colour-blind readers.
 
 #include <span>
 #include <string>
@@ -73,8 +73,6 @@ pre{overflow-x:auto;background:var(--water);padding:.7rem;font-size:.8rem}code{f
 h2{margin-top:1.2rem}figure{margin:.5rem 0}figure img{max-height:8cm;width:auto}figure svg{max-width:13cm}.panels svg{max-width:6cm}
 figure figcaption{break-before:avoid}table{font-size:.62rem}th,td{padding:.1rem .3rem}.wide{overflow-x:visible}}
 )";
-
-// The parts of a page. For this module only.
 
 inline std::string section(const std::string& title, const std::string& body) {
     return fmt::format("<section><h2>{}</h2>\n{}</section>\n", html_escaped(title), body);

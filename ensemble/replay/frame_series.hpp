@@ -26,7 +26,7 @@ class FloeRoll {
 
     /// All so far.
     FloeSet floes() const { return gathered(floes_); }
-    const std::vector<int>& numbers() const { return numbers_; }  ///< of each: the how-manieth to enter, from 0
+    const std::vector<int>& numbers() const { return numbers_; }  ///< of each: its place in the order of entry, from 0
 
     /// Those of the breaks of the run that are of these floes, in the numbers of the record.
     std::vector<BreakEvent> breaks(const std::vector<BreakEvent>& of_run) const;

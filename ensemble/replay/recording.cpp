@@ -1,4 +1,4 @@
-// What a recording says of the run as a whole.
+// Recordings in HDF5: read, and written.
 
 #include "replay/recording.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// What says that an HDF5 file is a recording.
+// The recording of a replayed member, a file of its own in HDF5.
 
 #include <cstdint>
 #include <filesystem>

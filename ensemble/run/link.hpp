@@ -1,5 +1,5 @@
 #pragma once
-// The cores of a rank, from its affinity mask and those of the other ranks on its node.
+// The link between ranks: whole messages over MPI or within one process; and the cores of a rank.
 
 #include <array>
 #include <cstddef>

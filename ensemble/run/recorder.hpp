@@ -1,5 +1,5 @@
 #pragma once
-// When to write the heartbeat and publish the campaign file: a state machine that is given the time and reads no clock.
+// Keeps the results of a campaign, and says when heartbeat and campaign file are written.
 
 #include <chrono>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #pragma once
-// How long each rank has been silent. If a rank dies under mpirun --enable-recovery, MPI calls report nothing. So every
-// rank sends a regular sign of life, and its silence is measured.
+// A rank that is not the master: members in, answers out, pauses between polls, and how long each rank has been silent.
+// If a rank dies under mpirun --enable-recovery, MPI calls report nothing, so every rank sends a regular sign of life.
 
 #include <algorithm>
 #include <chrono>
@@ -73,8 +73,6 @@ class Pause {
 inline Pause pause_between_polls(int ranks) {
     return Pause(ranks > 1 ? std::chrono::milliseconds(10) : std::chrono::milliseconds(50));
 }
-
-// The loop of a rank that is not the master: members in, answers out.
 
 /// Serves the master (rank 0) until it ends the run. `threads`: members at a time; 0: the cores of this rank. `helper`:
 /// computes members in isolated processes, see run_campaign(). Returns the exit status sent by the master, or 1 if the

@@ -1,5 +1,5 @@
 #pragma once
-// The contents of a journal, and how each record changes them, both when appended and when read.
+// The journal of a campaign: its contents as records change them, its bytes, and the file that is appended to.
 
 #include <cstdint>
 #include <deque>

@@ -1,5 +1,5 @@
 #pragma once
-// Version, sources and tools of this build.
+// One start of the program on a campaign, with version and tools of its build, and attempts that never ended.
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,7 @@
 #pragma once
-// Rectangles on the water and whether two of them overlap: the separating-axis test. Two convex polygons are disjoint
-// exactly if their projections on the normal of one of their sides are; here there are four directions.
+// What lies on the water already while floes are laid: rectangles and polygons, whether they overlap, who is near whom,
+// and how floes that overlap push each other apart. Two convex polygons are disjoint exactly if their projections on
+// the normal of one of their sides are; of rectangles these are four directions.
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Contradictions of a field without end.
+// Contradictions of the field: without end, of polygons, of outlines that were traced.
 
 #include <algorithm>
 #include <cmath>
@@ -117,8 +117,6 @@ void check_endless(const Scenario& scenario, Contradictions& found) {
     if (found.size() == before) check_way_back(scenario, found);
 }
 
-// Contradictions between floes that are polygons and the rest.
-
 void check_shapes(const Scenario& scenario, Contradictions& found) {
     if (!scenario.shapes.any()) return;
     const std::size_t before = found.size();
@@ -144,8 +142,6 @@ void check_shapes(const Scenario& scenario, Contradictions& found) {
         found.push_back({{"shapes.kind", "shapes.relaxations", "field.concentration_percent"}, error.what()});
     }
 }
-
-// Contradictions within outlines that were traced, and between them and the rest.
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Contradictions within the ice and within the time of a run.
+// Contradictions within the ice, its laws and the time of a run.
 
 #include <algorithm>
 #include <array>
@@ -239,8 +239,6 @@ void check_averaging(const Scenario& scenario, Contradictions& found) {
     }
 }
 
-// Contradictions within the laws of sizes.
-
 namespace {
 
 constexpr double least_mass = 1e-6;  // of a law within its bounds; less is a slip of the pen
@@ -346,8 +344,6 @@ void check_sizes(const Scenario& scenario, Contradictions& found) {
         check_size_law(scenario, found);
     if (found.empty()) check_size_elements(scenario, found);
 }
-
-// Contradictions within the laws by which the ice of floes differs.
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Contradictions of paths and moorings.
+// Contradictions of the structure: its path and moorings, and with field, floes and laws.
 
 #include <algorithm>
 #include <array>
@@ -362,8 +362,6 @@ void check_moorings(const Scenario& scenario, Contradictions& found) {
     check_mass(scenario, found);
     check_periods(scenario, found);
 }
-
-// Contradictions between structure, field, floes and the length of the tow.
 
 namespace {
 

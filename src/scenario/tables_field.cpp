@@ -1,4 +1,4 @@
-// Keys of the tables [field], [arrangement], [structure], [analysis]: the tank and what is measured in it.
+// Keys of the tables [field], [arrangement], [structure], [analysis], [shapes], [water] and [wind].
 
 #include <algorithm>
 
@@ -250,8 +250,6 @@ void add_analysis(Keys& keys, Analysis& analysis) {
         "Design loads are extrapolated from these peaks.")));
 }
 
-// Keys of the table [shapes]: outlines of the floes.
-
 namespace {
 
 RowsField outline_rows(TracedOutlines& traced) {
@@ -337,8 +335,6 @@ void add_shapes(Keys& keys, Shapes& shapes) {
                        "them alike.")));
     add_traced(keys, shapes);
 }
-
-// Keys of the tables [water] and [wind].
 
 namespace {
 

@@ -1,4 +1,4 @@
-// Keys of the tables [general], [ice], [floe], [joint], [contact]: Table 1 and the solver.
+// Keys of the tables [general], [ice], [floe], [joint], [contact], [paper], [sizes], [spread] and [brine].
 
 #include <limits>
 
@@ -300,8 +300,6 @@ void add_paper(Keys& keys, Scenario& scenario) {
                    "with solver stock."))));
     keys.push_back(split_impulse(scenario.contact));
 }
-
-// Keys of the tables [sizes], [spread], [brine]: floes that differ.
 
 namespace {
 

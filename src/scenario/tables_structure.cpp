@@ -1,4 +1,4 @@
-// Keys of the table [hull]: shapes of the structure other than a profile.
+// Keys of the tables [hull], [path] and [moorings]: the structure, and how it moves.
 
 #include <algorithm>
 #include <span>
@@ -134,8 +134,6 @@ void add_hull(Keys& keys, Structure& structure) {
                                         "Volume within the surface of hull.file, by which the pieces are judged; 0: "
                                         "they came from no file.")));
 }
-
-// Keys of the tables [path] and [moorings]: how the structure moves, if not straight on at one speed.
 
 namespace {
 
