@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <map>
-#include <set>
 
 #include <fmt/format.h>
 
@@ -12,7 +10,6 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "core/units.hpp"
 #include "member/design_of.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"

@@ -4,13 +4,11 @@
 #include <limits>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "campaign/case_words.hpp"
-#include "keys/key.hpp"
 #include "member/design_of.hpp"
 #include "member/quantity.hpp"
 #include "scenario/keys.hpp"

@@ -1,7 +1,6 @@
 #include "campaign/closed_bodies.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>

@@ -20,7 +20,6 @@
 #include "core/random.hpp"
 #include "keys/key.hpp"
 #include "keys/meant.hpp"
-#include "keys/read.hpp"
 #include "scenario/keys.hpp"
 
 namespace floes {

@@ -13,7 +13,6 @@
 #include <set>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,7 +23,6 @@
 #include "core/text.hpp"
 #include "keys/csv.hpp"
 #include "shapes/elements.hpp"
-#include "shapes/polygon.hpp"
 
 namespace floes {
 

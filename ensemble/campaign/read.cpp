@@ -1,7 +1,6 @@
 #include "campaign/read.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -15,10 +14,8 @@
 
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
-#include "campaign/campaign.hpp"
 #include "campaign/campaign_keys.hpp"
 #include "campaign/case_blocks.hpp"
-#include "campaign/design.hpp"
 #include "campaign/hull_file.hpp"
 #include "campaign/outline_file.hpp"
 #include "campaign/refusals.hpp"

@@ -1,7 +1,6 @@
 #include "campaign/shared_area.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>

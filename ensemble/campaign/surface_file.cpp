@@ -4,7 +4,6 @@
 #include "campaign/surface_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cctype>
 #include <charconv>

@@ -2,10 +2,7 @@
 
 #include "campaign_file/content.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <numeric>
 #include <ranges>
 #include <set>
@@ -15,8 +12,6 @@
 #include <fmt/ranges.h>
 
 #include "campaign/write.hpp"
-#include "campaign_file/campaign_table.hpp"
-#include "hdf5/columns.hpp"
 
 namespace floes {
 

@@ -1,14 +1,12 @@
 #include <fcntl.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "campaign/campaign.hpp"
 #include "campaign_file/content.hpp"
 #include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"

@@ -9,21 +9,14 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <optional>
 #include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "cli/given.hpp"
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
-#include "core/started_program.hpp"
 #include "core/text.hpp"
 #include "draw/film.hpp"
 #include "run/progress.hpp"

@@ -15,7 +15,6 @@
 #include "run/link.hpp"
 #include "run/parts.hpp"
 #include "solver/lane_width.hpp"
-#include "store/journal.hpp"
 #include "store/session.hpp"
 #include "tables/section.hpp"
 

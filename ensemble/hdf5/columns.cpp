@@ -5,12 +5,9 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <fmt/format.h>
 #include <hdf5_hl.h>
 
 #include "core/units.hpp"
-#include "hdf5/dataset.hpp"
-#include "hdf5/digest.hpp"
 
 namespace floes::hdf5 {
 

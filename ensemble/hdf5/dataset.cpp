@@ -3,13 +3,9 @@
 #include <fcntl.h>
 #include <hdf5_hl.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <functional>
 #include <numeric>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -18,7 +14,6 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "hdf5/digest.hpp"
-#include "hdf5/handle.hpp"
 
 namespace floes::hdf5 {
 

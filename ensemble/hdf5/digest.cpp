@@ -1,14 +1,12 @@
 #include "hdf5/digest.hpp"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "hdf5/dataset.hpp"
-#include "hdf5/handle.hpp"
 #include "hdf5/pages.hpp"
 #include "hdf5/read.hpp"
 #include "store/packed_arrays.hpp"

@@ -1,11 +1,9 @@
 #include "hdf5/handle.hpp"
 
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "hdf5/dataset.hpp"
 #include "hdf5/read.hpp"
 #include "store/session.hpp"

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <span>
-#include <string>
 #include <string_view>
 #include <utility>
 
@@ -16,7 +14,6 @@
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/trial.hpp"
-#include "hdf5/handle.hpp"
 #include "hdf5/read.hpp"
 #include "store/file_calls.hpp"
 

@@ -13,9 +13,6 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "hdf5/dataset.hpp"
-#include "hdf5/digest.hpp"
-#include "hdf5/handle.hpp"
 #include "hdf5/pages.hpp"
 #include "store/file_calls.hpp"
 

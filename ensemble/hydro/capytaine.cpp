@@ -10,7 +10,6 @@
 #include <numbers>
 #include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 #include <set>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

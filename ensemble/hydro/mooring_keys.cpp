@@ -5,9 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,6 @@
 #include "hydro/radiation_tables.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>

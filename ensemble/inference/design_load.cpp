@@ -8,7 +8,6 @@
 
 #include "core/units.hpp"
 #include "inference/posterior_load.hpp"
-#include "inference/tails.hpp"
 
 namespace floes {
 namespace {

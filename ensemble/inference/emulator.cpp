@@ -12,7 +12,6 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "core/error.hpp"
-#include "inference/numerics.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <vector>
 
 #include <fmt/format.h>
 #include <boost/random/gamma_distribution.hpp>
@@ -15,7 +14,6 @@
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/units.hpp"
-#include "statistics/distributions.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {

@@ -3,7 +3,6 @@
 #include "inference/joint_inputs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 
 #include <nlopt.h>
-#include <Eigen/Core>
 #include <Eigen/Dense>
 
 #include "core/contract.hpp"

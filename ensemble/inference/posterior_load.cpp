@@ -8,7 +8,6 @@
 #include "core/random.hpp"
 #include "core/units.hpp"
 #include "inference/explained_variance.hpp"
-#include "inference/tails.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {

@@ -11,7 +11,6 @@
 
 #include "campaign/campaign.hpp"
 #include "campaign/write.hpp"
-#include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "member/array_output.hpp"

@@ -18,13 +18,11 @@
 #include <cmath>
 #include <condition_variable>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 #include <mutex>
 #include <new>
-#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -34,7 +32,6 @@
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
 #include "core/bytes.hpp"
-#include "core/error.hpp"
 #include "member/array_output.hpp"
 #include "member/run_member.hpp"
 #include "run/signals.hpp"

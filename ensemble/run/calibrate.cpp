@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -13,7 +12,6 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "scenario/keys.hpp"
-#include "simulation/laboratory.hpp"
 
 namespace floes {
 

@@ -16,7 +16,6 @@
 #include "member/design_of.hpp"
 #include "run/inventory.hpp"
 #include "run/parts.hpp"
-#include "run/progress.hpp"
 #include "store/journal.hpp"
 
 namespace floes {

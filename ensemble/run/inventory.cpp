@@ -4,8 +4,6 @@
 #include <functional>
 #include <utility>
 
-#include "campaign/campaign.hpp"
-
 namespace floes {
 
 namespace {

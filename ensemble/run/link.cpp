@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <chrono>
 #include <climits>
@@ -18,7 +17,6 @@
 #include <exception>
 #include <functional>
 #include <iterator>
-#include <set>
 #include <string_view>
 #include <thread>
 #include <utility>

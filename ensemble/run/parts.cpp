@@ -7,16 +7,13 @@
 #include <cstring>
 #include <map>
 #include <set>
-#include <string>
 #include <system_error>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "campaign/campaign.hpp"
 #include "campaign/write.hpp"
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
@@ -24,7 +21,6 @@
 #include "member/array_output.hpp"
 #include "member/quantity.hpp"
 #include "run/progress.hpp"
-#include "store/journal.hpp"
 
 namespace floes {
 

@@ -14,7 +14,6 @@
 #include <map>
 #include <set>
 #include <span>
-#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -27,15 +26,10 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "run/crew.hpp"
-#include "run/link.hpp"
 #include "run/messages.hpp"
 #include "run/plan.hpp"
-#include "run/progress.hpp"
-#include "run/recorder.hpp"
 #include "run/saved_members.hpp"
 #include "run/scheduler.hpp"
-#include "run/signals.hpp"
-#include "run/worker.hpp"
 #include "run/writer.hpp"
 
 namespace floes {

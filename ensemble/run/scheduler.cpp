@@ -1,6 +1,5 @@
 #include "run/scheduler.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <tuple>

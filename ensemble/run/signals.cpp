@@ -4,14 +4,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 

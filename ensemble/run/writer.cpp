@@ -1,7 +1,6 @@
 #include "run/writer.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "campaign/write.hpp"

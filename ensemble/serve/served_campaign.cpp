@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "campaign/campaign.hpp"
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"

@@ -21,10 +21,8 @@
 #include <fmt/ranges.h>
 #include <boost/crc.hpp>
 
-#include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
-#include "core/error.hpp"
 
 namespace floes::journal_format {
 

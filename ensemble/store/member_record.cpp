@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "campaign/campaign.hpp"
 #include "core/contract.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"

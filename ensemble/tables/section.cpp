@@ -10,7 +10,6 @@
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
-#include "tables/table.hpp"
 
 namespace floes {
 
