@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "member/array_output.hpp"
 
@@ -81,8 +80,8 @@ CaseRow case_row(const Case& one) {
                 : 0};
 }
 
-CampaignTable table_without_members(const Campaign& campaign) {
-    CampaignTable table;
+CampaignCases cases_of(const Campaign& campaign) {
+    CampaignCases table;
     table.title = campaign.name;
     for (const Case& one : campaign.cases) table.cases.push_back(case_row(one));
     table.levels = of_all_cases(campaign, [](const Scenario& s) { return s.analysis.exceedance_levels; });
@@ -93,7 +92,7 @@ CampaignTable table_without_members(const Campaign& campaign) {
 }  // namespace
 
 MemberRows::MemberRows(const Campaign& campaign)
-    : campaign_(campaign), table_(table_without_members(campaign)), arrangements_(campaign) {}
+    : campaign_(campaign), cases_(cases_of(campaign)), arrangements_(campaign) {}
 
 MemberRow MemberRows::row(std::size_t member, const MemberRecord* record) const {
     if (record == nullptr) return row(member, RowStatus::missing, {});
@@ -108,17 +107,17 @@ MemberRow MemberRows::row(std::size_t member, RowStatus status, const MemberResu
     row.arrangement = arrangements_.row(key);
     row.status = status;
     row.reason = result.reason;
-    const Analysis& analysis = table_.cases[static_cast<std::size_t>(key.case_index)].analysis;
-    set_missing(row, analysis.segments, table_.levels.size());
+    const Analysis& analysis = cases_.cases[static_cast<std::size_t>(key.case_index)].analysis;
+    set_missing(row, analysis.segments, cases_.levels.size());
     if (status != RowStatus::done) return row;
     static_cast<MemberOutputs&>(row) = result;
-    set_levels(row, table_.levels, analysis.exceedance_levels, result.levels);
+    set_levels(row, cases_.levels, analysis.exceedance_levels, result.levels);
     return row;
 }
 
 CampaignTable campaign_table(const Campaign& campaign, const StoredMembers& members) {
     const MemberRows rows(campaign);
-    CampaignTable table = rows.table();
+    CampaignTable table{rows.cases(), {}};
     for (const std::optional<std::size_t>& known : match_records(campaign, members.notes())) {
         const std::optional<MemberRecord> record = known ? std::optional(members.read(*known)) : std::nullopt;
         table.members.push_back(rows.row(table.members.size(), record ? &*record : nullptr));
@@ -132,13 +131,16 @@ constexpr std::string_view times_path = "averaging_time";
 
 }  // namespace
 
-Sample::Sample(const CampaignTable& table) : done_(table.cases.size()) {
+Sample::Sample(const CampaignTable& table) : CampaignCases(table), done_(table.cases.size()) {
     const std::vector<Quantity> known = table.quantities();
     MemberResult result;
     for (const MemberRow& row : table.members) {
         const std::size_t member = case_of_.size();
         case_of_.push_back(static_cast<std::size_t>(row.case_index));
         arrangement_of_.push_back(row.arrangement);
+        status_.push_back(row.status);
+        reason_.push_back(row.reason);
+        steady_.push_back(row.done() && row.load.steady);
         if (row.done()) done_.at(case_of_.back()).push_back(member);
         for (const Quantity& one : known) columns_[std::string{one.key.view()}].push_back(row.value(one));
         static_cast<MemberOutputs&>(result) = row;

@@ -1,5 +1,6 @@
 #pragma once
-// Σ as a figure of a case.
+// What a campaign file says of its cases and members: members as rows, as they are stored, and in columns, as
+// statistics take them. Every dataset, unit and attribute: docs/campaign_file.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,9 +23,6 @@ namespace floes {
 inline double followed_cfm(const Joint& joint) {
     return joint.model == JointModel::cfm ? joint.cfm : std::numeric_limits<double>::quiet_NaN();
 }
-
-// What a campaign file says of its cases and members, as values. Every dataset, unit and attribute:
-// docs/campaign_file.md.
 
 enum class RowStatus : std::int8_t { missing = -1, done = 0, failed = 1 };
 
@@ -71,16 +69,20 @@ struct MemberRow : MemberOutputs {
 void set_levels(MemberRow& row, std::span<const double> all, std::span<const double> own,
                 std::span<const LevelCount> counts);
 
-/// What summaries need of a campaign file.
-struct CampaignTable {
+/// A campaign file without its members.
+struct CampaignCases {
     std::string title;
     std::vector<CaseRow> cases;
-    std::vector<MemberRow> members;            ///< in member order
     std::vector<double> levels;                ///< N, rising: every level that some case counts steps above
     std::vector<double> averaging_times = {};  ///< s, rising: every time that some case averages the load over
 
     /// The list of quantities, with those of the averaged load.
     std::vector<Quantity> quantities() const { return quantities_with(averaging_times); }
+};
+
+/// What summaries need of a campaign file.
+struct CampaignTable : CampaignCases {
+    std::vector<MemberRow> members;  ///< in member order
 };
 
 /// The table that read_campaign_file() gives after publish() of the same members.
@@ -106,15 +108,14 @@ class ArrangementRows {
     int arrangements_ = 0;
 };
 
-// Rows of members, made of their records one by one; member_rows.cpp has campaign_table() too. For this module only.
+// Rows of members, made of their records one by one. For this module only.
 
 class MemberRows {
   public:
     /// `campaign` must outlive the rows.
     explicit MemberRows(const Campaign& campaign);
 
-    /// The campaign's table, without members.
-    const CampaignTable& table() const { return table_; }
+    const CampaignCases& cases() const { return cases_; }
     const ArrangementRows& arrangements() const { return arrangements_; }
     /// `record`: nullptr where there is none.
     MemberRow row(std::size_t member, const MemberRecord* record) const;
@@ -122,7 +123,7 @@ class MemberRows {
 
   private:
     const Campaign& campaign_;
-    CampaignTable table_;
+    CampaignCases cases_;
     ArrangementRows arrangements_;
 };
 
@@ -136,12 +137,12 @@ class MemberRows {
 /// Members by number.
 using Members = std::vector<std::size_t>;
 
-class Sample {
+class Sample : public CampaignCases {
   public:
+    Sample() = default;
     /// The table's members: their quantities by key, the arrays that are read with them by path.
     Sample(const CampaignTable& table);  // NOLINT: a table is a sample
 
-    std::size_t cases() const { return done_.size(); }
     std::size_t members() const { return case_of_.size(); }
     /// Done members of a case by arrangement.
     const Members& done(std::size_t of_case) const { return done_.at(of_case); }
@@ -149,7 +150,11 @@ class Sample {
     /// Equal for members that began from the same floes.
     int arrangement_of(std::size_t member) const { return arrangement_of_.at(member); }
     /// The number of the member's arrangement, as people name it: that of its case.
-    int number_of(std::size_t member) const { return static_cast<int>(member / cases()); }
+    int number_of(std::size_t member) const { return static_cast<int>(member / cases.size()); }
+    RowStatus status(std::size_t member) const { return status_.at(member); }
+    const std::string& reason(std::size_t member) const { return reason_.at(member); }
+    /// Whether its load by itself has no trend in the window; false unless it is done.
+    bool steady(std::size_t member) const { return steady_.at(member); }
 
     /// For each of the members; NaN where it was not measured.
     std::vector<double> values(const Members& members, const Quantity& quantity) const;
@@ -178,6 +183,9 @@ class Sample {
     std::vector<Members> done_;
     std::vector<std::size_t> case_of_;
     std::vector<int> arrangement_of_;
+    std::vector<RowStatus> status_;
+    std::vector<std::string> reason_;
+    std::vector<bool> steady_;
     std::map<std::string, std::vector<double>, std::less<>> columns_;  ///< by key, a value of each member
     std::map<std::string, Array, std::less<>> arrays_;                 ///< by path
 };

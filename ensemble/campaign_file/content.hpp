@@ -122,7 +122,7 @@ struct CampaignContent {
     MemberRows rows;
     ArrayPlaces places;
 
-    const CampaignTable& table() const { return rows.table(); }
+    const CampaignCases& table() const { return rows.cases(); }
     /// For an axis that members find: how far it goes in the file.
     std::size_t found(const ArrayAxis& axis) const;
     /// Whether the file has the array: none of its axes is without places.

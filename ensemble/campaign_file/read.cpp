@@ -4,16 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "campaign/read.hpp"
-#include "campaign_file/campaign_table.hpp"
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
-#include "hdf5/handle.hpp"
 #include "member/design_of.hpp"
 #include "member/member_outputs.hpp"
 #include "statistics/load_statistics.hpp"
@@ -302,7 +298,7 @@ void read_table_arrays(const CampaignFile& file, const std::vector<RowStatus>& s
 CampaignTable read_campaign_file(const CampaignFile& file) {
     const hdf5::QuietErrors quiet;
     const MemberRows rows(file.campaign());
-    CampaignTable table = rows.table();
+    CampaignTable table{rows.cases(), {}};
     table.title = hdf5::read_text_attribute(file.id(), "title");
     const std::vector<RowStatus> states = read_states(file);
     std::vector<MemberResult> results = read_quantities(file, states.size());
@@ -346,29 +342,19 @@ std::span<const double> in_window(const StoredHistory& history, const Analysis& 
 
 namespace {
 
-/// What responses_of() takes, and where a file has it.
-struct StoredMotion {
-    std::vector<double> MotionHistory::*history;
-    const ArrayOutput* array;
-};
-constexpr std::array<StoredMotion, 5> horizontal_motion{
-    {{&MotionHistory::yaw, &array_output("history/structure_yaw")},
-     {&MotionHistory::surge_offset, &array_output("history/surge_offset")},
-     {&MotionHistory::sway_offset, &array_output("history/sway_offset")},
-     {&MotionHistory::surge_mooring, &array_output("history/surge_mooring")},
-     {&MotionHistory::sway_mooring, &array_output("history/sway_mooring")}}};
-constexpr std::array<StoredMotion, 3> vertical_motion{{{&MotionHistory::heave, &array_output("history/heave_offset")},
-                                                       {&MotionHistory::pitch, &array_output("history/pitch")},
-                                                       {&MotionHistory::roll, &array_output("history/roll")}}};
-constexpr StoredMotion use_of_lines{&MotionHistory::line_use, &array_output("history/line_use")};
+/// The histories that responses_of() takes of any structure that gives way, of one that floats, and of lines that
+/// break.
+constexpr std::array horizontal_motion{&array_output("history/structure_yaw"), &array_output("history/surge_offset"),
+                                       &array_output("history/sway_offset"), &array_output("history/surge_mooring"),
+                                       &array_output("history/sway_mooring")};
+constexpr std::array vertical_motion{&array_output("history/heave_offset"), &array_output("history/pitch"),
+                                     &array_output("history/roll")};
 
 /// The responses of members that have the same histories, in the windows of the table.
 void measure_responses(const CampaignFile& file, CampaignTable& table, bool floats, bool breaks) {
-    std::vector<StoredMotion> motions(horizontal_motion.begin(), horizontal_motion.end());
-    if (floats) motions.insert(motions.end(), vertical_motion.begin(), vertical_motion.end());
-    if (breaks) motions.push_back(use_of_lines);
-    std::vector<const ArrayOutput*> arrays;
-    for (const StoredMotion& one : motions) arrays.push_back(one.array);
+    std::vector<const ArrayOutput*> arrays(horizontal_motion.begin(), horizontal_motion.end());
+    if (floats) arrays.insert(arrays.end(), vertical_motion.begin(), vertical_motion.end());
+    if (breaks) arrays.push_back(&array_output("history/line_use"));
     const auto scenario_of = [&](int member) -> const Scenario& {
         return file.campaign()
             .cases[static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(member)).case_index)]
@@ -382,10 +368,10 @@ void measure_responses(const CampaignFile& file, CampaignTable& table, bool floa
         MemberRow& row = table.members.at(static_cast<std::size_t>(found.member));
         Scenario scenario = scenario_of(found.member);
         scenario.analysis = table.cases.at(static_cast<std::size_t>(row.case_index)).analysis;
-        MotionHistory motion;
-        for (std::size_t k = 0; k < motions.size(); ++k)
-            (motion.*motions[k].history).assign(found.values[k].begin(), found.values[k].end());
-        row.responses = responses_of(scenario, motion);
+        MemberResult result;
+        for (std::size_t k = 0; k < arrays.size(); ++k)
+            arrays[k]->access.set(result, {{found.values[k].size()}, {found.values[k].begin(), found.values[k].end()}});
+        row.responses = responses_of(scenario, result.motion);
     });
 }
 

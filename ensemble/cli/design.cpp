@@ -248,8 +248,8 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
     request.of = design_of_k_x;
     const MooredRequest asked{hull, request.scale, request.averaging};
     const std::vector<MooredCase> found = find_moored(evidence, asked);
-    const std::vector<CasePeaks> peaks = moored_peaks(evidence.table, found);
-    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request, peaks);
+    const std::vector<CasePeaks> peaks = moored_peaks(evidence.sample, found);
+    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.sample, request, peaks);
     std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
     sections.push_back(moored_section(evidence.summary, found, asked));
     return {std::move(sections), designs, request, evidence};
@@ -264,7 +264,7 @@ Answer sections_of(const DesignOptions& options, const Evidence& evidence, const
         return {std::move(sections), designs, request, evidence};
     }
     if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
-    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.table, request);
+    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.sample, request);
     return {design_load_sections(evidence.summary, designs, request), designs, request, evidence};
 }
 
@@ -279,7 +279,7 @@ std::string command_of(const DesignOptions& options, const GivenCampaign& given,
 
 void add_warnings(const Evidence& evidence, std::vector<Section>& sections) {
     std::string& before = sections.front().before;
-    before = warning_lines(warnings_of(evidence.table, evidence.summary)) + before;
+    before = warning_lines(warnings_of(evidence.sample, evidence.summary)) + before;
 }
 
 int answer(const DesignOptions& options) {

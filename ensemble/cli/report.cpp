@@ -101,7 +101,7 @@ struct ReportOptions {
     bool asks_design = false;
     std::string title;
     std::string author;
-    double safety_factor = Evidence{}.safety_factor;
+    Inquiry inquiry;
 };
 
 void report(const ReportOptions& options) {
@@ -114,7 +114,7 @@ void report(const ReportOptions& options) {
         data.evidence.design_request = options.design;
         data.evidence.design_request->exposure = options.exposure_h * unit::hour;
     }
-    data.evidence.safety_factor = options.safety_factor;
+    data.evidence.safety_factor = options.inquiry.safety_factor;
     data.title = options.title;
     data.author = options.author;
     const Scenario& first = data.evidence.campaign.cases.front().scenario;
@@ -140,7 +140,7 @@ void add_report(CommandLine& line) {
     const Option exposure = add_exposure(verb, options->exposure_h);
     const Option quantile = add_quantiles(verb, options->design.quantiles);
     const Option averaging = add_averaging(verb, options->design.averaging);
-    verb.option("--safety-factor", options->safety_factor,
+    verb.option("--safety-factor", options->inquiry.safety_factor,
                 "Of mooring lines: break load over design tension; that of ISO 19901-7 for a whole mooring by default")
         .within(1.0, 100.0)
         .shows_default();

@@ -85,7 +85,7 @@ FrontSheet front_sheet(Evidence& evidence) {
 /// sheet says what the others hold.
 std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::string>& parts) {
     using Line = std::pair<std::string, std::string>;
-    std::vector<Line> contents{{"campaign", evidence.table.title}, {"made by", "floes " + floes_version()}};
+    std::vector<Line> contents{{"campaign", evidence.sample.title}, {"made by", "floes " + floes_version()}};
     std::vector<Sheet> sheets;
     std::vector<Finding> wanted;
     for (const Finding& finding : findings())

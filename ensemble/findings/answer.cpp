@@ -6,7 +6,6 @@
 #include <functional>
 #include <iterator>
 #include <optional>
-#include <span>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -18,10 +17,9 @@
 #include "findings/conditions.hpp"
 #include "findings/moored.hpp"
 #include "findings/pairs.hpp"
-#include "findings/points.hpp"
 #include "findings/steady.hpp"
-#include "findings/summary.hpp"
 #include "inference/interval.hpp"
+#include "statistics/load_statistics.hpp"
 
 namespace floes {
 
@@ -34,18 +32,16 @@ struct Counts : MemberCounts {
     int rising = 0, falling = 0;         ///< done and not steady
     std::vector<std::string> bare = {};  ///< cases of which no member met ice
 
-    Counts(const CampaignTable& table, const Summary& summary) : MemberCounts(summary.counts()) {
-        std::vector<int> of_case(summary.cases.size());
-        for (const MemberRow& row : table.members) {
-            if (!row.done()) continue;
-            const bool none = row.load.maximum == 0 && row.load.mean == 0;
-            untouched += none ? 1 : 0;
-            of_case[static_cast<std::size_t>(row.case_index)] += none ? 1 : 0;
-            if (!row.load.steady) ++(row.load.trend < 0 ? falling : rising);
-        }
+    Counts(const Sample& sample, const Summary& summary) : MemberCounts(summary.counts()) {
         for (std::size_t k = 0; k < summary.cases.size(); ++k) {
-            const CaseSummary& one = summary.cases[k];
-            if (one.done > 0 && of_case[k] == one.done) bare.push_back(summary.label_of(k));
+            int none = 0;
+            for (const std::size_t member : sample.done(k)) {
+                const auto value = [&](const char* key) { return sample.value(member, *find_quantity(key)); };
+                none += value("maximum_load") == 0 && value("mean_load") == 0 ? 1 : 0;
+                if (!sample.steady(member)) ++(value("trend") < 0 ? falling : rising);
+            }
+            untouched += none;
+            if (none > 0 && none == summary.cases[k].done) bare.push_back(summary.label_of(k));
         }
     }
 };
@@ -114,17 +110,14 @@ std::vector<std::string> trend_sentences(const Summary& summary, const Counts& f
 
 /// Cases in which most steps end before contacts are solved: in ice that jams loads are then too low
 /// (docs/fracture.md).
-std::string unsolved_text(const CampaignTable& table, const Summary& summary) {
+std::string unsolved_text(const Sample& sample, const Summary& summary) {
     constexpr double nearly_all = 0.9;
     std::vector<std::string> lines;
     int most = 0;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
-        const std::vector<const MemberRow*> members = done_members(table, k);
-        const int allowed = table.cases[k].most_sweeps;
-        double sum = 0;
-        for (const MemberRow* row : members) sum += row->mean_sweeps;
-        const double mean = sum / static_cast<double>(members.size());
-        if (members.empty() || allowed == 0 || !(mean > nearly_all * allowed)) continue;
+        const int allowed = sample.cases[k].most_sweeps;
+        const double mean = mean_of(sample.values(sample.done(k), quantity("mean_sweeps")));
+        if (allowed == 0 || !(mean > nearly_all * allowed)) continue;
         lines.push_back(fmt::format("{}, {:.3g} of at most {}", summary.label_of(k), mean, allowed));
         most = std::max(most, allowed);
     }
@@ -137,15 +130,13 @@ std::string unsolved_text(const CampaignTable& table, const Summary& summary) {
 }
 
 /// Members whose mean load is far above the others'.
-std::string standing_out_text(const CampaignTable& table, const Summary& summary) {
+std::string standing_out_text(const Sample& sample, const Summary& summary) {
     std::vector<std::string> lines;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
-        std::vector<double> loads;
-        const std::vector<const MemberRow*> members = done_members(table, k);
-        for (const MemberRow* row : members) loads.push_back(row->load.mean);
-        std::vector<std::string> numbers;
-        for (const std::size_t row : apart(loads, Sides::above).above)
-            numbers.push_back(fmt::format("{}", members[row] - table.members.data()));
+        const Members& members = sample.done(k);
+        std::vector<std::size_t> numbers;
+        for (const std::size_t row : apart(sample.values(members, quantity("mean_load")), Sides::above).above)
+            numbers.push_back(members[row]);
         if (!numbers.empty())
             lines.push_back(fmt::format("{} of {} of {} ({})", numbers.size(), members.size(), summary.label_of(k),
                                         fmt::join(numbers, ", ")));
@@ -194,7 +185,7 @@ std::array<double, 2> turns_to_deck(const Shape& shape) {
 }
 
 /// Cases in which a hull turned further than holds what it is computed by (docs/moorings.md).
-std::string heel_text(const CampaignTable& table, const Summary& summary) {
+std::string heel_text(const Sample& sample, const Summary& summary) {
     constexpr double small_turn = 5 * unit::degree;
     std::vector<std::string> far;
     std::vector<std::string> wet;
@@ -203,8 +194,8 @@ std::string heel_text(const CampaignTable& table, const Summary& summary) {
         for (const auto& [which, key, words] :
              {std::tuple{0U, "largest_pitch", "pitch"}, std::tuple{1U, "largest_roll", "roll"}}) {
             double largest = 0;  // of members that float: others have no such number
-            for (const MemberRow* row : done_members(table, k))
-                largest = std::max(largest, std::abs(row->value(*find_quantity(key))));
+            for (const double turn : sample.values(sample.done(k), *find_quantity(key)))
+                largest = std::max(largest, std::abs(turn));
             if (!(largest > small_turn)) continue;
             if (!to_deck) to_deck = turns_to_deck(summary.cases[k].about.shape);
             const std::string turn =
@@ -239,8 +230,8 @@ std::string failed_text(const Counts& found, const Summary& summary) {
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& summary) {
-    const Counts found(table, summary);
+std::vector<std::string> warnings_of(const Sample& sample, const Summary& summary) {
+    const Counts found(sample, summary);
     std::vector<std::string> sentences;
     if (found.failed_members > 0) sentences.push_back(failed_text(found, summary));
     if (found.missing_members > 0)
@@ -250,11 +241,9 @@ std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& 
                         found.done > 0 ? ". Short runs finish first, so the figures lean towards them." : "."));
     if (found.untouched > 0) sentences.push_back(untouched_text(found, summary.cases.size()));
     std::ranges::move(trend_sentences(summary, found), std::back_inserter(sentences));
-    if (std::string unsolved = unsolved_text(table, summary); !unsolved.empty())
-        sentences.push_back(std::move(unsolved));
-    if (std::string heel = heel_text(table, summary); !heel.empty()) sentences.push_back(std::move(heel));
-    if (std::string out = standing_out_text(table, summary); !out.empty()) sentences.push_back(std::move(out));
-    if (std::string few = few_text(summary); !few.empty()) sentences.push_back(std::move(few));
+    for (std::string text : {unsolved_text(sample, summary), heel_text(sample, summary),
+                             standing_out_text(sample, summary), few_text(summary)})
+        if (!text.empty()) sentences.push_back(std::move(text));
     return sentences;
 }
 
@@ -343,7 +332,7 @@ std::vector<std::string> changes(Evidence& evidence) {
 
 CampaignAnswer find_answer(Evidence& evidence) {
     const DesignLoads designs = evidence.campaign.design.active() ? DesignLoads{} : designs_of(evidence);
-    return {warnings_of(evidence.table, evidence.summary), basis_sentences(evidence, designs), changes(evidence)};
+    return {warnings_of(evidence.sample, evidence.summary), basis_sentences(evidence, designs), changes(evidence)};
 }
 
 namespace {
@@ -443,7 +432,7 @@ void add_extreme_points(const Summary& summary, const std::vector<LoadColumn>& l
 Section overview_section(const Evidence& evidence, const Sensitivity& sensitivity) {
     const Summary& summary = evidence.summary;
     const std::vector<LoadColumn> loads = load_columns(summary);
-    Section section{.before = heading(evidence) + warning_lines(warnings_of(evidence.table, summary)) + "\n"};
+    Section section{.before = heading(evidence) + warning_lines(warnings_of(evidence.sample, summary)) + "\n"};
     const bool design = evidence.campaign.design.active();
     const bool many = summary.cases.size() > most_overview_rows;
     std::string compared;  // how, if not arrangement by arrangement

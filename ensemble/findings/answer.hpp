@@ -4,14 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "findings/evidence.hpp"
-#include "findings/summary.hpp"
+#include "findings/points.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
 
-/// Sentences, the worst first; none for a campaign that nothing is wrong with. `summary`: of the table.
-std::vector<std::string> warnings_of(const CampaignTable& table, const Summary& summary);
+/// Sentences, the worst first; none for a campaign that nothing is wrong with. `summary`: of the sample.
+std::vector<std::string> warnings_of(const Sample& sample, const Summary& summary);
 
 /// A line for each.
 std::string warning_lines(const std::vector<std::string>& warnings);

@@ -10,9 +10,9 @@
 #include "arrangement/arrangement.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "findings/catalogue.hpp"
 #include "findings/conditions.hpp"
-#include "findings/summary.hpp"
+#include "findings/design_points.hpp"
+#include "findings/sections.hpp"
 #include "inference/explained_variance.hpp"
 #include "inference/interval.hpp"
 #include "scenario/keys.hpp"
@@ -426,39 +426,41 @@ const char* status_word(RowStatus status) {
 
 }  // namespace
 
-Section members_section(const CampaignTable& table) {
+Section members_section(const Sample& sample) {
     Results results{.columns = program_columns("member case arrangement status"), .in_json = false};
-    const std::vector<Quantity> known = table.quantities();
+    const std::vector<Quantity> known = sample.quantities();
     std::vector<Quantity> shown;
     for (const Quantity& quantity : shown_in(known, Shown::in_summary)) shown.push_back(quantity);
     for (const Quantity& quantity : shown) results.columns.push_back({std::string{quantity.key.view()}});
+    const auto maxima_of = [&](std::size_t member) { return sample.along("members/segment_maximum", member); };
     std::size_t segments = 0;  // largest number in any case
-    for (const MemberRow& row : table.members) segments = std::max(segments, row.load.segment_maximum.size());
+    for (const CaseRow& one : sample.cases)
+        segments = std::max(segments, static_cast<std::size_t>(one.analysis.segments));
+    for (std::size_t k = 0; k < sample.members(); ++k) segments = std::max(segments, maxima_of(k).size());
     for (std::size_t k = 0; k < segments; ++k) results.columns.push_back({fmt::format("segment_{}_maximum", k + 1)});
     results.columns.push_back({"trend_p"});
     shown.push_back(quantity("trend_p"));
-    for (std::size_t number = 0; number < table.members.size(); ++number) {
-        const MemberRow& row = table.members[number];
-        std::vector<Datum> line{number, table.cases.at(static_cast<std::size_t>(row.case_index)).name, row.arrangement,
-                                status_word(row.status)};
-        for (const Quantity& quantity : shown) line.emplace_back(row.value(quantity));
+    for (std::size_t member = 0; member < sample.members(); ++member) {
+        std::vector<Datum> line{member, sample.cases.at(sample.case_of(member)).name, sample.arrangement_of(member),
+                                status_word(sample.status(member))};
+        for (const Quantity& quantity : shown) line.emplace_back(sample.value(member, quantity));
         for (std::size_t k = 0; k < segments; ++k) {
-            const std::vector<double>& maxima = row.load.segment_maximum;
-            line.insert(line.end() - 1, row.done() && k < maxima.size() ? Datum(maxima[k]) : Datum(Absent{}));
+            const std::span<const double> maxima = maxima_of(member);
+            line.insert(line.end() - 1, k < maxima.size() ? Datum(maxima[k]) : Datum(Absent{}));
         }
         results.add(std::move(line));
     }
     return {.results = {std::move(results)}};
 }
 
-Section long_section(const CampaignTable& table) {
+Section long_section(const Sample& sample) {
     Results results{.columns = program_columns("case arrangement quantity unit value"), .in_json = false};
-    const std::vector<Quantity> known = table.quantities();
-    for (const MemberRow& row : table.members)
+    const std::vector<Quantity> known = sample.quantities();
+    for (std::size_t member = 0; member < sample.members(); ++member)
         for (const Quantity& quantity : known)
-            if (row.done() && std::isfinite(row.value(quantity)))
-                results.add({table.cases.at(static_cast<std::size_t>(row.case_index)).name, row.arrangement,
-                             quantity.key.view(), quantity.unit, row.value(quantity)});
+            if (const double value = sample.value(member, quantity); std::isfinite(value))
+                results.add({sample.cases.at(sample.case_of(member)).name, sample.arrangement_of(member),
+                             quantity.key.view(), quantity.unit, value});
     return {.results = {std::move(results)}};
 }
 
@@ -492,7 +494,7 @@ Results find_control(const Evidence& evidence) {
     std::map<std::uint64_t, Covariates> populations;
     for (const Quantity& quantity : shown_in(evidence.summary.quantities, Shown::in_headlines)) {
         bool first = true;
-        for (std::size_t k = 0; k < evidence.sample.cases(); ++k) {
+        for (std::size_t k = 0; k < evidence.sample.cases.size(); ++k) {
             const Scenario& scenario = campaign.cases.at(k).scenario;
             if (scenario.arrangement.given()) continue;
             const auto [place, added] = populations.try_emplace(geometry_key(scenario));
@@ -502,8 +504,8 @@ Results find_control(const Evidence& evidence) {
             const Members& members = evidence.sample.done(k);
             Covariates known;
             for (const std::size_t member : members)
-                known.push_back(
-                    {evidence.table.members[member].local_order, evidence.table.members[member].coverage_ahead});
+                known.push_back({evidence.sample.value(member, *find_quantity("local_order")),
+                                 evidence.sample.value(member, *find_quantity("coverage_ahead"))});
             const ControlledMean found =
                 controlled_mean(evidence.sample.values(members, quantity), known, place->second);
             const Estimate corrected = estimate(found.corrected);
@@ -522,6 +524,55 @@ Section control_section(Evidence& evidence) {
                 "these predict of arrangements which the fit has not seen; at 0 or below, where the interval is no "
                 "shorter, and with fewer than {} arrangements, the correction is off.\n",
                 control_draws, fewest_controlled)};
+}
+
+namespace {
+
+/// The interval of two arrangements is too wide to draw.
+constexpr std::size_t fewest_drawn = 3;
+
+struct Curve {
+    std::size_t of_case = 0;
+    Figure::Points mean = {}, low = {}, high = {};
+};
+
+}  // namespace
+
+Section convergence_section(Evidence& evidence) {
+    Figure figure{.description = "Mean load over the number of arrangements, with its interval",
+                  .x = {"arrangements", 0, 2},
+                  .legend = case_legend(evidence.summary),
+                  .caption = "Mean load of the first n arrangements with its 95 % interval."};
+    std::vector<double> drawn;
+    std::vector<Curve> curves;
+    for (std::size_t i = 0; i < evidence.sample.cases.size(); ++i) {
+        Curve& curve = curves.emplace_back(Curve{i});
+        std::vector<double> so_far;
+        for (const double load : evidence.sample.values(evidence.sample.done(i), quantity("mean_load"))) {
+            so_far.push_back(load);
+            if (so_far.size() < fewest_drawn) continue;
+            const double n = static_cast<double>(so_far.size());
+            const Interval interval = mean_interval(so_far);
+            curve.mean.emplace_back(n, interval.estimate);
+            curve.low.emplace_back(n, interval.low);
+            curve.high.emplace_back(n, interval.high);
+            drawn.push_back(interval.estimate);
+            if (says_something(interval.estimate, {interval.low, interval.high}, static_cast<int>(so_far.size())))
+                drawn.insert(drawn.end(), {interval.low, interval.high});
+            figure.x.high = std::max(figure.x.high, n);
+        }
+    }
+    if (drawn.empty()) return {};
+    figure.x.high *= 1.02;
+    figure.y = axis_around("mean load", drawn, true, "N");
+    for (Curve& curve : curves) {
+        // The interval of the first few may be far wider than anything else: it ends at the figure's edge.
+        for (Figure::Points* limit : {&curve.low, &curve.high})
+            for (auto& [n, load] : *limit) load = std::clamp(load, figure.y.low, figure.y.high);
+        figure.band(std::move(curve.low), curve.high, colour(curve.of_case) + " veil");
+        figure.line(std::move(curve.mean), colour(curve.of_case));
+    }
+    return {.figures = {std::move(figure)}};
 }
 
 }  // namespace floes

@@ -12,6 +12,7 @@
 #include "findings/page_one.hpp"
 #include "findings/pairs.hpp"
 #include "findings/points.hpp"
+#include "findings/steady.hpp"
 
 namespace floes {
 namespace {
@@ -55,13 +56,16 @@ std::vector<Section> one(Evidence& evidence) {
 
 Section cases(Evidence& evidence) {
     Section section = summary_section(evidence.summary, evidence.reference);
-    section.before = warning_lines(warnings_of(evidence.table, evidence.summary)) + section.before;
+    section.before = warning_lines(warnings_of(evidence.sample, evidence.summary)) + section.before;
     return section;
 }
 
 const SteadyReport& steady_of(Evidence& evidence) {
-    if (!evidence.steady) evidence.steady = find_steady(evidence.file, evidence.table);
-    return *evidence.steady;
+    return evidence.kept.once([&] { return find_steady(evidence.file, evidence.sample); });
+}
+
+const std::vector<CaseExtremes>& extremes_of(Evidence& evidence) {
+    return evidence.kept.once([&] { return find_extremes(evidence.sample); });
 }
 
 /// What the axes do, and what is left of the scatter.
@@ -77,7 +81,7 @@ Section pairs(Evidence& evidence) {
 }
 
 Section levels(Evidence& evidence) {
-    return levels_section(evidence.summary, find_levels(evidence.table));
+    return levels_section(evidence.summary, find_levels(evidence.sample));
 }
 
 /// The exceedance curve of the maxima and the time above the levels that members counted.
@@ -139,7 +143,7 @@ constexpr std::array all{
     Finding{"fatigue", fatigue_sections, never},
     Finding{"lines", lines, with_lines},
     Finding{"moored", moored_sections, with_moorings, "On moorings", in_detail},
-    Finding{"steady", one<[](Evidence& e) { return steady_section(e.summary, e.table, steady_of(e)); }>, never},
+    Finding{"steady", one<[](Evidence& e) { return steady_section(e.summary, e.sample, steady_of(e)); }>, never},
     Finding{"control", one<control_section>, never},
     Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},
     Finding{"", one<failures_section>, never, "Broken floes", always},
@@ -148,11 +152,11 @@ constexpr std::array all{
     Finding{"", one<largest_load_section>, never, "The arrangement with the largest load", always},
     Finding{"", one<closed_formulas_section>, never, "Elastic modulus and closed formulas", always},
     Finding{.name = "members",
-            .sections = one<[](Evidence& e) { return members_section(e.table); }>,
+            .sections = one<[](Evidence& e) { return members_section(e.sample); }>,
             .unasked = never,
             .for_csv_alone = true},
     Finding{.name = "long",
-            .sections = one<[](Evidence& e) { return long_section(e.table); }>,
+            .sections = one<[](Evidence& e) { return long_section(e.sample); }>,
             .unasked = never,
             .for_csv_alone = true},
 };

@@ -7,7 +7,7 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "findings/cases.hpp"
-#include "findings/catalogue.hpp"
+#include "findings/sections.hpp"
 
 namespace floes {
 namespace {

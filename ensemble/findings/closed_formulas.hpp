@@ -1,6 +1,6 @@
 #pragma once
 // Loads by closed formulas, as output: the hybrid model over the elastic modulus, and level ice on the wall by the
-// formulas of ISO 19906. The report's section of them is in catalogue.hpp.
+// formulas of ISO 19906. The report's section of them is in sections.hpp.
 
 #include <span>
 

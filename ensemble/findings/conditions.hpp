@@ -1,9 +1,7 @@
 #pragma once
-// Keys of a scenario as people say them: "ice.thickness_m" is a thickness in m. The conditions of a campaign's cases,
-// and what varies between them, in words.
+// What the cases of a campaign have in common, and what varies between them, in words. No case speaks for the others.
 
 #include <string>
-#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -12,24 +10,8 @@
 
 namespace floes {
 
-struct KeyWords {
-    std::string name;  ///< "thickness"
-    std::string unit;  ///< "m"; empty where the key has none
-
-    /// "thickness, m"
-    std::string heading() const { return unit.empty() ? name : name + ", " + unit; }
-    /// "thickness 0.02 m"
-    std::string with(const std::string& value) const;
-};
-
-/// With a capital letter at its beginning.
-std::string capital(std::string sentence);
-
-/// `key`: the full path or a case's own key, as "cfm".
-KeyWords key_words(std::string_view key);
-
-// The conditions that decide the load together, in words: structure wall, far end and contacts. A load without them
-// means nothing.
+// The conditions that decide the load together: structure wall, far end and contacts. A load without them means
+// nothing.
 
 /// "preset paper, friction in one direction, rigid with Γ 0.2".
 Words contact_words(const ContactLaw& law);
@@ -45,8 +27,6 @@ struct Condition {
 
 /// All of them.
 std::vector<Condition> conditions();
-
-// What the cases of a campaign have in common, and what varies between them. No case speaks for the others.
 
 /// "0.02", "0.02 to 0.04": the least and the largest of the values.
 std::string range_text(const std::vector<double>& values);

@@ -2,35 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "findings/conditions.hpp"
 #include "findings/steady.hpp"
-#include "findings/summary.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {
 
 constinit const DesignOf design_of_k_x{"k_x", "Design mooring force", "k x", "force", "N"};
 
-void CasePeaks::add(int member, int arrangement, const AveragedLoad& averaged, double mean) {
-    rows.push_back({averaged.peaks, averaged.segment_maximum});
+void CasePeaks::add(int member, int arrangement, PeakRow row, double mean) {
+    rows.push_back(std::move(row));
     arrangements.push_back(arrangement);
     members.push_back(member);
     measured.mean += mean;
-}
-
-void CasePeaks::add(int member, int arrangement, const Response& response) {
-    rows.push_back({response.peaks, response.segment_maximum});
-    arrangements.push_back(arrangement);
-    members.push_back(member);
-    trends.push_back(member_trend(response));
-    measured.mean += response.mean;
 }
 
 void CasePeaks::average() {
@@ -41,36 +30,29 @@ Measured measured_in(const Analysis& analysis, double separation) {
     return {analysis.window, analysis.window / analysis.segments, separation, 0};
 }
 
-CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time) {
-    const Analysis& analysis = table.cases[of_case].analysis;
+PeakRow peak_row(const Sample& sample, std::string_view arrays, std::size_t member, std::size_t place) {
+    const auto peaks = sample.along(fmt::format("{}/peaks", arrays), member, place);
+    const auto maxima = sample.along(fmt::format("{}/segment_maximum", arrays), member, place);
+    return {{peaks.begin(), peaks.end()}, {maxima.begin(), maxima.end()}};
+}
+
+CasePeaks case_peaks(const Sample& sample, std::size_t of_case, double time) {
+    const Analysis& analysis = sample.cases[of_case].analysis;
     CasePeaks made;
     made.measured = measured_in(analysis, analysis.peak_separation);
-    for (const MemberRow& row : table.members) {
-        const AveragedLoad* averaged = row.averaged_over(time);
-        if (row.case_index != static_cast<int>(of_case) || averaged == nullptr) continue;
-        made.add(static_cast<int>(&row - table.members.data()), row.arrangement, *averaged, row.load.mean);
-    }
+    for (const std::size_t member : sample.done(of_case))
+        if (const auto place = sample.place_of_time(member, time))
+            made.add(static_cast<int>(member), sample.arrangement_of(member),
+                     peak_row(sample, "averaged", member, *place), sample.value(member, quantity("mean_load")));
     made.average();
     return made;
 }
 
-double DesignLoadRequest::model_exposure() const {
-    return exposure / std::sqrt(scale);
-}
-
-double DesignLoadRequest::model_averaging() const {
-    return averaging / std::sqrt(scale);
-}
-
-double DesignLoadRequest::factor() const {
-    return std::pow(scale, of.power());
-}
-
-double averaging_time(const CampaignTable& table, const DesignLoadRequest& request) {
-    for (const double time : table.averaging_times)
+double averaging_time(const CampaignCases& cases, const DesignLoadRequest& request) {
+    for (const double time : cases.averaging_times)
         if (std::abs(time - request.model_averaging()) < 0.005 * time) return time;
     std::vector<std::string> there;
-    for (const double time : table.averaging_times)
+    for (const double time : cases.averaging_times)
         there.push_back(fmt::format("{:.3g}", time * std::sqrt(request.scale)));
     throw InputError(
         fmt::format("The members did not average the load over {:g} s{}; take one of {} s, or run them with another "
@@ -122,23 +104,23 @@ std::string standing_out_text(const CaseDesignLoad& one) {
     return text;
 }
 
-std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request) {
-    const double time = averaging_time(table, request);
+std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request) {
+    const double time = averaging_time(sample, request);
     std::vector<CasePeaks> peaks;
-    for (std::size_t index = 0; index < table.cases.size(); ++index) peaks.push_back(case_peaks(table, index, time));
-    return find_design_loads(table, request, peaks);
+    for (std::size_t index = 0; index < sample.cases.size(); ++index) peaks.push_back(case_peaks(sample, index, time));
+    return find_design_loads(sample, request, peaks);
 }
 
-std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request,
+std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request,
                                               const std::vector<CasePeaks>& peaks) {
     const Exposure exposure{request.model_exposure(), request.quantiles, request.share,
-                            table.cases.size() > most_averaged_cases};
+                            sample.cases.size() > most_averaged_cases};
     std::vector<CaseDesignLoad> designs;
-    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+    for (std::size_t index = 0; index < sample.cases.size(); ++index) {
         CaseDesignLoad one;
         one.case_index = index;
         const CasePeaks& found = peaks.at(index);
-        one.trend = found.trends.empty() ? joint_trend(table, index) : joint_trend(found.trends, request.of.noun);
+        one.trend = found.trends.empty() ? joint_trend(sample, index) : joint_trend(found.trends, request.of.noun);
         one.separation = found.measured.separation;
         one.arrangements = found.arrangements;
         one.members = found.members;
@@ -559,6 +541,18 @@ std::vector<Section> design_load_sections(const Summary& summary, const std::vec
             design_values_section(summary, designs, request),
             basis_section(summary, designs, request),
             pairs_section(summary, designs, request)};
+}
+
+const DesignLoads& designs_of(Evidence& evidence) {
+    return evidence.kept.once([&] {
+        DesignLoads designs{evidence.design_request.value_or(DesignLoadRequest{}), {}};
+        const std::vector<double>& times = evidence.sample.averaging_times;
+        if (times.empty()) return designs;
+        if (!evidence.design_request && std::ranges::find(times, designs.asked.averaging) == times.end())
+            designs.asked.averaging = times.back();
+        designs.of_cases = find_design_loads(evidence.sample, designs.asked);
+        return designs;
+    });
 }
 
 }  // namespace floes

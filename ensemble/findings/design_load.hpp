@@ -1,5 +1,5 @@
 #pragma once
-// The averaged loads of a case's members, as tails are fitted to them.
+// The design load of each case: the largest averaged load in an exposure, by every method, and what it rests on.
 
 #include <array>
 #include <cstddef>
@@ -9,14 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "campaign_file/campaign_table.hpp"
-#include "core/units.hpp"
-#include "findings/steady.hpp"
-#include "findings/summary.hpp"
+#include "findings/evidence.hpp"
 #include "inference/design_load.hpp"
-#include "member/design_of.hpp"
 #include "tables/section.hpp"
-#include "tables/units.hpp"
 
 namespace floes {
 
@@ -28,38 +23,21 @@ struct CasePeaks {
     Measured measured;
 
     /// A row of a member whose load has this mean; average() then makes the mean of all.
-    void add(int member, int arrangement, const AveragedLoad& averaged, double mean);
-    /// The same of a response, with its trend.
-    void add(int member, int arrangement, const Response& response);
+    void add(int member, int arrangement, PeakRow row, double mean);
     void average();
 };
 
 /// In the window of a case, without the mean; `separation` of peaks, s.
 Measured measured_in(const Analysis& analysis, double separation);
 
-/// Design load of the done members that averaged their load over `time`, s.
-CasePeaks case_peaks(const CampaignTable& table, std::size_t of_case, double time);
+/// Of a member, at that place of the arrays "averaged/..." or "responses/..."; empty where it has none.
+PeakRow peak_row(const Sample& sample, std::string_view arrays, std::size_t member, std::size_t place);
 
-// The design load of each case: the largest averaged load in an exposure, by every method, and what it rests on.
+/// Design load of the done members that averaged their load over `time`, s.
+CasePeaks case_peaks(const Sample& sample, std::size_t of_case, double time);
 
 /// The mooring force k x that stored loads of a fixed hull make.
 extern const DesignOf design_of_k_x;
-
-/// What is asked for, at full scale. Froude: times and speeds grow with the square root of the scale, forces with its
-/// cube.
-struct DesignLoadRequest {
-    double exposure = 3 * unit::hour;    ///< s
-    std::vector<double> quantiles{0.9};  ///< probabilities of not being exceeded, each in (0, 1)
-    double averaging = 1;                ///< s, that the load is averaged over
-    double scale = 1;                    ///< length at full scale / length in the campaign
-    bool rising = false;                 ///< extrapolate a load that still rises in the measured window
-    double share = 0.25;                 ///< of the peaks, the highest, that the tails are fitted to
-    DesignOf of = design_ofs.front();
-
-    double model_exposure() const;   ///< s
-    double model_averaging() const;  ///< s
-    double factor() const;           ///< value at full scale / value in the campaign
-};
 
 struct CaseDesignLoad {
     std::size_t case_index = 0;
@@ -107,13 +85,13 @@ inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
 
 /// The campaign's own averaging time that the request means, s at the campaign's scale. Throws InputError if there is
 /// none.
-double averaging_time(const CampaignTable& table, const DesignLoadRequest& request);
+double averaging_time(const CampaignCases& cases, const DesignLoadRequest& request);
 
 /// One for each case. Throws InputError if the members did not average over that time.
-std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request);
+std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request);
 
 /// The same of other peaks, one for each case.
-std::vector<CaseDesignLoad> find_design_loads(const CampaignTable& table, const DesignLoadRequest& request,
+std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request,
                                               const std::vector<CasePeaks>& peaks);
 
 // The design loads of a campaign as output.
@@ -131,5 +109,14 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
 /// the scale of the campaign "design/basis", "design/over_thresholds" and "design/rates".
 std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                                           const DesignLoadRequest& request);
+
+struct DesignLoads {
+    DesignLoadRequest asked;
+    std::vector<CaseDesignLoad> of_cases;  ///< empty where the members did not average their load
+};
+
+/// As requested, else as `floes design` has them by default, over the longest averaging time where the members did not
+/// take 1 s; found once. Throws InputError if the members did not take the averaging time that is requested.
+const DesignLoads& designs_of(Evidence& evidence);
 
 }  // namespace floes

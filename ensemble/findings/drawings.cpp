@@ -1,7 +1,6 @@
 // What was run, drawn: hulls, single floes, the load over time, and how floes lay in the member with the largest load.
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -11,10 +10,9 @@
 #include "campaign_file/read.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "findings/catalogue.hpp"
 #include "findings/conditions.hpp"
 #include "findings/plan_view.hpp"
-#include "findings/points.hpp"
+#include "findings/sections.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/scenario.hpp"
 
@@ -181,13 +179,13 @@ Figure::Points thinned(const StoredHistory& history) {
 /// other floes under one number.
 int common_arrangement(const Sample& sample) {
     std::vector<std::size_t> done;
-    for (std::size_t k = 0; k < sample.cases(); ++k)
+    for (std::size_t k = 0; k < sample.cases.size(); ++k)
         for (const std::size_t member : sample.done(k)) {
             const auto number = static_cast<std::size_t>(sample.number_of(member));
             if (number >= done.size()) done.resize(number + 1);
             ++done[number];
         }
-    const auto found = std::ranges::find(done, sample.cases());
+    const auto found = std::ranges::find(done, sample.cases.size());
     return found == done.end() ? -1 : static_cast<int>(found - done.begin());
 }
 
@@ -242,7 +240,7 @@ Section histories_section(Evidence& evidence) {
                                  : same                            ? "One arrangement, every case, shifted upwards"
                                         : "One run of every case, shifted upwards; they begin from different floes") +
                      ". Dashed: start of the analysis window." + undrawn_text(evidence.summary);
-    if (std::ranges::any_of(evidence.table.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
+    if (std::ranges::any_of(evidence.sample.cases, [](const CaseRow& one) { return one.analysis.history_stride > 1; }))
         figure.caption += " The file holds means over several steps, whose peaks are lower than the measured ones.";
     return {.figures = {std::move(figure)}};
 }
@@ -268,22 +266,24 @@ Figure plan_view(const Scenario& scenario, const FloeSet& floes, const std::set<
 Section largest_load_section(Evidence& evidence) {
     const std::optional<int> number = most_loaded_member(evidence);
     if (!number || evidence.pictured) return {};
-    const MemberRow& member = evidence.table.members[static_cast<std::size_t>(*number)];
-    const auto of_case = static_cast<std::size_t>(member.case_index);
+    const std::size_t of_case = evidence.case_of(*number);
     std::set<int> broken;
     for (const BreakRow& row : breaks_of(evidence))
         if (row.member == *number) broken.insert(row.floe);
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
     FloeSet floes =
-        floes_of(scenario, {arrangement_seed(evidence.campaign, member.case_index),
+        floes_of(scenario, {arrangement_seed(evidence.campaign, static_cast<int>(of_case)),
                             static_cast<std::uint32_t>(member_key(evidence.campaign, *number).arrangement)});
     const std::vector<PlanarPose> poses = read_poses(evidence.file, *number);
     for (std::size_t i = 0; i < floes.size(); ++i) floes.floes[i].pose = poses.at(i);
     Figure figure = plan_view(scenario, floes, broken);
+    const auto value = [&](const char* key) {
+        return evidence.sample.value(static_cast<std::size_t>(*number), *find_quantity(key));
+    };
     figure.caption =
         fmt::format("Member {}, case {}: largest load {}, mean {}, {:.1f} % of the floes broke (marked).", *number,
-                    evidence.summary.name_of(of_case), evidence.units.text(member.load.maximum, "N"),
-                    evidence.units.text(member.load.mean, "N"), member.failure_ratio / unit::percent);
+                    evidence.summary.name_of(of_case), evidence.units.text(value("maximum_load"), "N"),
+                    evidence.units.text(value("mean_load"), "N"), value("failure_ratio") / unit::percent);
     return {.notes = {"To watch it: " + replay_command(evidence, *number)}, .figures = {std::move(figure)}};
 }
 

@@ -1,12 +1,13 @@
 #include "findings/evidence.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "campaign_file/read.hpp"
 #include "core/text.hpp"
-#include "findings/points.hpp"
+#include "findings/design_points.hpp"
+#include "findings/steady.hpp"
 
 namespace floes {
 namespace {
@@ -24,7 +25,7 @@ Units units_of(const Summary& summary) {
 /// What follows from the campaign and its table.
 void complete(Evidence& evidence) {
     evidence.sample = Sample(evidence.table);
-    evidence.summary = summarise(evidence.table);
+    evidence.summary = summarise(evidence.sample);
     evidence.summary.labels = point_labels(find_points(evidence.campaign));
     evidence.units = units_of(evidence.summary);
     evidence.reference = base_case(evidence.campaign);
@@ -39,8 +40,8 @@ Evidence read_evidence(const CampaignFile& file, bool automatic_window, std::str
     evidence.campaign = file.campaign();
     evidence.table = read_campaign_file(file);
     if (automatic_window) {
-        evidence.steady = find_steady(file, evidence.table);
-        evidence.table = with_automatic_window(file, std::move(evidence.table), *evidence.steady);
+        const SteadyReport& steady = evidence.kept.once([&] { return find_steady(file, evidence.table); });
+        evidence.table = with_automatic_window(file, std::move(evidence.table), steady);
     }
     complete(evidence);
     if (!reference.empty()) evidence.reference = case_index(evidence.summary, reference);
@@ -55,35 +56,40 @@ Evidence evidence_of(Campaign campaign, CampaignTable table) {
     return evidence;
 }
 
-const std::vector<CaseExtremes>& extremes_of(Evidence& evidence) {
-    if (!evidence.extremes) evidence.extremes = find_extremes(evidence.table);
-    return *evidence.extremes;
+double DesignLoadRequest::model_exposure() const {
+    return exposure / std::sqrt(scale);
 }
 
-const Sensitivity& sensitivity_of(Evidence& evidence) {
-    if (!evidence.sensitivity) evidence.sensitivity = find_sensitivity(evidence);
-    return *evidence.sensitivity;
+double DesignLoadRequest::model_averaging() const {
+    return averaging / std::sqrt(scale);
 }
 
-const DesignLoads& designs_of(Evidence& evidence) {
-    if (evidence.designs) return *evidence.designs;
-    DesignLoads& designs = evidence.designs.emplace(evidence.design_request.value_or(DesignLoadRequest{}));
-    const std::vector<double>& times = evidence.table.averaging_times;
-    if (times.empty()) return designs;
-    if (!evidence.design_request && std::ranges::find(times, designs.asked.averaging) == times.end())
-        designs.asked.averaging = times.back();
-    designs.of_cases = find_design_loads(evidence.table, designs.asked);
-    return designs;
+double DesignLoadRequest::factor() const {
+    return std::pow(scale, of.power());
+}
+
+Oscillator MooredRequest::model() const {
+    return {hull.stiffness / (scale * scale), hull.mass / force_factor(), hull.damping_ratio};
+}
+
+double MooredRequest::model_averaging() const {
+    return averaging / time_factor();
+}
+
+double MooredRequest::time_factor() const {
+    return std::sqrt(scale);
+}
+
+double MooredRequest::force_factor() const {
+    return scale * scale * scale;
 }
 
 const std::vector<BreakRow>& breaks_of(Evidence& evidence) {
-    if (!evidence.breaks) evidence.breaks = read_breaks(evidence.file);
-    return *evidence.breaks;
+    return evidence.kept.once([&] { return read_breaks(evidence.file); });
 }
 
 const std::vector<PieceRow>& pieces_of(Evidence& evidence) {
-    if (!evidence.pieces) evidence.pieces = read_pieces(evidence.file);
-    return *evidence.pieces;
+    return evidence.kept.once([&] { return read_pieces(evidence.file); });
 }
 
 std::vector<std::size_t> drawn_cases(const Summary& summary) {
@@ -110,12 +116,14 @@ std::string replay_command(const Evidence& evidence, int member, std::string_vie
 }
 
 std::optional<int> most_loaded_member(const Evidence& evidence) {
-    const std::vector<MemberRow>& members = evidence.table.members;
     std::optional<int> most;
-    for (std::size_t k = 0; k < members.size(); ++k)
-        if (members[k].done() &&
-            (!most || members[k].load.maximum > members[static_cast<std::size_t>(*most)].load.maximum))
-            most = static_cast<int>(k);
+    double largest = 0;
+    for (std::size_t member = 0; member < evidence.sample.members(); ++member) {
+        const double load = evidence.sample.value(member, quantity("maximum_load"));
+        if (evidence.sample.status(member) != RowStatus::done || (most && !(load > largest))) continue;
+        most = static_cast<int>(member);
+        largest = load;
+    }
     return most;
 }
 

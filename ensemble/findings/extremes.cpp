@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "core/units.hpp"
-#include "findings/summary.hpp"
 
 namespace floes {
 
@@ -87,20 +86,20 @@ std::string chance_text(const std::vector<CaseExtremes>& extremes) {
 
 }  // namespace
 
-std::vector<CaseExtremes> find_extremes(const CampaignTable& table) {
-    const std::vector<Quantity> of_members = table.quantities();
+std::vector<CaseExtremes> find_extremes(const Sample& sample) {
+    const std::vector<Quantity> of_members = sample.quantities();
     const double averaging = headline_maximum(of_members).averaging;
     std::vector<CaseExtremes> all;
-    for (std::size_t index = 0; index < table.cases.size(); ++index) {
+    for (std::size_t index = 0; index < sample.cases.size(); ++index) {
         std::vector<double> maxima;
-        for (const MemberRow& row : table.members) {
-            const AveragedLoad* averaged = row.averaged_over(averaging);
-            if (row.case_index != static_cast<int>(index) || !row.done() || (averaging > 0 && averaged == nullptr))
-                continue;
-            const std::vector<double>& own = averaging > 0 ? averaged->segment_maximum : row.load.segment_maximum;
+        for (const std::size_t member : sample.done(index)) {
+            const auto place = sample.place_of_time(member, averaging);
+            if (averaging > 0 && !place) continue;
+            const std::span<const double> own = averaging > 0 ? sample.along("averaged/segment_maximum", member, *place)
+                                                              : sample.along("members/segment_maximum", member);
             maxima.insert(maxima.end(), own.begin(), own.end());
         }
-        const Analysis& analysis = table.cases[index].analysis;
+        const Analysis& analysis = sample.cases[index].analysis;
         CaseExtremes found;
         found.case_index = index;
         found.averaging = averaging;
@@ -229,20 +228,20 @@ std::vector<Figure> levels_figures(const Summary& summary, const std::vector<Lev
 
 }  // namespace
 
-std::vector<LevelRow> find_levels(const CampaignTable& table) {
+std::vector<LevelRow> find_levels(const Sample& sample) {
     std::vector<LevelRow> rows;
-    for (std::size_t index = 0; index < table.cases.size(); ++index) {
-        const CaseRow& about = table.cases[index];
-        for (std::size_t level = 0; level < table.levels.size(); ++level) {
-            std::vector<double> shares;
-            std::vector<double> rates;
-            for (const MemberRow& member : table.members) {
-                if (member.case_index != static_cast<int>(index) || std::isnan(member.steps_above[level])) continue;
-                shares.push_back(member.steps_above[level] / about.window_steps());
-                rates.push_back(member.upcrossings[level] / about.analysis.window);
-            }
+    for (std::size_t index = 0; index < sample.cases.size(); ++index) {
+        const CaseRow& about = sample.cases[index];
+        for (std::size_t level = 0; level < sample.levels.size(); ++level) {
+            const auto counted = [&](std::string_view array, double whole) {
+                std::vector<double> counts = measured(sample.values(sample.done(index), array, level));
+                for (double& count : counts) count /= whole;
+                return counts;
+            };
+            const std::vector<double> shares = counted("exceedance/steps_above", about.window_steps());
+            const std::vector<double> rates = counted("exceedance/upcrossings", about.analysis.window);
             if (shares.empty()) continue;
-            rows.push_back({index, table.levels[level], static_cast<int>(shares.size()),
+            rows.push_back({index, sample.levels[level], static_cast<int>(shares.size()),
                             clipped(mean_interval(shares), 0, 1),
                             clipped(mean_interval(rates), 0, std::numeric_limits<double>::infinity())});
         }

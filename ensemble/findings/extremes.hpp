@@ -25,7 +25,7 @@ struct CaseExtremes {
 inline constexpr double return_periods[]{10, 100, 1000};
 
 /// All cases in file order; fits are invalid with fewer than `fewest_maxima` maxima.
-std::vector<CaseExtremes> find_extremes(const CampaignTable& table);
+std::vector<CaseExtremes> find_extremes(const Sample& sample);
 
 Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>& extremes);
 
@@ -49,7 +49,7 @@ struct LevelRow {
 };
 
 /// Every level of every case with a done member that counted it, cases in file order, levels ascending.
-std::vector<LevelRow> find_levels(const CampaignTable& table);
+std::vector<LevelRow> find_levels(const Sample& sample);
 
 Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows);
 

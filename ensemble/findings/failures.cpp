@@ -1,4 +1,4 @@
-#include "findings/catalogue.hpp"
+#include "findings/sections.hpp"
 
 #include <algorithm>
 #include <array>
@@ -317,18 +317,19 @@ std::vector<std::pair<double, double>> IceSizes::steps() const {
     return found;
 }
 
-std::vector<SizesOfCase> find_piece_sizes(const CampaignTable& table, std::span<const PieceRow> pieces,
+std::vector<SizesOfCase> find_piece_sizes(const Sample& sample, std::span<const PieceRow> pieces,
                                           const FloeAreas& floes) {
-    std::vector<SizesOfCase> cases(table.cases.size());
+    std::vector<SizesOfCase> cases(sample.cases.size());
     for (std::size_t k = 0; k < cases.size(); ++k) cases[k].case_index = k;
-    for (int number = 0; number < static_cast<int>(table.members.size()); ++number) {
-        const MemberRow& member = table.members[static_cast<std::size_t>(number)];
-        if (!member.done()) continue;
-        SizesOfCase& sizes = cases[static_cast<std::size_t>(member.case_index)];
+    for (int number = 0; number < static_cast<int>(sample.members()); ++number) {
+        const auto member = static_cast<std::size_t>(number);
+        if (sample.status(member) != RowStatus::done) continue;
+        SizesOfCase& sizes = cases[sample.case_of(member)];
         ++sizes.runs;
         const std::vector<double> areas = floes(number);
         // Every part of a field without end has floes of the same sizes. Files before 1.13 do not count them.
-        const double parts = member.floes_entered > 0 ? member.floes_entered / static_cast<double>(areas.size()) : 1.0;
+        const double entered = sample.value(member, quantity("floes_entered"));
+        const double parts = entered > 0 ? entered / static_cast<double>(areas.size()) : 1.0;
         for (const double area : areas) {
             sizes.before.add(area, parts);
             sizes.after.add(area, parts);
@@ -353,7 +354,7 @@ Section piece_sizes_section(Evidence& evidence) {
     const std::vector<PieceRow>& pieces = pieces_of(evidence);
     if (pieces.empty())
         return {.missing = "Sizes of the ice: as at the start, or not kept; no floe is known to be in pieces.\n"};
-    const std::vector<SizesOfCase> cases = find_piece_sizes(evidence.table, pieces, floe_areas(evidence.campaign));
+    const std::vector<SizesOfCase> cases = find_piece_sizes(evidence.sample, pieces, floe_areas(evidence.campaign));
     Results results{.place = "ice_sizes",
                     .columns = {{"case", "case"},
                                 {"runs", "runs"},

@@ -1,4 +1,4 @@
-#include "findings/catalogue.hpp"
+#include "findings/sections.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +114,7 @@ std::vector<LoadWindow> windows_of(const Evidence& evidence) {
     std::vector<LoadWindow> windows;
     for_each_history(evidence.file, [&](const StoredHistory& history) {
         const std::size_t of_case = evidence.case_of(history.member);
-        const Analysis& analysis = evidence.table.cases[of_case].analysis;
+        const Analysis& analysis = evidence.sample.cases[of_case].analysis;
         const auto first = static_cast<std::size_t>(std::lround(analysis.steady_start / history.step));
         const auto count = static_cast<std::size_t>(std::lround(analysis.window / history.step));
         if (first + count > history.values.size()) return;
@@ -127,14 +127,14 @@ std::vector<LoadWindow> windows_of(const Evidence& evidence) {
 
 /// For the mooring force of a moored hull, at full scale.
 std::vector<LoadWindow> moored_windows(const Evidence& evidence, const MooredRequest& request) {
-    std::vector<bool> answered(evidence.table.cases.size(), false);
+    std::vector<bool> answered(evidence.sample.cases.size(), false);
     for (const MooredCase& one : find_moored(evidence, request)) answered[one.case_index] = one.refused.empty();
     std::vector<LoadWindow> windows;
     for_each_history(evidence.file, [&](const StoredHistory& history) {
         const std::size_t index = evidence.case_of(history.member);
         if (!answered[index]) return;
         LoadWindow& window = windows.emplace_back(LoadWindow{index, request.time_factor() * history.step, 0, {}});
-        window.loads = mooring_force(history.values, history.step, evidence.table.cases[index].analysis, request);
+        window.loads = mooring_force(history.values, history.step, evidence.sample.cases[index].analysis, request);
         for (double& force : window.loads) force *= request.force_factor();
     });
     return windows;

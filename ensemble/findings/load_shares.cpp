@@ -14,7 +14,7 @@
 
 #include "campaign_file/read.hpp"
 #include "core/units.hpp"
-#include "findings/catalogue.hpp"
+#include "findings/sections.hpp"
 #include "findings/summary.hpp"
 #include "shapes/shape.hpp"
 #include "theory/level_ice.hpp"
@@ -64,11 +64,11 @@ double CaseLoadMap::share_between(double low, double high) const {
     return share_of(*this, [&](double middle, double) { return low <= middle && middle < high; });
 }
 
-std::vector<CaseLoadMap> find_load_maps(const CampaignFile& file, const CampaignTable& table) {
-    std::vector<CaseLoadMap> of_cases(table.cases.size());
-    std::vector<Parts> parts(table.cases.size(), Parts(LoadMap::parts));
+std::vector<CaseLoadMap> find_load_maps(const CampaignFile& file, const Sample& sample) {
+    std::vector<CaseLoadMap> of_cases(sample.cases.size());
+    std::vector<Parts> parts(sample.cases.size(), Parts(LoadMap::parts));
     for_each_load_map(file, [&](int member, const LoadMap& map) {
-        const auto index = static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(member)).case_index);
+        const std::size_t index = sample.case_of(static_cast<std::size_t>(member));
         CaseLoadMap& found = of_cases.at(index);
         found.case_index = index;
         ++found.members;
@@ -286,7 +286,7 @@ Results share_table(const Evidence& evidence, const std::vector<CaseLoadMap>& ma
 Section load_map_section(Evidence& evidence) {
     const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
     if (drawn.empty()) return {};
-    std::vector<CaseLoadMap> maps = find_load_maps(evidence.file, evidence.table);
+    std::vector<CaseLoadMap> maps = find_load_maps(evidence.file, evidence.sample);
     std::erase_if(maps, [&](const CaseLoadMap& found) { return !std::ranges::binary_search(drawn, found.case_index); });
     if (maps.empty()) return {.before = "No figure: the file has no maps of the load.\n"};
     Section section{
@@ -418,7 +418,7 @@ Results find_pressures(const Evidence& evidence) {
                                                  estimates("pressure", "largest", "Pa"),
                                                  {.key = "iso_19906", .words = "ISO 19906", .unit = "Pa", .digits = 4},
                                                  {"members"}};
-    for (std::size_t k = 0; k < evidence.sample.cases(); ++k) {
+    for (std::size_t k = 0; k < evidence.sample.cases.size(); ++k) {
         const Scenario& scenario = evidence.campaign.cases[k].scenario;
         const std::vector<std::string> names = scenario.structure.shape.parts();
         if (names.size() < 2) continue;
@@ -481,7 +481,7 @@ Results find_parts(const Evidence& evidence) {
     Results rows = results_of("parts", "part", "load on a part against the tow");
     for (const Statistic& statistic : statistics) rows.columns.push_back(statistic.column);
     rows.columns.push_back({"members"});
-    for (std::size_t k = 0; k < evidence.sample.cases(); ++k) {
+    for (std::size_t k = 0; k < evidence.sample.cases.size(); ++k) {
         const Members& done = evidence.sample.done(k);
         const std::vector<std::string> names = evidence.campaign.cases[k].scenario.structure.shape.parts();
         for (std::size_t p = 0; p < names.size(); ++p) {
@@ -512,7 +512,7 @@ Section moments_section(const Evidence& evidence) {
     Results rows = results_of("moments", "moment", "moment about the axis at the waterline");
     for (const auto& [key, words] : {std::pair{"mean", "mean"}, std::pair{"sd", "SD"}, std::pair{"largest", "largest"}})
         rows.columns.push_back(estimates(key, words, "N m"));
-    for (std::size_t k = 0; k < evidence.sample.cases(); ++k) {
+    for (std::size_t k = 0; k < evidence.sample.cases.size(); ++k) {
         for (const auto& [axis, words] : axes) {
             std::vector<Datum> row = row_of(evidence, k, {axis, words});
             bool measured = true;
@@ -589,7 +589,7 @@ Results find_energy(const Sample& sample, const Summary& summary) {
                                 {.key = "share", .words = "share", .unit = "share", .decimals = 0},
                                 {"members"}},
                     .view = Results::View::none};
-    for (std::size_t k = 0; k < sample.cases(); ++k) {
+    for (std::size_t k = 0; k < sample.cases.size(); ++k) {
         const std::size_t first = results.rows.size();
         double sum = 0;
         for (const auto& [key, words] : shares) {

@@ -9,28 +9,9 @@
 
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
-#include "findings/evidence.hpp"
-#include "findings/summary.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
-
-Oscillator MooredRequest::model() const {
-    return {hull.stiffness / (scale * scale), hull.mass / force_factor(), hull.damping_ratio};
-}
-
-double MooredRequest::model_averaging() const {
-    return averaging / time_factor();
-}
-
-double MooredRequest::time_factor() const {
-    return std::sqrt(scale);
-}
-
-double MooredRequest::force_factor() const {
-    return scale * scale * scale;
-}
 
 void check_hull(const Oscillator& hull) {
     if (!(hull.stiffness > 0 && std::isfinite(hull.stiffness)))
@@ -57,10 +38,9 @@ AveragedLoad averaged_once(std::span<const double> values, double step, const An
 }
 
 AveragedLoad load_in_window(std::span<const double> surge, double step, const Analysis& analysis, double time) {
-    const auto window = static_cast<std::size_t>(std::llround(analysis.window / step));
-    const std::span<const double> in_window = surge.last(std::min(surge.size(), window));
-    const double segment = step * static_cast<double>(in_window.size() / static_cast<std::size_t>(analysis.segments));
-    return averaged_once(in_window, step, analysis, std::clamp(time, step, std::max(step, segment)),
+    const std::span<const double> loads = in_window({0, step, surge}, analysis);
+    const double segment = step * static_cast<double>(loads.size() / static_cast<std::size_t>(analysis.segments));
+    return averaged_once(loads, step, analysis, std::clamp(time, step, std::max(step, segment)),
                          analysis.peak_separation);
 }
 
@@ -169,7 +149,7 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
     std::map<std::size_t, Stored> stored;
     for_each_history(evidence.file, [&](const StoredHistory& history) {
         const std::size_t index = evidence.case_of(history.member);
-        MooredRun run = moored_run(history.values, history.step, evidence.table.cases[index].analysis, request);
+        MooredRun run = moored_run(history.values, history.step, evidence.sample.cases[index].analysis, request);
         run.member = history.member;
         const auto [at, fresh] = stored.try_emplace(index, Stored{history.step, run.first_load, {}});
         at->second.first_load = std::min(at->second.first_load, run.first_load);
@@ -181,7 +161,7 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
             "more.");
     std::vector<MooredCase> found;
     for (auto& [index, one] : stored) {
-        const Analysis& analysis = evidence.table.cases[index].analysis;
+        const Analysis& analysis = evidence.sample.cases[index].analysis;
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
         std::string refused =
             scenario.moorings.give_way()
@@ -195,16 +175,17 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
     return found;
 }
 
-std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vector<MooredCase>& found) {
-    std::vector<CasePeaks> all(table.cases.size());
+std::vector<CasePeaks> moored_peaks(const Sample& sample, const std::vector<MooredCase>& found) {
+    std::vector<CasePeaks> all(sample.cases.size());
     for (std::size_t index = 0; index < all.size(); ++index)
-        all[index].measured = measured_in(table.cases[index].analysis, table.cases[index].analysis.peak_separation);
+        all[index].measured = measured_in(sample.cases[index].analysis, sample.cases[index].analysis.peak_separation);
     for (const MooredCase& one : found) {
         if (!one.refused.empty()) continue;
         CasePeaks& made = all[one.case_index];
         for (const MooredRun& run : one.runs) {
-            const MemberRow& member = table.members[static_cast<std::size_t>(run.member)];
-            made.add(run.member, member.arrangement, run.force, member.load.mean);
+            const auto member = static_cast<std::size_t>(run.member);
+            made.add(run.member, sample.arrangement_of(member), {run.force.peaks, run.force.segment_maximum},
+                     sample.value(member, quantity("mean_load")));
         }
         made.average();
         made.measured.separation = one.separation;
@@ -234,7 +215,7 @@ std::vector<Section> moored_sections(Evidence& evidence) {
     }
     if (all_give_way(evidence)) return sections;
     constexpr double usual_damping = 0.1;
-    const std::vector<double>& times = evidence.table.averaging_times;
+    const std::vector<double>& times = evidence.sample.averaging_times;
     sections.push_back(moored_spectrum(evidence, usual_damping, times.empty() ? 1 : times.front(), 1));
     return sections;
 }

@@ -14,29 +14,13 @@
 #include <vector>
 
 #include "campaign/case_words.hpp"
-#include "core/units.hpp"
 #include "findings/design_load.hpp"
 #include "inference/interval.hpp"
 #include "scenario/scenario.hpp"
 #include "statistics/averaged_load.hpp"
-#include "statistics/oscillator.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
-
-struct Evidence;
-
-struct MooredRequest {
-    Oscillator hull;       ///< at full scale
-    double scale = 1;      ///< length at full scale / length in the campaign
-    double averaging = 1;  ///< s at full scale: the load that the mooring force is compared with
-
-    /// The hull at the scale of the campaign: stiffness over λ², mass over λ³, the same damping ratio.
-    Oscillator model() const;
-    double model_averaging() const;  ///< s
-    double time_factor() const;      ///< of times and speeds
-    double force_factor() const;
-};
 
 /// Throws InputError unless stiffness and mass are above 0 and the damping ratio is above 0 and below 1: without
 /// damping no swing fades.
@@ -113,8 +97,8 @@ inline constexpr double much_motion = 0.2;
 /// without histories, and where no case can be answered.
 std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredRequest& request);
 
-/// The peaks of k x as tails are fitted to them, one for each case of the table, at the scale of the campaign.
-std::vector<CasePeaks> moored_peaks(const CampaignTable& table, const std::vector<MooredCase>& found);
+/// The peaks of k x as tails are fitted to them, one for each case of the sample, at the scale of the campaign.
+std::vector<CasePeaks> moored_peaks(const Sample& sample, const std::vector<MooredCase>& found);
 
 /// The same of what the simulation has of a structure that gives way: the force of springs and lines, or a motion.
 /// Reads the file. Throws InputError where there is none, and for histories or windows too coarse or too short for the

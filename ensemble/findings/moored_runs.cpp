@@ -1,12 +1,10 @@
 // Structures that gave way in the simulation: how they moved, what their lines bore, and their design values.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numbers>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -15,9 +13,7 @@
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "findings/evidence.hpp"
 #include "findings/moored.hpp"
-#include "findings/summary.hpp"
 #include "member/array_output.hpp"
 #include "statistics/load_statistics.hpp"
 
@@ -63,13 +59,20 @@ bool by_thrusters_alone(const Case& one) {
     return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()(0, 0) == 0;
 }
 
+/// Its place along the arrays "responses/..." of members.
+std::size_t place_of(const DesignOf& of) {
+    const auto kinds = response_kinds();
+    return static_cast<std::size_t>(std::ranges::find(kinds, of.word, &DesignOf::word) - kinds.begin());
+}
+
 /// The largest of a segment, of each member, by case.
 std::map<std::size_t, std::vector<double>> segment_maxima(const Evidence& evidence, std::string_view word) {
     std::map<std::size_t, std::vector<double>> found;
-    const DesignOf& of = *find_design_of(word);
-    for (const MemberRow& row : evidence.table.members)
-        if (const Response* response = response_of(row, of); response && !response->segment_maximum.empty())
-            found[static_cast<std::size_t>(row.case_index)].push_back(mean_of(response->segment_maximum));
+    const std::size_t place = place_of(*find_design_of(word));
+    for (std::size_t k = 0; k < evidence.sample.cases.size(); ++k)
+        for (const std::size_t member : evidence.sample.done(k))
+            if (const auto own = evidence.sample.along("responses/segment_maximum", member, place); !own.empty())
+                found[k].push_back(mean_of(own));
     return found;
 }
 
@@ -240,7 +243,7 @@ struct PeriodRange {
 PeriodRange range_of(const Evidence& evidence, double scale) {
     PeriodRange range;
     const double to_full = std::sqrt(scale);
-    for (const CaseRow& one : evidence.table.cases) {
+    for (const CaseRow& one : evidence.sample.cases) {
         const double step = one.time_step * one.analysis.history_stride;
         range.low = std::min(range.low, to_full * fewest_values * step * 1.001);
         range.high = std::max(range.high, to_full * one.analysis.window / fewest_periods * 0.999);
@@ -275,7 +278,7 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
         one.step = history.step;
         one.of_hull.resize(hulls.size());
         one.first_load = std::min(one.first_load, first_load(history.values, history.step));
-        const Analysis& analysis = evidence.table.cases[index].analysis;
+        const Analysis& analysis = evidence.sample.cases[index].analysis;
         const double load =
             load_in_window(history.values, history.step, analysis, hulls.front().model_averaging()).mean_maximum;
         for (std::size_t k = 0; k < hulls.size() && load > 0; ++k) {
@@ -286,7 +289,7 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
     std::vector<Point> points;
     for (const auto& [index, one] : found)
         for (std::size_t k = 0; k < hulls.size(); ++k) {
-            const Analysis& analysis = evidence.table.cases[index].analysis;
+            const Analysis& analysis = evidence.sample.cases[index].analysis;
             if (!one.of_hull[k].empty() && moored_refusal(analysis, one.step, one.first_load, hulls[k]).empty())
                 points.push_back({index, hulls[k].hull.period(), mean_interval(one.of_hull[k])});
         }
@@ -374,23 +377,26 @@ std::string no_response(const Evidence& evidence, const DesignOf& of) {
 }  // namespace
 
 std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of) {
-    const CampaignTable& table = evidence.table;
-    std::vector<CasePeaks> all(table.cases.size());
+    const Sample& sample = evidence.sample;
+    std::vector<CasePeaks> all(sample.cases.size());
     for (std::size_t index = 0; index < all.size(); ++index) {
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
-        const Analysis& analysis = table.cases[index].analysis;
+        const Analysis& analysis = sample.cases[index].analysis;
         if (!has(evidence.campaign.cases[index], of)) continue;
         all[index].measured = measured_in(analysis, separation_of(scenario, of));
         if (const std::string words = period_refusal(analysis, scenario.general.time_step, period_of(scenario, of), 1);
             !words.empty())
             throw InputError(fmt::format("{}: {}: {}.", of.title, evidence.summary.label_of(index), words));
     }
-    for (std::size_t member = 0; member < table.members.size(); ++member) {
-        const MemberRow& row = table.members[member];
-        const Response* response = response_of(row, of);
-        if (row.done() && response != nullptr && !response->segment_maximum.empty())
-            all[static_cast<std::size_t>(row.case_index)].add(static_cast<int>(member), row.arrangement, *response);
-    }
+    for (std::size_t index = 0; index < all.size(); ++index)
+        for (const std::size_t member : sample.done(index)) {
+            PeakRow row = peak_row(sample, "responses", member, place_of(of));
+            if (row.segment_maxima.empty()) continue;
+            const double mean = sample.along("responses/mean", member)[place_of(of)];
+            const double rise = sample.along("responses/rise", member)[place_of(of)];
+            all[index].trends.push_back(member_trend(mean, rise, row.segment_maxima));
+            all[index].add(static_cast<int>(member), sample.arrangement_of(member), std::move(row), mean);
+        }
     if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
         throw InputError(no_response(evidence, of));
     for (CasePeaks& one : all) one.average();
@@ -400,7 +406,7 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
 std::string mooring_notes(const Evidence& evidence) {
     const Quantity& broken = *find_quantity("broken_lines");
     std::string text;
-    for (std::size_t index = 0; index < evidence.table.cases.size(); ++index) {
+    for (std::size_t index = 0; index < evidence.sample.cases.size(); ++index) {
         const std::string label = evidence.summary.label_of(index);
         if (by_thrusters_alone(evidence.campaign.cases[index]))
             text += fmt::format(
@@ -421,7 +427,7 @@ std::string mooring_notes(const Evidence& evidence) {
 
 std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request) {
     std::vector<CaseDesignLoad> designs =
-        find_design_loads(evidence.table, request, simulated_peaks(evidence, request.of));
+        find_design_loads(evidence.sample, request, simulated_peaks(evidence, request.of));
     std::erase_if(designs,
                   [&](const CaseDesignLoad& one) { return !has(evidence.campaign.cases[one.case_index], request.of); });
     return designs;
@@ -445,20 +451,21 @@ bool SimulatedDesign::known() const {
 }
 
 const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence) {
-    if (evidence.simulated) return *evidence.simulated;
-    std::vector<SimulatedDesign>& found = evidence.simulated.emplace();
-    for (const DesignOf& of : response_kinds()) {
-        if (of.part || std::ranges::none_of(evidence.campaign.cases, [&](const Case& one) { return has(one, of); }))
-            continue;
-        SimulatedDesign& one = found.emplace_back(evidence.design_request.value_or(DesignLoadRequest{}));
-        one.request.of = of;
-        try {
-            one.of_cases = find_simulated_designs(evidence, one.request);
-        } catch (const InputError& refused) {
-            one.refused = refused.what();
+    return evidence.kept.once([&] {
+        std::vector<SimulatedDesign> found;
+        for (const DesignOf& of : response_kinds()) {
+            if (of.part || std::ranges::none_of(evidence.campaign.cases, [&](const Case& one) { return has(one, of); }))
+                continue;
+            SimulatedDesign& one = found.emplace_back(evidence.design_request.value_or(DesignLoadRequest{}));
+            one.request.of = of;
+            try {
+                one.of_cases = find_simulated_designs(evidence, one.request);
+            } catch (const InputError& refused) {
+                one.refused = refused.what();
+            }
         }
-    }
-    return found;
+        return found;
+    });
 }
 
 std::vector<Section> simulated_designs(Evidence& evidence) {

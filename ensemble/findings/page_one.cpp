@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,11 +12,10 @@
 #include "core/units.hpp"
 #include "findings/answer.hpp"
 #include "findings/cases.hpp"
-#include "findings/conditions.hpp"
 #include "findings/design_load.hpp"
 #include "findings/moored.hpp"
 #include "findings/pairs.hpp"
-#include "findings/summary.hpp"
+#include "statistics/load_statistics.hpp"
 
 namespace floes {
 
@@ -62,14 +59,10 @@ class Costs {
     explicit Costs(const Evidence& evidence) {
         if (evidence.file.empty()) return;
         const std::vector<double> times = read_wall_times(evidence.file);
-        double sum = 0;
-        int done = 0;
-        for (std::size_t k = 0; k < std::min(times.size(), evidence.table.members.size()); ++k)
-            if (evidence.table.members[k].done() && std::isfinite(times[k])) {
-                sum += times[k];
-                ++done;
-            }
-        of_member_ = done > 0 ? sum / done : 0;
+        std::vector<double> of_done;
+        for (std::size_t k = 0; k < std::min(times.size(), evidence.sample.members()); ++k)
+            if (evidence.sample.status(k) == RowStatus::done && std::isfinite(times[k])) of_done.push_back(times[k]);
+        if (!of_done.empty()) of_member_ = mean_of(of_done);
     }
 
     /// ", about 2.1 h of a core"; empty where it is not known.

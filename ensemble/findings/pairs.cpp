@@ -44,8 +44,8 @@ SharedMembers shared(const Sample& sample, std::size_t first, std::size_t second
 std::vector<SharedMembers> find_pairs(const Sample& sample, const PairOptions& options) {
     const std::optional<std::size_t> reference = options.reference;
     std::vector<SharedMembers> pairs;
-    for (std::size_t a = 0; a < sample.cases(); ++a) {
-        for (std::size_t b = a + 1; b < sample.cases(); ++b) {
+    for (std::size_t a = 0; a < sample.cases.size(); ++a) {
+        for (std::size_t b = a + 1; b < sample.cases.size(); ++b) {
             if (!options.others && reference != a && reference != b) continue;
             SharedMembers pair = reference == b ? shared(sample, b, a) : shared(sample, a, b);
             if (pair.members.size() >= fewest_shared) pairs.push_back(std::move(pair));
@@ -271,9 +271,9 @@ std::vector<ApartRow> compare_apart(const Evidence& evidence, std::size_t refere
         return measured(evidence.sample.values(evidence.sample.done(of_case), quantity));
     };
     std::vector<ApartRow> all;
-    if (reference >= evidence.sample.cases()) return all;
+    if (reference >= evidence.sample.cases.size()) return all;
     const std::vector<double> first = values_of(reference);
-    for (std::size_t k = 0; k < std::min(most, evidence.sample.cases()); ++k) {
+    for (std::size_t k = 0; k < std::min(most, evidence.sample.cases.size()); ++k) {
         if (k == reference || !shared(evidence.sample, reference, k).members.empty()) continue;
         const std::vector<double> second = values_of(k);
         if (first.empty() || second.empty()) continue;

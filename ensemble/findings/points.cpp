@@ -8,27 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "campaign/campaign.hpp"
 #include "findings/cases.hpp"
-#include "findings/conditions.hpp"
-#include "findings/evidence.hpp"
 #include "findings/summary.hpp"
-#include "inference/explained_variance.hpp"
-#include "keys/key.hpp"
-#include "scenario/keys.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
 
 namespace {
-
-std::variant<double, std::string> value_of(const Case& of_case, const DesignAxis& axis) {
-    if (axis.numeric) return numeric_value(of_case, axis.key);
-    Scenario scenario = of_case.scenario;
-    const Keys keys = describe(scenario);
-    const std::string text = literal(*find_key(keys, axis.key));
-    return text.starts_with('"') ? text.substr(1, text.size() - 2) : text;
-}
 
 Results point_results(const DesignPoints& points, const Summary& summary) {
     Results results{.place = "design/points", .columns = {{"case", "case"}, {"base"}, {"point"}}};
@@ -261,74 +247,7 @@ Figure map_of(const PointAxis& across, const PointAxis& up, const PointLoads& lo
     return figure;
 }
 
-double on_scale(double value, AxisScale scale) {
-    return scale == AxisScale::log ? std::log(value) : value;
-}
-
 }  // namespace
-
-double RangedAxis::coordinate(double value) const {
-    const double low = on_scale(from, scale);
-    const double high = on_scale(to, scale);
-    return high > low ? 2 * (on_scale(value, scale) - low) / (high - low) - 1 : 0;
-}
-
-double RangedAxis::value(double coordinate) const {
-    const double low = on_scale(from, scale);
-    const double on = low + (coordinate + 1) / 2 * (on_scale(to, scale) - low);
-    return scale == AxisScale::log ? std::exp(on) : on;
-}
-
-RangedAxis ranged_axis(const Campaign& campaign, const DesignAxis& axis) {
-    RangedAxis made{axis.key, axis.from, axis.to, axis.scale, axis.whole};
-    if (campaign.design.has_ranges()) return made;
-    std::vector<double> values;
-    for (const Case& one : campaign.cases) values.push_back(numeric_value(one, axis.key));
-    const auto [least, most] = std::ranges::minmax(values);
-    made.from = least;
-    made.to = most;
-    return made;
-}
-
-std::string value_text(const std::variant<double, std::string>& value) {
-    const auto* number = std::get_if<double>(&value);
-    return number != nullptr ? fmt::format("{:.4g}", *number) : std::get<std::string>(value);
-}
-
-DesignPoints find_points(const Campaign& campaign) {
-    DesignPoints points;
-    if (!campaign.design.active()) return points;
-    for (const DesignAxis& axis : campaign.design.axes) {
-        points.keys.push_back(axis.key);
-        points.scales.push_back(axis.scale);
-    }
-    for (const Case& of_case : campaign.cases) {
-        PointRow& row = points.rows.emplace_back(PointRow{of_case.name, of_case.base, of_case.point, {}});
-        for (const DesignAxis& axis : campaign.design.axes) row.values.push_back(value_of(of_case, axis));
-    }
-    return points;
-}
-
-std::vector<KeyWords> axis_words(const DesignPoints& points) {
-    std::vector<KeyWords> words;
-    for (const std::string& key : points.keys) words.push_back(key_words(key));
-    std::vector<KeyWords> told = words;
-    for (std::size_t k = 0; k < words.size(); ++k)
-        if (std::ranges::count(words, words[k].name, &KeyWords::name) > 1)
-            told[k].name = points.keys[k].substr(0, points.keys[k].find('.')) + " " + words[k].name;
-    return told;
-}
-
-std::vector<std::string> point_labels(const DesignPoints& points) {
-    const std::vector<KeyWords> words = axis_words(points);
-    std::vector<std::string> labels;
-    for (const PointRow& row : points.rows) {
-        std::string& label = labels.emplace_back(row.base.empty() ? "" : row.base + ": ");
-        for (std::size_t k = 0; k < words.size(); ++k)
-            label += (k == 0 ? "" : ", ") + words[k].with(value_text(row.values[k]));
-    }
-    return labels;
-}
 
 Section points_section(const Evidence& evidence) {
     const DesignPoints points = find_points(evidence.campaign);
@@ -390,7 +309,7 @@ std::vector<Points> by_base(const Campaign& campaign) {
 
 /// Values of a quantity: a row for each arrangement, a column for each point; NaN where no member is done.
 std::vector<std::vector<double>> values_of(const Points& points, const Quantity& quantity, const Sample& sample) {
-    const std::size_t cases = sample.cases();
+    const std::size_t cases = sample.cases.size();
     std::vector<std::vector<double>> values(sample.members() / cases);
     for (std::size_t arrangement = 0; arrangement < values.size(); ++arrangement)
         for (const std::size_t k : points.cases)
@@ -575,11 +494,6 @@ double variance_of_time(const Sample& sample, const Quantity& asked, std::size_t
 
 }  // namespace
 
-bool in_detail(const Campaign& campaign) {
-    constexpr std::size_t few = 12;
-    return !campaign.design.active() || campaign.cases.size() <= few;
-}
-
 Estimate SensitivityRow::change(std::size_t axis) const {
     const Slope& slope = fit->slopes[axis];  // over half the axis
     return {2 * slope.estimate, 2 * slope.low, 2 * slope.high,
@@ -628,6 +542,10 @@ Sensitivity find_sensitivity(const Evidence& evidence) {
             "Indices are computed from means over arrangements. The scatter that remains in these means counts as "
             "interaction and raises the total indices.");
     return found;
+}
+
+const Sensitivity& sensitivity_of(Evidence& evidence) {
+    return evidence.kept.once([&] { return find_sensitivity(evidence); });
 }
 
 Section sensitivity_section(const Sensitivity& found) {

@@ -17,7 +17,7 @@
 #include "campaign/case_words.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "findings/conditions.hpp"
+#include "findings/design_points.hpp"
 #include "findings/plan_view.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"

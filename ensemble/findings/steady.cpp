@@ -5,22 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "findings/catalogue.hpp"
-#include "findings/summary.hpp"
 #include "inference/interval.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
-
-JointTrend joint_trend(const CampaignTable& table, std::size_t of_case) {
-    std::vector<MemberTrend> members;
-    for (const MemberRow* row : done_members(table, of_case))
-        members.push_back(member_trend(*row, table.cases[of_case].analysis.window));
-    return joint_trend(members);
-}
 
 std::string steady_text(const std::string& name, const JointTrend& trend, const CaseRow& about) {
     if (trend.steadiness != Steadiness::steady) return "";
@@ -104,7 +94,7 @@ struct Histories {
     }
 };
 
-CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std::vector<MemberSteady>& members,
+CaseSteady case_steady(const Sample& sample, std::size_t index, const std::vector<MemberSteady>& members,
                        const Histories& histories) {
     CaseSteady found;
     found.start = histories.start();
@@ -112,7 +102,7 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
     std::vector<double> times;
     std::vector<double> effective;
     for (const MemberSteady& member : members) {
-        if (table.members[static_cast<std::size_t>(member.member)].case_index != static_cast<int>(index)) continue;
+        if (sample.case_of(static_cast<std::size_t>(member.member)) != index) continue;
         if (member.start) starts.push_back(*member.start);
         found.without_start += member.start ? 0 : 1;
         times.push_back(member.decorrelation_time);
@@ -126,18 +116,18 @@ CaseSteady case_steady(const CampaignTable& table, std::size_t index, const std:
 
 }  // namespace
 
-SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table) {
+SteadyReport find_steady(const CampaignFile& file, const Sample& sample) {
     SteadyReport report;
-    std::vector<Histories> histories(table.cases.size());
+    std::vector<Histories> histories(sample.cases.size());
     for_each_history(file, [&](const StoredHistory& history) {
-        const auto of_case =
-            static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(history.member)).case_index);
+        const auto number = static_cast<std::size_t>(history.member);
+        const std::size_t of_case = sample.case_of(number);
         histories.at(of_case).add(history);
         MemberSteady member{history.member, {}, 0, 0};
-        const Analysis& analysis = table.cases[of_case].analysis;
+        const Analysis& analysis = sample.cases[of_case].analysis;
         if (const auto start = steady_start(history.values)) member.start = static_cast<double>(*start) * history.step;
         std::optional<double> variance;  // of single steps: means over several steps underestimate it
-        const double sd = table.members[static_cast<std::size_t>(history.member)].load.sd;
+        const double sd = sample.value(number, quantity("sd_load"));
         if (analysis.history_stride > 1) variance = sd * sd;
         const Autocorrelation found =
             autocorrelation(in_window(history, analysis), history.step, batch_of(analysis), variance);
@@ -145,9 +135,8 @@ SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table) {
         member.effective_samples = found.effective_samples;
         report.members.push_back(member);
     });
-    for (std::size_t index = 0; index < table.cases.size(); ++index) {
-        report.cases.push_back(case_steady(table, index, report.members, histories[index]));
-    }
+    for (std::size_t index = 0; index < histories.size(); ++index)
+        report.cases.push_back(case_steady(sample, index, report.members, histories[index]));
     return report;
 }
 
@@ -170,7 +159,7 @@ CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable tabl
     return measured_anew(file, std::move(table), windows);
 }
 
-Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady) {
+Section steady_section(const Summary& summary, const Sample& sample, const SteadyReport& steady) {
     const auto seconds = [](const std::optional<double>& time) { return time ? Datum(*time) : Named{"", "none"}; };
     Results cases{
         .place = "steady/cases",
@@ -190,11 +179,9 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
                    seconds(one.median_start), one.without_start, one.median_decorrelation_time,
                    one.median_effective_samples});
     }
-    for (const MemberSteady& one : steady.members) {
-        const MemberRow& member = table.members.at(static_cast<std::size_t>(one.member));
-        members.add({one.member, summary.name_of(static_cast<std::size_t>(member.case_index)), seconds(one.start),
-                     one.decorrelation_time, one.effective_samples});
-    }
+    for (const MemberSteady& one : steady.members)
+        members.add({one.member, summary.name_of(sample.case_of(static_cast<std::size_t>(one.member))),
+                     seconds(one.start), one.decorrelation_time, one.effective_samples});
     if (steady.members.empty()) {
         cases.view = Results::View::none;
         return {.results = {std::move(cases), std::move(members)},
@@ -207,55 +194,6 @@ Section steady_section(const Summary& summary, const CampaignTable& table, const
                 "trend to the end; none: not in the first half. Single runs: median over its members' own histories; "
                 "without: members in which no steady part was found. Decorrelation: duration of load that counts as "
                 "one independent value; effective samples: of the window. Both are medians over the members.\n"};
-}
-
-namespace {
-
-/// The interval of two arrangements is too wide to draw.
-constexpr std::size_t fewest_drawn = 3;
-
-struct Curve {
-    std::size_t of_case = 0;
-    Figure::Points mean = {}, low = {}, high = {};
-};
-
-}  // namespace
-
-Section convergence_section(Evidence& evidence) {
-    Figure figure{.description = "Mean load over the number of arrangements, with its interval",
-                  .x = {"arrangements", 0, 2},
-                  .legend = case_legend(evidence.summary),
-                  .caption = "Mean load of the first n arrangements with its 95 % interval."};
-    std::vector<double> drawn;
-    std::vector<Curve> curves;
-    for (std::size_t i = 0; i < evidence.table.cases.size(); ++i) {
-        Curve& curve = curves.emplace_back(Curve{i});
-        std::vector<double> so_far;
-        for (const MemberRow* member : done_members(evidence.table, i)) {
-            so_far.push_back(member->load.mean);
-            if (so_far.size() < fewest_drawn) continue;
-            const double n = static_cast<double>(so_far.size());
-            const Interval interval = mean_interval(so_far);
-            curve.mean.emplace_back(n, interval.estimate);
-            curve.low.emplace_back(n, interval.low);
-            curve.high.emplace_back(n, interval.high);
-            drawn.push_back(interval.estimate);
-            if (says_something(interval.estimate, {interval.low, interval.high}, static_cast<int>(so_far.size())))
-                drawn.insert(drawn.end(), {interval.low, interval.high});
-            figure.x.high = std::max(figure.x.high, n);
-        }
-    }
-    if (drawn.empty()) return {};
-    figure.x.high *= 1.02;
-    figure.y = axis_around("mean load", drawn, true, "N");
-    for (Curve& curve : curves) {
-        // The interval of the first few may be far wider than anything else: it ends at the figure's edge.
-        for (Figure::Points* limit : {&curve.low, &curve.high})
-            for (auto& [n, load] : *limit) load = std::clamp(load, figure.y.low, figure.y.high);
-        figure.band(std::move(curve.low), curve.high, colour(curve.of_case) + " veil");
-        figure.line(std::move(curve.mean), colour(curve.of_case));
-    }
-    return {.figures = {std::move(figure)}};
 }
 
 }  // namespace floes

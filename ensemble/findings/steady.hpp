@@ -11,8 +11,6 @@
 
 namespace floes {
 
-JointTrend joint_trend(const CampaignTable& table, std::size_t of_case);
-
 /// Of a load that is known to be steady: what the ice ahead lets one conclude. Empty of others, of which warnings_of()
 /// tells.
 std::string steady_text(const std::string& name, const JointTrend& trend, const CaseRow& about);
@@ -44,9 +42,9 @@ struct SteadyReport {
     std::vector<MemberSteady> members;  ///< those with a history
 };
 
-/// Reads the histories of the file that `table` was read from. Without histories the report has no members, and its
+/// Reads the histories of the file that `sample` was read from. Without histories the report has no members, and its
 /// cases have no start.
-SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table);
+SteadyReport find_steady(const CampaignFile& file, const Sample& sample);
 
 /// The table with the load statistics of every done member recomputed. The window is as many whole segments, each as
 /// long as before, as fit between the start found for the case and the end of the run, counted from the end. A case
@@ -56,6 +54,6 @@ SteadyReport find_steady(const CampaignFile& file, const CampaignTable& table);
 CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable table, const SteadyReport& steady);
 
 /// Text has a row for each case, JSON a record for each case and each member, CSV a line for each member.
-Section steady_section(const Summary& summary, const CampaignTable& table, const SteadyReport& steady);
+Section steady_section(const Summary& summary, const Sample& sample, const SteadyReport& steady);
 
 }  // namespace floes

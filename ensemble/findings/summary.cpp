@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "findings/steady.hpp"
-#include "inference/interval.hpp"
 #include "statistics/distributions.hpp"
 
 namespace floes {
@@ -105,33 +102,45 @@ int arrangements_for(const Interval& found, int runs, double share) {
     return most;
 }
 
-namespace {
-
-void count(const MemberRow& member, CaseSummary& row) {
-    ++row.members;
-    if (member.status == RowStatus::missing) ++row.missing_members;
-    if (member.status == RowStatus::failed) ++row.failed_members;
-    if (member.status != RowStatus::done) return;
-    ++row.done;
-    row.not_steady += member.load.steady ? 0 : 1;
-    for (const Quantity& one : quantities)
-        if (one.count && std::isfinite(one.of(member)))
-            row.totals[std::string{one.key.view()}] += static_cast<std::int64_t>(one.of(member));
+JointTrend joint_trend(const Sample& sample, std::size_t of_case) {
+    const double window = sample.cases[of_case].analysis.window;
+    std::vector<MemberTrend> members;
+    for (const std::size_t member : sample.done(of_case)) {
+        std::span<const double> maxima = sample.along("averaged/segment_maximum", member, 0);
+        if (maxima.empty()) maxima = sample.along("members/segment_maximum", member);
+        members.push_back(member_trend(sample.value(member, quantity("mean_load")),
+                                       sample.value(member, quantity("trend")) * window, maxima));
+    }
+    return joint_trend(members);
 }
 
-CaseSummary summarise_case(const CampaignTable& table, const std::vector<Quantity>& quantities, int number) {
+namespace {
+
+/// Done, failed or missing.
+void count(const Sample& sample, std::size_t member, CaseSummary& row) {
+    ++row.members;
+    if (sample.status(member) == RowStatus::missing) ++row.missing_members;
+    if (sample.status(member) == RowStatus::failed) ++row.failed_members;
+    if (sample.status(member) != RowStatus::done) return;
+    ++row.done;
+    row.not_steady += sample.steady(member) ? 0 : 1;
+}
+
+CaseSummary summarise_case(const Sample& sample, const std::vector<Quantity>& known, std::size_t of_case) {
     CaseSummary row;
-    row.about = table.cases[static_cast<std::size_t>(number)];
-    for (const MemberRow& member : table.members)
-        if (member.case_index == number) count(member, row);
-    row.trend = joint_trend(table, static_cast<std::size_t>(number));
-    const std::vector<const MemberRow*> done = done_members(table, static_cast<std::size_t>(number));
-    for (const Quantity& quantity : shown_in(quantities, Shown::in_summary)) {
-        std::vector<double> values;
-        for (const MemberRow* member : done) values.push_back(quantity.of(*member));
+    row.about = sample.cases[of_case];
+    for (std::size_t member = 0; member < sample.members(); ++member)
+        if (sample.case_of(member) == of_case) count(sample, member, row);
+    row.trend = joint_trend(sample, of_case);
+    const Members& done = sample.done(of_case);
+    for (const Quantity& one : quantities)
+        if (one.count)
+            for (const double value : measured(sample.values(done, one)))
+                row.totals[std::string{one.key.view()}] += static_cast<std::int64_t>(value);
+    for (const Quantity& one : shown_in(known, Shown::in_summary)) {
         // An older version may not have measured it.
-        const auto [mean, standing_out] = mean_of_kind(measured(std::move(values)), kind_of(quantity));
-        row.estimates[std::string{quantity.key.view()}] = {mean, standing_out};
+        const auto [mean, standing_out] = mean_of_kind(measured(sample.values(done, one)), kind_of(one));
+        row.estimates[std::string{one.key.view()}] = {mean, standing_out};
     }
     return row;
 }
@@ -150,25 +159,16 @@ MemberCounts Summary::counts() const {
     return all;
 }
 
-Summary summarise(const CampaignTable& table) {
+Summary summarise(const Sample& sample) {
     Summary summary;
-    summary.title = table.title;
-    summary.quantities = table.quantities();
-    for (int number = 0; number < static_cast<int>(table.cases.size()); ++number) {
-        summary.cases.push_back(summarise_case(table, summary.quantities, number));
-    }
-    for (int number = 0; number < static_cast<int>(table.members.size()); ++number) {
-        const MemberRow& member = table.members[static_cast<std::size_t>(number)];
-        if (member.status == RowStatus::failed) summary.failed.push_back({number, member.reason});
-    }
+    summary.title = sample.title;
+    summary.quantities = sample.quantities();
+    for (std::size_t k = 0; k < sample.cases.size(); ++k)
+        summary.cases.push_back(summarise_case(sample, summary.quantities, k));
+    for (std::size_t member = 0; member < sample.members(); ++member)
+        if (sample.status(member) == RowStatus::failed)
+            summary.failed.push_back({static_cast<int>(member), sample.reason(member)});
     return summary;
-}
-
-std::vector<const MemberRow*> done_members(const CampaignTable& table, std::size_t of_case) {
-    std::vector<const MemberRow*> members;
-    for (const MemberRow& member : table.members)
-        if (member.done() && member.case_index == static_cast<int>(of_case)) members.push_back(&member);
-    return members;
 }
 
 std::vector<std::pair<std::string, std::string>> case_legend(const Summary& summary) {

@@ -113,11 +113,11 @@ struct Summary {
     }
 };
 
-/// Statistics of every case, in the order of the file.
-Summary summarise(const CampaignTable& table);
+/// Whether the load of a case rises or falls through the measured window.
+JointTrend joint_trend(const Sample& sample, std::size_t of_case);
 
-/// Done members of a case in order of arrangement.
-std::vector<const MemberRow*> done_members(const CampaignTable& table, std::size_t of_case);
+/// Statistics of every case, in the order of the file.
+Summary summarise(const Sample& sample);
 
 /// Colour and name of every case; none of more than twelve, which could not be told apart.
 std::vector<std::pair<std::string, std::string>> case_legend(const Summary& summary);

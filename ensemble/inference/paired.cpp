@@ -13,7 +13,6 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "inference/interval.hpp"
 #include "statistics/distributions.hpp"
 #include "statistics/load_statistics.hpp"
 
@@ -207,24 +206,21 @@ Interval mean_change(std::span<const double> changes) {
     return change;
 }
 
-namespace {
-
-MemberTrend trend_of(double mean, double rise, const std::vector<double>& maxima) {
+MemberTrend member_trend(double mean, double rise, std::span<const double> maxima) {
     return {.mean = mean,
             .rise = rise,
             .growth = maxima.size() < 2 ? undefined : maxima.back() - maxima.front(),
             .largest = maxima.empty() ? 0 : mean_of(maxima)};
 }
 
-}  // namespace
-
 MemberTrend member_trend(const MemberOutputs& outputs, double window) {
-    return trend_of(outputs.load.mean, outputs.load.trend * window,
-                    outputs.averaged.empty() ? outputs.load.segment_maximum : outputs.averaged.front().segment_maximum);
+    return member_trend(
+        outputs.load.mean, outputs.load.trend * window,
+        outputs.averaged.empty() ? outputs.load.segment_maximum : outputs.averaged.front().segment_maximum);
 }
 
 MemberTrend member_trend(const Response& response) {
-    return trend_of(response.mean, response.rise, response.segment_maximum);
+    return member_trend(response.mean, response.rise, response.segment_maximum);
 }
 
 JointTrend joint_trend(std::span<const MemberTrend> members, std::string_view noun) {

@@ -99,6 +99,9 @@ struct MemberTrend {
     double largest = 0;  ///< mean of the segment maxima, N
 };
 
+/// `rise`: slope times the window; `maxima`: of the segments.
+MemberTrend member_trend(double mean, double rise, std::span<const double> maxima);
+
 /// Maxima of the load averaged over the shortest time where members have them, else of single steps. `window`: s.
 MemberTrend member_trend(const MemberOutputs& outputs, double window);
 

@@ -10,7 +10,7 @@
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "findings/conditions.hpp"
+#include "findings/design_points.hpp"
 #include "keys/document.hpp"
 #include "keys/key.hpp"
 #include "match/regimes.hpp"

@@ -1,14 +1,13 @@
 #include "match/regimes.hpp"
 
 #include <map>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "findings/conditions.hpp"
+#include "findings/design_points.hpp"
 #include "keys/csv.hpp"
 #include "keys/read.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "campaign_file/campaign_table.hpp"
-#include "findings/points.hpp"
+#include "findings/design_points.hpp"
 #include "member/quantity.hpp"
 
 namespace floes {

@@ -18,10 +18,8 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/conditions.hpp"
-#include "findings/design_load.hpp"
 #include "findings/summary.hpp"
 #include "keys/meant.hpp"
-#include "match/matching.hpp"
 
 namespace floes {
 
@@ -167,7 +165,10 @@ struct YearTails {
 class TailFinder {
   public:
     TailFinder(const MatchWave& campaign, const YearRequest& request)
-        : campaign_(campaign), request_(request), time_(averaging_time(campaign.table, request.load)) {}
+        : campaign_(campaign),
+          request_(request),
+          sample_(campaign.table),
+          time_(averaging_time(campaign.table, request.load)) {}
 
     YearRegimeRow row(const Regime& regime) {
         YearRegimeRow row{regime, {}};
@@ -192,9 +193,9 @@ class TailFinder {
         const auto of_case = static_cast<std::size_t>(found - names.begin());
         const auto known = std::ranges::find(made.sources, std::optional(of_case), &TailSource::of_case);
         if (known != made.sources.end()) return static_cast<std::size_t>(known - made.sources.begin());
-        refuse_rising(joint_trend(campaign_.table, of_case), fmt::format("{}: case {}", regime.where, regime.case_name),
+        refuse_rising(joint_trend(sample_, of_case), fmt::format("{}: case {}", regime.where, regime.case_name),
                       request_);
-        const CasePeaks peaks = case_peaks(campaign_.table, of_case, time_);
+        const CasePeaks peaks = case_peaks(sample_, of_case, time_);
         add({regime.case_name, of_case, peaks.members, peaks.rows.size(), 0, {}}, peaks.rows, peaks.measured, regime);
         return made.sources.size() - 1;
     }
@@ -207,7 +208,7 @@ class TailFinder {
         if (known == made.sources.end()) {
             for (std::size_t k = 0; k < campaign_.table.cases.size(); ++k)
                 if (campaign_.campaign.cases[k].base == base)
-                    refuse_rising(joint_trend(campaign_.table, k),
+                    refuse_rising(joint_trend(sample_, k),
                                   fmt::format("{}: point {}", regime.where, campaign_.table.cases[k].name), request_);
             const InterpolatedDesign& design =
                 designs_.try_emplace(made.sources.size(), campaign_, base, request_.load).first->second;
@@ -253,6 +254,7 @@ class TailFinder {
 
     const MatchWave& campaign_;
     const YearRequest& request_;
+    const Sample sample_;
     double time_;
     std::map<std::size_t, InterpolatedDesign> designs_;  ///< by source
 };

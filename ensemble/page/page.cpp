@@ -14,6 +14,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/answer.hpp"
+#include "findings/design_load.hpp"
 #include "findings/page_one.hpp"
 #include "findings/summary.hpp"
 #include "page/section_html.hpp"
@@ -256,7 +257,7 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
     const bool whole = total_of(status).missing == 0;
     // A design load takes milliseconds a member, and this page is made again and again, on a login node perhaps.
     constexpr int most_extrapolated = 200;
-    if (total_of(status).done > most_extrapolated) evidence.designs.emplace();
+    if (total_of(status).done > most_extrapolated) evidence.kept.set(DesignLoads{});
     const std::string when =
         status.at_work ? fmt::format("As of {}; this page loads itself again every {} s while the run is active.", now,
                                      status_page_seconds)

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "core/contract.hpp"
-#include "findings/conditions.hpp"
+#include "findings/design_points.hpp"
 #include "tables/table.hpp"
 
 namespace floes {

@@ -19,7 +19,7 @@ Evidence evidence(std::vector<BreakRow> breaks) {
     Campaign campaign;
     campaign.cases.resize(3);
     Evidence made = evidence_of(campaign, example::campaign());
-    made.breaks = std::move(breaks);
+    made.kept.set(std::move(breaks));
     return made;
 }
 
@@ -56,11 +56,13 @@ TEST(Failures, AreNamedByTheirModes) {
 
 /// Where floes are numbered as they enter, a number does not tell which cells a floe has.
 TEST(Failures, OfCellsInAFieldWithoutEndHaveNoPlaces) {
-    Evidence of = evidence({{0, 20, 0, 0, tension}, {0, 30, 190, 15, tension}});
+    std::vector<BreakRow> breaks{{0, 20, 0, 0, tension}, {0, 30, 190, 15, tension}};
+    Evidence of = evidence(breaks);
     for (Case& one : of.campaign.cases) one.scenario.field.far_end = FarEnd::never;
     EXPECT_THAT(joint_failures_section(of).figures, IsEmpty());
     for (Case& one : of.campaign.cases) one.scenario.elements.form = ElementForm::squares;
-    of.breaks->back().joint = 11;
+    breaks.back().joint = 11;
+    of.kept.set(breaks);
     EXPECT_THAT(joint_failures_section(of).figures, testing::Not(IsEmpty()));
 }
 

@@ -12,6 +12,7 @@
 #include "campaign_file/publish.hpp"
 #include "core/random.hpp"
 #include "findings/example.hpp"
+#include "findings/moored.hpp"
 #include "member/design_of.hpp"
 #include "simulation/record.hpp"
 #include "support/synthetic.hpp"

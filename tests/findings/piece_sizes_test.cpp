@@ -86,7 +86,7 @@ TEST(PieceSizes, TakeFloesOfTheMembersOwn) {
 
 TEST(PieceSizes, AreMissingWhereNothingBroke) {
     Evidence evidence = evidence_of({}, example::campaign());
-    evidence.pieces.emplace();
+    evidence.kept.set(std::vector<PieceRow>{});
     EXPECT_THAT(piece_sizes_section(evidence).missing, testing::HasSubstr("no floe is known to be in pieces"));
 }
 

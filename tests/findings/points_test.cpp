@@ -12,6 +12,7 @@
 #include "findings/answer.hpp"
 #include "findings/catalogue.hpp"
 #include "findings/conditions.hpp"
+#include "findings/design_load.hpp"
 #include "findings/example.hpp"
 #include "findings/page_one.hpp"
 #include "scenario/scenario.hpp"
@@ -174,12 +175,13 @@ TEST(Answer, SaysDoubtsBesideTheFigure) {
     DesignLoads designs;
     CaseDesignLoad& of_case = designs.of_cases.emplace_back();
     of_case.load = load;
-    evidence.designs = designs;
+    evidence.kept.set(designs);
     const PageOne page = find_page_one(evidence);
     EXPECT_THAT(page.sentence, HasSubstr("in 3 h a load of 50 N (45 to 55) is exceeded with 10 %"));
     EXPECT_THAT(page.table.notes.at(0),
                 HasSubstr("methods differ by 70 %, extrapolated to 1.1e+02 times the time run."));
-    evidence.designs->of_cases[0].load.arrangements = 2;
+    of_case.load.arrangements = 2;
+    evidence.kept.set(designs);
     EXPECT_THAT(find_page_one(evidence).sentence, HasSubstr("a load of 50 N is exceeded"));
 }
 
@@ -239,6 +241,7 @@ TEST(Convergence, OfTwoArrangementsIsNoFigure) {
 TEST(Convergence, FigureFollowsTheMeansNotTheWidestInterval) {
     Evidence evidence = evidence_with("[campaign]\narrangements = 6\n");
     for (MemberRow& row : evidence.table.members) row.load.mean = row.arrangement == 0 ? 100 : row.arrangement;
+    evidence = evidence_of(evidence.campaign, evidence.table);
     const Section told = convergence_section(evidence);
     EXPECT_LT(told.figures[0].y.high, 120);  // of the first three the interval reaches to 178 N
     for (const Figure::Mark& mark : told.figures[0].marks)
