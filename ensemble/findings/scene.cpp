@@ -19,7 +19,6 @@
 #include "core/units.hpp"
 #include "findings/design_points.hpp"
 #include "findings/plan_view.hpp"
-#include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 #include "shapes/moorings.hpp"
 #include "shapes/polygon.hpp"

@@ -3,6 +3,7 @@
 // from abeam, its numbers in words, and what of it is seldom meant.
 
 #include "campaign/campaign.hpp"
+#include "scenario/floes.hpp"
 #include "tables/section.hpp"
 
 namespace floes {
