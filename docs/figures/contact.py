@@ -5,8 +5,8 @@ Usage:
     contact.py                    writes the tables
     contact.py --check            writes nothing; fails if a table differs from the data
     contact.py --collect FOLDER   first takes the members of the finished campaigns contact_choices.h5, resolution.h5,
-                                  friction_cone.h5, friction_wall.h5 and jam.h5 in FOLDER, made from configs/validation,
-                                  or of their parts (jam.part1.h5, …)
+                                  friction_cone.h5, friction_wall.h5, jam.h5 and jam_loose.h5 in FOLDER, made from
+                                  configs/validation, or of their parts (jam.part1.h5, …)
 """
 import pathlib
 import sys
@@ -23,7 +23,8 @@ DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "contact"
 COLUMNS = ["split_ratio", "mean_heave", "mean_sweeps"]
 CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution",
-             "friction_cone": "friction_cone", "friction_wall": "friction_wall", "jam": "jam"}
+             "friction_cone": "friction_cone", "friction_wall": "friction_wall", "jam": "jam",
+             "jam_loose": "jam_loose"}
 QUANTITIES = {"mean_N": "mean, N", "maximum_0.1s_N": "largest over 0.1 s, N", "maximum_1s_N": "over 1 s, N",
               "broken_percent": "broken floes, %"}
 NUMERIC_QUANTITIES = QUANTITIES | {"cracked_percent": "cracked through, %", "heave_N": "heave, N"}
@@ -42,6 +43,7 @@ RIGID = {"rigid": "**0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "ste
          "rigid_0.0025": "step 0.0025 s"}
 JAM = {"tolerance_1": "**1 mm/s**", "tolerance_0.2": "0.2 mm/s", "tolerance_0.05": "0.05 mm/s"}
 UNBREAKABLE = {"unbreakable": "**1 mm/s, floes 162 times as strong**", "unbreakable_0.2": "0.2 mm/s"}
+LOOSE = {"tolerance_1": "**1 mm/s**", "tolerance_2": "2 mm/s", "tolerance_4": "4 mm/s", "tolerance_8": "8 mm/s"}
 FRICTION = {"constant": "**constant**", "ice_rate_and_state": "ice on ice by rate and state",
             "ice_power": "ice on ice by the power 0.35", "hull_power": "hull by the power 0.28"}
 
@@ -123,6 +125,18 @@ def friction(data):
     return table(["friction", *heads], rows)
 
 
+def single_steps():
+    """Of bench/contact_error.cpp: errors of load and velocities, and sweeps, by tolerance."""
+    rows = pd.read_csv(DATA / "single_steps.csv")
+    tolerances = sorted(rows.tolerance_mm_s.unique())
+    cells = []
+    for scene, of in rows.groupby("scene", sort=False):
+        of = of.set_index("tolerance_mm_s")
+        cells.append([scene, *(f"{of.load_error_percent[t]:.1f} %, {of.velocity_error_mm_s[t]:.1f} mm/s, "
+                               f"{of.sweeps[t]:.0f}" for t in tolerances)])
+    return table(["scene", *(f"**{t:g} mm/s**" if t == 1 else f"{t:g} mm/s" for t in tolerances)], cells)
+
+
 def main(arguments):
     if arguments[:1] == ["--collect"]:
         for campaign, name in CAMPAIGNS.items():
@@ -138,8 +152,8 @@ def main(arguments):
     def numerics(words, first):
         return beside(resolution, words, first, NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
-    def jam(words):
-        rows = members("jam")
+    def jam(name, words):
+        rows = members(name)
         counts = rows.case.value_counts()
         return beside(rows, {case: f"{text} ({counts[case]})" for case, text in words.items()},
                       "contacts solved to (arrangements)", JAM_QUANTITIES, {"mean_sweeps": "sweeps a step"})
@@ -150,7 +164,10 @@ def main(arguments):
                                          "friction_wall": lambda: friction(members("friction_wall"))},
                    DOCS / "convergence.md": {"numerics": lambda: numerics(NUMERICS, "computed with"),
                                              "rigid": lambda: numerics(RIGID, "rigid contacts"),
-                                             "jam": lambda: jam(JAM), "jam_unbreakable": lambda: jam(UNBREAKABLE)}},
+                                             "single_steps": single_steps,
+                                             "jam": lambda: jam("jam", JAM),
+                                             "jam_unbreakable": lambda: jam("jam", UNBREAKABLE),
+                                             "jam_loose": lambda: jam("jam_loose", LOOSE)}},
                   arguments == ["--check"], "contact.py")
 
 

@@ -41,7 +41,7 @@ WatchedRun watched(const CampaignSnapshot& snapshot) {
     WatchedRun run{.status = snapshot.status, .loads = {}};
     const Sample sample(snapshot.table);
     double largest = 0;
-    for (std::size_t k = 0; k < sample.cases(); ++k) {
+    for (std::size_t k = 0; k < sample.cases.size(); ++k) {
         const std::vector<double> values = sample.values(sample.done(k), quantity("mean_load"));
         run.loads.push_back({over(sample, sample.done(k), quantity("mean_load")), half_widths(values)});
         const Estimate maximum = over(sample, sample.done(k), quantity("mean_maximum"));

@@ -18,13 +18,12 @@
 namespace floes {
 
 // Frames of a replay as few bytes: numbers in whole quanta, each frame as its difference from the one before, and
-// compressed. A whole member of the paper's tank
-// (1701 elements, 1351 frames) takes 4 MB.
+// compressed. A whole member of the paper's tank (1701 elements, 1351 frames) takes 4 MB.
 //
 // Six streams, little endian; e elements, in the order of IceField::elements():
-//   low, high    a frame: lower and upper bytes of 7 e int16 differences; x of all elements, then y, z, and w, x, y, z of
-//                their unit quaternions, whose signs are such that neighbouring frames are near each other
-//                An element that is not there has four zeros in place of them, and else what it had before
+//   low, high    a frame: lower and upper bytes of 7 e int16 differences; x of all elements, then y, z, and the
+//                w, x, y, z of their unit quaternions, whose signs are such that neighbouring frames are near each
+//                other. An element that is not there has four zeros in place of them, and else what it had before
 //   utilisation  a frame: e bytes of differences, %
 //   numbers      a frame: 5 float32: time (s), load x, y, z (N), number of its contacts
 //   contacts     a contact: 10 int16: point, normal force and friction on the ice, and 1 if it is one of the structure;

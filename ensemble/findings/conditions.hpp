@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "findings/design_points.hpp"
 #include "findings/summary.hpp"
 #include "tables/section.hpp"
 
