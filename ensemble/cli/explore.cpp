@@ -35,10 +35,9 @@ void add_explore(CommandLine& line) {
     verb.option("-o,--output", *output, "The page; default: CAMPAIGN_explore.html in this folder")
         .file_ending({".html", ".htm"});
     verb.footer(
-        "Points over any two quantities or inputs, histograms by case, load histories and parallel coordinates; what "
-        "is "
-        "brushed\nin one is marked in all. A member that is picked shows its numbers and the commands that replay it. "
-        "The page asks nothing\nof the network, and stays quick up to 100,000 members.\n\n"
+        "Points over any two quantities or inputs, histograms by case, load histories and parallel coordinates; what\n"
+        "is brushed in one is marked in all. A member that is picked shows its numbers and the commands that replay\n"
+        "it. The page asks nothing of the network, and stays quick up to 100,000 members.\n\n"
         "  floes explore my.h5 -o explore.html");
     verb.runs([files, output] {
         explore(*files, *output);

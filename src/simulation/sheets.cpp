@@ -146,11 +146,10 @@ void Sheets::read(const World& world, const StructurePose& at, double time) {
 void Sheets::check_fixed(const StructurePose& at, const Vec2& offset, double time) const {
     for (const IceSheet& form : fixed_) {
         if (!touches(form, form.centre, at)) continue;
-        throw MemberFailure(
-            fmt::format("The structure has come to the ice sheet at {} (t = {:.2f} s), {:.4g} m from where its tow "
-                        "alone would have "
-                        "it; take stiffer moorings or a wider field.",
-                        place_of(form), time, offset.norm()));
+        throw MemberFailure(fmt::format(
+            "The structure has come to the ice sheet at {} (t = {:.2f} s), {:.4g} m from where its tow alone would "
+            "have it; take stiffer moorings or a wider field.",
+            place_of(form), time, offset.norm()));
     }
 }
 
