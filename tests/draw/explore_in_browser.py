@@ -8,7 +8,9 @@ Usage: explore_in_browser.py FLOES CONFIG.toml SYNTHETIC_FILE
 
 import base64
 import json
+import os
 import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -108,10 +110,12 @@ def expect(holds, words):
 def opened(page, size):
     """What the probe in the page found, with the real clock; nothing else may be on the console."""
 
-    with tempfile.TemporaryDirectory() as profile:
+    # The browser's own processes may write into its profile a moment longer than it lives.
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         with subprocess.Popen(["chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
                                "--remote-debugging-port=0", f"--window-size={size}", f"--user-data-dir={profile}",
-                               "--enable-logging=stderr", page.as_uri()], stderr=subprocess.PIPE, text=True) as browser:
+                               "--enable-logging=stderr", page.as_uri()], stderr=subprocess.PIPE, text=True,
+                              start_new_session=True) as browser:
             try:
                 for line in browser.stderr:
                     if "CONSOLE" not in line:
@@ -120,7 +124,7 @@ def opened(page, size):
                     expect(found, f"the browser's console says: {line}")
                     return json.loads(base64.b64decode(found[1]))
             finally:
-                browser.terminate()
+                os.killpg(browser.pid, signal.SIGKILL)
                 browser.wait()
     sys.exit("the page was not ready in time")
 
