@@ -155,9 +155,7 @@ Bytes packed_members(const Evidence& evidence, const std::vector<std::size_t>& d
     Bytes bytes;
     for (const std::size_t member : done) put(bytes, static_cast<std::int32_t>(member));
     for (const std::size_t member : done) put(bytes, static_cast<std::int32_t>(evidence.sample.case_of(member)));
-    Deflater all;
-    all.add(bytes);
-    return all.finish();
+    return deflated(bytes);
 }
 
 /// Least and largest of each part of every member's surge load.
@@ -208,9 +206,7 @@ Bytes packed(const Histories& histories) {
         put(bytes, std::isnan(value) ? std::int16_t{-32768}
                                      : static_cast<std::int16_t>(std::clamp(std::lround(value / histories.quantum),
                                                                             long{-32767}, long{32767})));
-    Deflater all;
-    all.add(bytes);
-    return all.finish();
+    return deflated(bytes);
 }
 
 /// Its names are read by page_assets/explore_data.js.

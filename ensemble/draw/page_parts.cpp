@@ -80,4 +80,10 @@ Bytes Deflater::finish() {
     return std::move(stream_->packed());
 }
 
+Bytes deflated(std::span<const std::byte> bytes) {
+    Deflater all;
+    all.add(bytes);
+    return all.finish();
+}
+
 }  // namespace floes

@@ -58,4 +58,7 @@ class Deflater {
     std::unique_ptr<Stream> stream_;
 };
 
+/// Bytes that are all there, compressed.
+Bytes deflated(std::span<const std::byte> bytes);
+
 }  // namespace floes

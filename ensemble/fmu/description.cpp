@@ -27,11 +27,6 @@ std::string start_of(const FmuVariable& one, const FmuDescription& of) {
     return one.type == FmuType::string ? "" : "0";
 }
 
-std::string_view causality_of(FmuRole role) {
-    constexpr std::array<std::string_view, 3> words{"parameter", "input", "output"};
-    return words.at(static_cast<std::size_t>(role));
-}
-
 /// "fixed" and "discrete" are no defaults of a real variable.
 std::string_view variability_of(const FmuVariable& one) {
     if (one.role == FmuRole::parameter) return " variability=\"fixed\"";
@@ -40,7 +35,15 @@ std::string_view variability_of(const FmuVariable& one) {
 
 std::string common_attributes(const FmuVariable& one) {
     return fmt::format(R"(name="{}" valueReference="{}" description="{}" causality="{}"{})", one.name, one.reference,
-                       escaped(one.words), causality_of(one.role), variability_of(one));
+                       escaped(one.words), fmu_role_words.at(static_cast<std::size_t>(one.role)), variability_of(one));
+}
+
+/// Start, of what hosts set, and unit.
+std::string value_attributes(const FmuVariable& one, const FmuDescription& of) {
+    std::string text;
+    if (one.role != FmuRole::output) text += fmt::format(" start=\"{}\"", start_of(one, of));
+    if (!one.unit.empty()) text += fmt::format(" unit=\"{}\"", one.unit);
+    return text;
 }
 
 std::string units_text() {
@@ -61,11 +64,8 @@ std::string experiment(const FmuDescription& of) {
 
 std::string variable_2(const FmuVariable& one, const FmuDescription& of) {
     constexpr std::array<std::string_view, 3> types{"Real", "Integer", "String"};
-    std::string own;
-    if (one.role != FmuRole::output) own += fmt::format(" start=\"{}\"", start_of(one, of));
-    if (!one.unit.empty()) own += fmt::format(" unit=\"{}\"", one.unit);
     return fmt::format("    <ScalarVariable {}><{}{}/></ScalarVariable>\n", common_attributes(one),
-                       types.at(static_cast<std::size_t>(one.type)), own);
+                       types.at(static_cast<std::size_t>(one.type)), value_attributes(one, of));
 }
 
 std::string variable_3(const FmuVariable& one, const FmuDescription& of) {
@@ -74,10 +74,7 @@ std::string variable_3(const FmuVariable& one, const FmuDescription& of) {
     if (one.type == FmuType::string)
         return fmt::format("    <{} {}><Start value=\"{}\"/></{}>\n", type, common_attributes(one), start_of(one, of),
                            type);
-    std::string own;
-    if (one.role != FmuRole::output) own += fmt::format(" start=\"{}\"", start_of(one, of));
-    if (!one.unit.empty()) own += fmt::format(" unit=\"{}\"", one.unit);
-    return fmt::format("    <{} {}{}/>\n", type, common_attributes(one), own);
+    return fmt::format("    <{} {}{}/>\n", type, common_attributes(one), value_attributes(one, of));
 }
 
 std::string text_2(const FmuDescription& of) {

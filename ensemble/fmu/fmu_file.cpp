@@ -96,9 +96,8 @@ namespace {
 std::string index_page(const FmuDescription& of) {
     std::string rows;
     for (const FmuVariable& one : fmu_variables(of.mover)) {
-        constexpr std::array<std::string_view, 3> roles{"parameter", "input", "output"};
         rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", one.name,
-                            roles.at(static_cast<std::size_t>(one.role)), one.unit, one.words);
+                            fmu_role_words.at(static_cast<std::size_t>(one.role)), one.unit, one.words);
     }
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title></head><body>\n"

@@ -25,6 +25,7 @@ inline constexpr std::array<std::string_view, 2> hull_mover_words{"inside", "out
 
 enum class FmuType { real, integer, string };
 enum class FmuRole { parameter, input, output };
+inline constexpr std::array<std::string_view, 3> fmu_role_words{"parameter", "input", "output"};  ///< causality
 
 struct FmuVariable {
     unsigned reference = 0;

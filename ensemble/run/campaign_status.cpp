@@ -240,7 +240,7 @@ void add_heartbeat(CampaignStatus& status, const Campaign& campaign, const Membe
     if (!is_stale(*heartbeat)) status.at_work = true;
     if (status.at_work && heartbeat->elapsed > 0 && heartbeat->finished > 0) {
         status.rate = heartbeat->finished / heartbeat->elapsed;
-        status.seconds_left = heartbeat->remaining_cost / (heartbeat->finished_cost / heartbeat->elapsed);
+        status.seconds_left = time_left(heartbeat->finished_cost, heartbeat->remaining_cost, heartbeat->elapsed);
     }
     if (status.at_work) status.under_way = under_way(campaign, *heartbeat, notes, records);
     status.heartbeat = std::move(heartbeat);

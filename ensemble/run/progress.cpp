@@ -27,7 +27,7 @@ constexpr const char* erase_line = "\r\033[K";
 
 }  // namespace
 
-double ProgressState::time_left() const {
+double time_left(double finished_cost, double remaining_cost, double elapsed) {
     if (finished_cost <= 0 || elapsed <= 0) return -1;
     return remaining_cost / (finished_cost / elapsed);
 }

@@ -13,6 +13,9 @@
 
 namespace floes {
 
+/// Remaining cost over the measured rate, s; negative while nothing has finished.
+double time_left(double finished_cost, double remaining_cost, double elapsed);
+
 // A run in numbers for programs that collect such: a text file in the format of Prometheus, which its node exporter
 // reads from a folder (--collector.textfile.directory), and others read too.
 
@@ -73,8 +76,7 @@ struct ProgressState {
     std::string obstacle = {};                      ///< why it is unknown, without a full stop; empty if that is plain
     std::vector<Heartbeat::UnderWay> longest = {};  ///< members that have run longest, some that told how far they are
 
-    /// Remaining cost over the measured rate, s; negative while nothing has finished.
-    double time_left() const;
+    double time_left() const { return floes::time_left(finished_cost, remaining_cost, elapsed); }  ///< s
 };
 
 /// "3.1 members/s", "4.2 members/min", "0.5 members/h".

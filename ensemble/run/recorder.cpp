@@ -207,7 +207,6 @@ void Recorder::finish(const std::string& outcome) {
 void Recorder::write_metrics_now(Time now, bool at_work) const {
     if (places_.metrics.empty()) return;
     const Heartbeat heartbeat = tally_.heartbeat(now);
-    const double rate = heartbeat.elapsed > 0 ? heartbeat.finished_cost / heartbeat.elapsed : 0;
     const int running = at_work ? tally_.running() : 0;
     const int finished = tally_.computed() + tally_.set_aside();
     write_metrics(places_.metrics,
@@ -219,7 +218,8 @@ void Recorder::write_metrics_now(Time now, bool at_work) const {
                    .to_do = std::max(0, static_cast<int>(tally_.found().tasks.size()) - finished - running),
                    .elapsed = heartbeat.elapsed,
                    .finished = finished,
-                   .seconds_left = at_work && rate > 0 ? heartbeat.remaining_cost / rate : -1});
+                   .seconds_left =
+                       at_work ? time_left(heartbeat.finished_cost, heartbeat.remaining_cost, heartbeat.elapsed) : -1});
 }
 
 /// Members that still run have such files too; hardly ever are there more.
