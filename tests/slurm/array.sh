@@ -1,4 +1,4 @@
-# floes array under Slurm: 32 parts on two nodes, of which one comes late and goes again; some parts are put back into the
+# floes array under Slurm: 16 parts on two nodes, of which one comes late and goes again; some parts are put back into the
 # queue, asked to stop and killed, one finds a full disk. What is merged meanwhile and at the end is the file of one
 # undisturbed run.
 # Members of some tenths of a second on an idle core, so that a part falls asleep before its last one.
@@ -20,7 +20,7 @@ is_over() {
 }
 
 other=$(submit --exclusive --nodelist=n2 --time=30 --wrap "sleep 600")  # has one node for a while
-"$PROGRAM" array campaign.toml --for slurm --parts 32 --cores 1 2> array.log
+"$PROGRAM" array campaign.toml --for slurm --parts 16 --cores 1 2> array.log
 job=$(submit campaign.slurm.sh)
 until_true 60 test -e campaign.part1.h5 || fail "no part began in a minute"
 scancel "$other"
@@ -40,5 +40,5 @@ job=$(submit --array="${HELD[0]}" campaign.slurm.sh)
 until_true 240 test -e "asleep.${HELD[0]}" || fail "part ${HELD[0]} has no member after four minutes"
 until_true 20 scancel "$job" || fail "job $job cannot be cancelled"
 until_true 60 is_over "$job" || fail "job $job has not ended"
-said "campaign.part${HELD[0]}.log" "1 of 2 members done and on the disk"
+said "campaign.part${HELD[0]}.log" " of 4 members done and on the disk"
 ends "${job}_${HELD[0]}" CANCELLED 5

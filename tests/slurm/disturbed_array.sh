@@ -1,17 +1,17 @@
-# Sourced by the tests of job arrays: what they do with 32 parts of campaign.toml, whichever system computes them. Some
+# Sourced by the tests of job arrays: what they do with 16 parts of campaign.toml, whichever system computes them. Some
 # parts, drawn by a seed that is told (FLOES_SEED repeats it), fall asleep in their first start once they have a member, and
 # are then put back into the queue, asked to stop, or killed.
 SEED=${FLOES_SEED:-$RANDOM}
 RANDOM=$SEED
 echo "seed $SEED"
 FULL=5  # this part finds a full disk in every start until disk.is_full is gone: a limit to the size of files stands for it
-mapfile -t HELD < <(for part in $(seq 32); do [ "$part" = $FULL ] || echo "$RANDOM $part"; done | sort -n | head -6 |
+mapfile -t HELD < <(for part in $(seq 16); do [ "$part" = $FULL ] || echo "$RANDOM $part"; done | sort -n | head -6 |
     cut -d' ' -f2 | sort -n)
 
 touch disk.is_full
 cat > floes_here <<SH
 #!/usr/bin/env bash
-[[ " \$* " =~ " --part "([0-9]+)/32" " ]] || exec $PROGRAM "\$@"
+[[ " \$* " =~ " --part "([0-9]+)/16" " ]] || exec $PROGRAM "\$@"
 part=\${BASH_REMATCH[1]}
 if [[ \$part == $FULL && -e $FOLDER/disk.is_full ]]; then
     trap '' XFSZ
@@ -37,7 +37,7 @@ export FLOES=$FOLDER/floes_here
 kill_part() {
     local pid
     for pid in $(cluster_pids); do
-        if { tr '\0' ' ' < "/proc/$pid/cmdline"; } 2> /dev/null | grep -q "^$PROGRAM run .*--part $1/32 "; then
+        if { tr '\0' ' ' < "/proc/$pid/cmdline"; } 2> /dev/null | grep -q "^$PROGRAM run .*--part $1/16 "; then
             kill -KILL "$pid" 2> /dev/null || true
         fi
     done
@@ -68,9 +68,9 @@ while_it_runs() {
 all_but_the_full_one_are_done() {
     said "campaign.part$FULL.log" "Is the disk full"
     "$PROGRAM" merge campaign.part*.h5 -o campaign.h5 > merge.log 2>&1 && fail "all members are there despite a full disk"
-    said merge.log "Of 32 parts there is no file of part $FULL."
-    said merge.log "missing: all of arrangement $((FULL - 1))."
-    said "campaign.part${HELD[0]}.log" "1 of 2 members done and on the disk"  # put back into the queue
+    said merge.log "Of 16 parts there is no file of part $FULL."
+    said merge.log "missing: all of arrangements $((FULL - 1)), $((FULL + 15))."
+    said "campaign.part${HELD[0]}.log" " of 4 members done and on the disk"  # put back into the queue
     said "campaign.part${HELD[1]}.log" "ended with 85"                        # asked to stop
     said "campaign.part${HELD[2]}.log" "ended with 137"                       # killed
     local part

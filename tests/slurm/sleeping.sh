@@ -1,13 +1,22 @@
-# Sourced where floes falls asleep: it and the processes that compute its members, which else would finish them meanwhile.
+# Sourced where floes falls asleep: it, the process from which it starts members, and those that compute them, which else
+# would finish them meanwhile.
 
+# put_to_sleep FLOES: parents first, so that they start no others.
 put_to_sleep() {
-    kill -STOP "$1"  # first, so that it starts no other
-    pkill -STOP -P "$1" || true
+    local child
+    kill -STOP "$1" 2> /dev/null || return 0  # it has just ended
+    for child in $(pgrep -P "$1"); do put_to_sleep "$child"; done
 }
 
-# Asks it to stop, and only then wakes those who compute.
+# wake FLOES: parents first, so that what they ask of a member waits for it when it wakes.
+wake() {
+    local child
+    kill -CONT "$1" 2> /dev/null || return 0
+    sleep 0.5
+    for child in $(pgrep -P "$1"); do wake "$child"; done
+}
+
 ask_and_wake() {
     kill -USR1 "$1"
-    kill -CONT "$1"
-    pkill -CONT -P "$1" || true
+    wake "$1"
 }
