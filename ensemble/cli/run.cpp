@@ -14,7 +14,7 @@
 #include "cli/commands.hpp"
 #include "cli/until.hpp"
 #include "core/started_program.hpp"
-#include "findings/answer.hpp"
+#include "findings/overview.hpp"
 #include "run/calibrate.hpp"
 #include "run/campaign_status.hpp"
 #include "run/link.hpp"

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "cli/commands.hpp"
-#include "findings/answer.hpp"
 #include "findings/catalogue.hpp"
 #include "findings/evidence.hpp"
+#include "findings/overview.hpp"
 #include "store/file_calls.hpp"
 #include "store/session.hpp"
 #include "tables/workbook.hpp"

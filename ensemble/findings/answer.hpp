@@ -1,11 +1,10 @@
 #pragma once
-// A campaign in sentences: what is wrong with it, what its loads rest on, and all of it on one screen.
+// A campaign in sentences: what is wrong with it, what its loads rest on, and what would change them.
 
 #include <string>
 #include <vector>
 
-#include "findings/points.hpp"
-#include "tables/section.hpp"
+#include "findings/evidence.hpp"
 
 namespace floes {
 
@@ -14,8 +13,6 @@ std::vector<std::string> warnings_of(const Sample& sample, const Summary& summar
 
 /// A line for each.
 std::string warning_lines(const std::vector<std::string>& warnings);
-
-// The answer of a campaign in sentences: the loads, what they rest on, and what would change them.
 
 struct CampaignAnswer {
     std::vector<std::string> warnings;  ///< what is wrong with the whole
@@ -26,20 +23,5 @@ struct CampaignAnswer {
 
 /// Of a figure what a reader has to know with it is in `basis`: methods that differ, and how far it extrapolates.
 CampaignAnswer find_answer(Evidence& evidence);
-
-// A campaign on one screen: what is wrong with it, a row for each case, and what comes next. The whole is in the other
-// findings.
-
-/// Cases that are shown one by one; of a design with more of them, its axes and its extreme points are.
-inline constexpr std::size_t most_overview_rows = 12;
-
-/// The points with the least and the largest mean load, in words; none without a result.
-std::vector<std::pair<std::string, std::size_t>> extreme_points(const Summary& summary);
-
-/// Warnings and the table. Differences are to the evidence's reference, otherwise to the first case; a design has none.
-Section overview_section(const Evidence& evidence, const Sensitivity& sensitivity);
-
-/// The file and the commands for it, `program` as people call it.
-Section next_commands(const Evidence& evidence, const std::string& program);
 
 }  // namespace floes

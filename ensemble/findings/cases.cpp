@@ -94,6 +94,16 @@ std::string load_columns_text(const Summary& summary) {
                                : fmt::format("averaged over {:g} s", largest.averaging));
 }
 
+std::vector<std::pair<std::string, std::size_t>> extreme_points(const Summary& summary) {
+    const auto mean = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
+    std::vector<std::size_t> done;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        if (std::isfinite(mean(k))) done.push_back(k);
+    if (done.empty()) return {};
+    const auto [least, most] = std::ranges::minmax_element(done, {}, mean);
+    return {{"least mean", *least}, {"largest mean", *most}};
+}
+
 namespace {
 
 /// The source of a key says whether its default is a value that the paper states.

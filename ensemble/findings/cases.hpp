@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "findings/summary.hpp"
@@ -33,6 +34,12 @@ Bracket one_further_run(const CaseSummary& row, const Quantity& quantity);
 
 /// What the columns mean, as sentences.
 std::string load_columns_text(const Summary& summary);
+
+/// Cases that are shown one by one; of a design with more of them, its axes and its extreme points are.
+inline constexpr std::size_t most_overview_rows = 12;
+
+/// The points with the least and the largest mean load, in words; none without a result.
+std::vector<std::pair<std::string, std::size_t>> extreme_points(const Summary& summary);
 
 // Table 3 of the paper (one simulation for each modulus) and the experiment that it quotes.
 

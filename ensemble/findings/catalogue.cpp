@@ -9,6 +9,7 @@
 #include "findings/design_load.hpp"
 #include "findings/extremes.hpp"
 #include "findings/moored.hpp"
+#include "findings/overview.hpp"
 #include "findings/page_one.hpp"
 #include "findings/pairs.hpp"
 #include "findings/points.hpp"

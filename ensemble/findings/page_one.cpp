@@ -10,7 +10,6 @@
 #include "campaign_file/read.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "findings/answer.hpp"
 #include "findings/cases.hpp"
 #include "findings/design_load.hpp"
 #include "findings/moored.hpp"
@@ -74,9 +73,8 @@ class Costs {
     double of_member_ = 0;
 };
 
-std::string more_words(int more, const Costs& costs) {
-    return more > 0 ? fmt::format("needs {}{}", counted(more, "more arrangement"), costs.words(more))
-                    : "no tail fits its peaks";
+std::string more_words(int more) {
+    return more > 0 ? fmt::format("needs {} more", more) : "no tail fits its peaks";
 }
 
 CaseFigure mean_figure(const Evidence& evidence, const Quantity& of, const std::string& words) {
@@ -131,7 +129,7 @@ constexpr FigureWords moored_words[]{
 
 /// A design value of all cases that have one.
 CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignLoad>& designs,
-                         const DesignLoadRequest& request, const Costs& costs, const FigureWords& words) {
+                         const DesignLoadRequest& request, const FigureWords& words) {
     const std::size_t cases = evidence.summary.cases.size();
     ResultColumn column = estimates("design_" + std::string{request.of.word}, std::string{words.heading},
                                     std::string{request.of.shown_unit()});
@@ -149,7 +147,7 @@ CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignL
             made.later = std::string{request.of.word};
         } else if (!one.load.valid()) {
             more = more_arrangements(one);
-            value = Undefined{more_words(more, costs)};
+            value = Undefined{more_words(more)};
         } else {
             const LoadFigure& found = one.load.estimates.front().quantiles.front();
             const bool said = says_something(found.value, found.interval, static_cast<int>(one.load.arrangements));
@@ -173,22 +171,23 @@ CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignL
 }
 
 std::vector<CaseFigure> figures_of(Evidence& evidence) {
-    const Costs costs(evidence);
     std::vector<CaseFigure> all;
     for (const FigureWords& words : moored_words)
         for (const SimulatedDesign& design : simulated_of(evidence)) {
             if (design.request.of.word != words.of) continue;
-            CaseFigure& made = all.emplace_back(design_figure(evidence, design.of_cases, design.request, costs, words));
+            CaseFigure& made = all.emplace_back(design_figure(evidence, design.of_cases, design.request, words));
             if (words.of == "line_tension") made.about.limit = 1 / evidence.safety_factor;
             if (!design.refused.empty())
-                std::ranges::fill(made.values, Undefined{design.refused.substr(design.refused.find(": ") + 2)});
+                std::ranges::fill(made.values, Undefined{evidence.summary.counts().done == 0
+                                                             ? "no result yet"
+                                                             : design.refused.substr(design.refused.find(": ") + 2)});
         }
     const bool moored = !all.empty();
     all.push_back(mean_figure(evidence, quantity("mean_load"), "mean load"));
     if (moored) return all;
     if (!evidence.campaign.design.active())
         if (const DesignLoads& designs = designs_of(evidence); !designs.of_cases.empty())
-            all.insert(all.begin(), design_figure(evidence, designs.of_cases, designs.asked, costs, words_of_load));
+            all.insert(all.begin(), design_figure(evidence, designs.of_cases, designs.asked, words_of_load));
     const std::vector<LoadColumn> columns = load_columns(evidence.summary);
     for (std::size_t k = 1; k < columns.size(); ++k)
         all.push_back(mean_figure(evidence, columns[k].quantity, columns[k].words));

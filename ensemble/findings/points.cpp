@@ -556,6 +556,8 @@ Section sensitivity_section(const Sensitivity& found) {
             .notes = sensitivity_notes(found)};
 }
 
+namespace {
+
 std::string change_sentence(const Sensitivity& found, const SensitivityRow& row, std::size_t axis, const Units& units) {
     const RangedAxis& about = found.axes[axis];
     const KeyWords words = key_words(about.key);
@@ -563,6 +565,26 @@ std::string change_sentence(const Sensitivity& found, const SensitivityRow& row,
     return fmt::format("{}{} from {:g} to {:g}{} changes the mean load by {}.", row.base.empty() ? "" : row.base + ": ",
                        name, about.from, about.to, words.unit.empty() ? "" : " " + words.unit,
                        change_text(row.change(axis), units));
+}
+
+}  // namespace
+
+std::vector<std::string> change_sentences(const Sensitivity& found, const Units& units, std::size_t most) {
+    struct Change {
+        std::string told;
+        double size;
+    };
+    std::vector<Change> changes;
+    for (const SensitivityRow& row : found.rows) {
+        if (row.quantity.key.view() != "mean_load" || !row.fit) continue;
+        for (std::size_t axis = 0; axis < found.axes.size(); ++axis) {
+            changes.push_back({change_sentence(found, row, axis, units), std::abs(row.fit->slopes[axis].estimate)});
+        }
+    }
+    std::ranges::stable_sort(changes, std::ranges::greater{}, &Change::size);
+    std::vector<std::string> sentences;
+    for (std::size_t k = 0; k < std::min(changes.size(), most); ++k) sentences.push_back(changes[k].told);
+    return sentences;
 }
 
 Results find_scatter(const Evidence& evidence, const SteadyReport& steady) {

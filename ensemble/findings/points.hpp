@@ -50,9 +50,9 @@ const Sensitivity& sensitivity_of(Evidence& evidence);
 /// The changes and indices with their notes: a record for each quantity and axis.
 Section sensitivity_section(const Sensitivity& found);
 
-/// "Thickness from 0.02 to 0.04 m changes the mean load by +5.4 N (+2.1 to +8.7)." Of a row with a fit, for the mean
-/// load; the range is left out where it says nothing.
-std::string change_sentence(const Sensitivity& found, const SensitivityRow& row, std::size_t axis, const Units& units);
+/// "Thickness from 0.02 to 0.04 m changes the mean load by +5.4 N (+2.1 to +8.7).", at most so many, the strongest
+/// first; the range is left out where it says nothing.
+std::vector<std::string> change_sentences(const Sensitivity& found, const Units& units, std::size_t most);
 
 /// Mean load, largest load and broken floes over the largest group of cases that begin from the same arrangements,
 /// relative to each case's mean, over the arrangements that every case of the group has done: sd_over_mean, the share

@@ -1,6 +1,6 @@
 // A campaign on one screen: what is wrong with it first, and only intervals that say something.
 
-#include "findings/answer.hpp"
+#include "findings/overview.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "findings/answer.hpp"
 #include "findings/cases.hpp"
 #include "findings/example.hpp"
 #include "findings/summary.hpp"
@@ -37,7 +38,7 @@ Evidence evidence_with(const CampaignTable& table) {
     return evidence;
 }
 
-std::string overview(const Evidence& evidence, int width) {
+std::string overview(Evidence evidence, int width) {
     return text(std::vector{overview_section(evidence, {}), next_commands(evidence, "floes")}, width);
 }
 
@@ -53,7 +54,8 @@ TEST(Overview, FitsAScreen) {
 
 TEST(Overview, IsNoWiderThanTheScreen) {
     for (const int width : {60, 80, 120}) {
-        std::string text = floes::text(std::vector{overview_section(evidence_with(whole()), {})}, width);
+        Evidence evidence = evidence_with(whole());
+        std::string text = floes::text(std::vector{overview_section(evidence, {})}, width);
         for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
             EXPECT_LE(text_width(text.substr(0, end)), static_cast<std::size_t>(width)) << text.substr(0, end);
             text.erase(0, end + 1);
@@ -162,7 +164,7 @@ TEST(LoadColumns, TakeTheLoadOverOneSecondInTheUnitOfTheCampaign) {
         row.load.mean_maximum *= 1e6;
         for (const double time : table.averaging_times) row.averaged.push_back({time, 1, {}, 4e6 / time, 1});
     }
-    const Evidence evidence = evidence_with(table);
+    Evidence evidence = evidence_with(table);
     EXPECT_EQ(load_columns(evidence.summary)[1].words, "largest over 1 s");
     const std::string text = floes::text(std::vector{overview_section(evidence, {})}, 100, evidence.units);
     EXPECT_THAT(text, ContainsRegex("mean load, MN +largest over 1 s, MN"));

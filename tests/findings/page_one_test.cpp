@@ -13,6 +13,7 @@
 #include "core/random.hpp"
 #include "findings/example.hpp"
 #include "findings/moored.hpp"
+#include "findings/overview.hpp"
 #include "member/design_of.hpp"
 #include "simulation/record.hpp"
 #include "support/synthetic.hpp"
@@ -116,9 +117,18 @@ TEST_F(MooredPageOne, RefusesEachFigureByItsOwnTrend) {
     EXPECT_THAT(why_at(page_, 0, "design_offset"), StartsWith("rises, +"));
     EXPECT_THAT(why_at(page_, 0, "design_line_tension"), StartsWith("rises, +"));
     // Three of the four that a design value needs; eight are a beginning. Runs took 13.5 s on average.
-    EXPECT_EQ(why_at(page_, 0, "design_mooring_force"), "needs 5 more arrangements, about 68 s of a core");
+    EXPECT_EQ(why_at(page_, 0, "design_mooring_force"), "needs 5 more");
+    EXPECT_EQ(page_.next.at(0).first, "8 arrangements, about 68 s of a core");
     EXPECT_EQ(page_.next.at(0).second, "floes run synthetic.toml -o a.h5 --set campaign.arrangements=8 --resume");
     EXPECT_EQ(page_.next.at(1).second, "floes design a.h5 --of offset --window auto");
+}
+
+TEST_F(MooredPageOne, IsTheTableOfTheScreen) {
+    const Section screen = overview_section(evidence_, {});
+    const auto printed = [](const Results& table) { return text(std::vector{Section{.results = {table}}}, 100); };
+    EXPECT_EQ(printed(screen.results.at(0)), printed(page_.table.results.at(0)));
+    EXPECT_THAT(screen.after, HasSubstr(page_.table.after));
+    EXPECT_THAT(screen.before, StartsWith("Campaign synthetic: "));
 }
 
 // 1200, 1400 and 1600 N of 2000 N: 0.7, t(2) · 0.1 / √3 to either side.

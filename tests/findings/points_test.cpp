@@ -14,6 +14,7 @@
 #include "findings/conditions.hpp"
 #include "findings/design_load.hpp"
 #include "findings/example.hpp"
+#include "findings/overview.hpp"
 #include "findings/page_one.hpp"
 #include "scenario/scenario.hpp"
 
@@ -67,7 +68,7 @@ TEST(KeyWords, SayUnits) {
 }
 
 TEST(Points, AreCalledByTheirKeys) {
-    const Evidence evidence = evidence_with(grid);
+    Evidence evidence = evidence_with(grid);
     EXPECT_EQ(evidence.summary.label_of(0), "thickness 0.02 m, speed 0.02 m/s");
     EXPECT_EQ(evidence.summary.name_of(0), "0.02_0.02");
     const Evidence based = evidence_with(std::string(grid) + "[[case]]\nname = \"A\"\n");
@@ -75,7 +76,7 @@ TEST(Points, AreCalledByTheirKeys) {
 }
 
 TEST(Points, HaveTheirLoadsBesideTheirPlaces) {
-    const Evidence evidence = evidence_with(grid);
+    Evidence evidence = evidence_with(grid);
     const Section told = points_section(evidence);
     const Table table = shown_table(told.results.at(1), evidence.units);
     ASSERT_EQ(table.size(), 7u);
@@ -86,7 +87,7 @@ TEST(Points, HaveTheirLoadsBesideTheirPlaces) {
 }
 
 TEST(Points, AreDrawnOverEachAxisAndOverTwo) {
-    const Evidence evidence = evidence_with(grid);
+    Evidence evidence = evidence_with(grid);
     const std::vector<Figure> figures = point_figures(evidence);
     ASSERT_EQ(figures.size(), 3u);
     EXPECT_EQ(figures[0].x.label, "thickness, m");
@@ -103,7 +104,7 @@ TEST(Points, AreDrawnOverEachAxisAndOverTwo) {
 }
 
 TEST(Points, OfAnAxisOfWordsHaveARowForEach) {
-    const Evidence evidence = evidence_with(
+    Evidence evidence = evidence_with(
         "[campaign]\narrangements = 3\n[design]\nmethod = \"grid\"\n[[design.axis]]\nkey = \"field.far_end\"\n"
         "values = [\"open\", \"ice_sheet\"]\n");
     const std::vector<Figure> figures = point_figures(evidence);
@@ -221,7 +222,7 @@ TEST(Conditions, OfManyDifferentCasesAreRangesOrCountedNotListed) {
     for (int k = 0; k < 5; ++k)
         cases += "[[case]]\nname = \"" + std::string(1, static_cast<char>('a' + k)) +
                  "\"\nice.compressive_strength_kPa = " + std::to_string(100 + k) + ".0\n";
-    const Evidence evidence = evidence_with(cases);
+    Evidence evidence = evidence_with(cases);
     Summary summary = evidence.summary;
     for (std::size_t k = 0; k < summary.cases.size(); ++k)
         summary.cases[k].about.contact =
