@@ -172,9 +172,12 @@ def data(name):
 
 
 def patch_table():
-    rows = [[{"edge": "rim", "interior": "inside"}[row.where], f"{row.element_m:g}", f"{row.towards_joint:g}",
-             f"{row.patch:.2f}", f"{row.patch_used:.2f}", f"{row.stress_over_formula:.2f}"] for row in data("patches").itertuples()]
-    return table(["load at", "element, m", "towards the joint, sides", "b_L needed, sides", "used", "stress / formula"], rows)
+    """Over all sizes of elements, by where the contact lies."""
+    rows = []
+    for (where, share), of in data("patches").groupby(["where", "towards_joint"], sort=False):
+        spans = [f"{of[name].min():.2f} to {of[name].max():.2f}" for name in ["patch", "stress_over_formula"]]
+        rows.append([{"edge": "rim", "interior": "inside"}[where], f"{share:g}", spans[0], f"{of.patch_used.iloc[0]:.2f}", spans[1]])
+    return table(["load at", "towards the joint, sides", "b_L needed, sides", "used", "stress / formula"], rows)
 
 
 def crack_table():

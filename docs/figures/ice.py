@@ -46,10 +46,11 @@ def members(name):
 
 
 def strip():
-    rows = [[f"{row.elements}", f"{row.elastic_modulus_MPa:g}", f"{row.deflection_m / row.elastic_deflection_m:.4f}",
+    """Each row stands for every modulus, as long as none differs in what is shown."""
+    rows = [[f"{row.elements}", f"{row.deflection_m / row.elastic_deflection_m:.4f}",
              f"{row.frequency_1_per_s / row.elastic_frequency_1_per_s:.4f}"]
-            for row in members("strip").sort_values(["elements", "elastic_modulus_MPa"]).itertuples()]
-    return table(["elements", "E, MPa", "deflection / elastic", "frequency / elastic"], rows)
+            for row in members("strip").sort_values("elements").itertuples()]
+    return table(["elements", "deflection / elastic", "frequency / elastic"], [list(row) for row in dict.fromkeys(map(tuple, rows))])
 
 
 def point_load_slope(modulus, thickness):
@@ -59,11 +60,10 @@ def point_load_slope(modulus, thickness):
 
 def sheet():
     rows = []
-    for row in members("sheet").itertuples():
-        elastic = point_load_slope(1e6 * row.set_modulus_MPa, row.thickness_m)
-        rows.append([f"{row.set_modulus_MPa:g}", f"{row.element_m:g}", f"{row.slope_N_per_m:.0f}", f"{elastic:.0f}",
-                     f"{row.slope_N_per_m / elastic:.4f}"])
-    return table(["E, MPa", "element, m", "slope, N/m", "plate, N/m", "slope / plate"], rows)
+    for element, of in members("sheet").groupby("element_m", sort=False):
+        rows.append([f"{element:g}"] + [f"{row.slope_N_per_m / point_load_slope(1e6 * row.set_modulus_MPa, row.thickness_m):.4f}"
+                                        for row in of.sort_values("set_modulus_MPa").itertuples()])
+    return table(["element, m", "slope / plate, E 60 MPa", "E 200 MPa"], rows)
 
 
 def main():
