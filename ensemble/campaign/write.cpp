@@ -348,9 +348,9 @@ std::vector<Variation> variations_of(const Scenario& scenario) {
     open.at("ice.fracture_energy_J_m2", {tough(scenario)}, "ice so tough that cracks wait for their energy");
     open.times("contact.ice_ice_friction", {0.5, 2}, "0.02 to 0.7 in the sources of the paper");
     open.times("contact.ice_structure_friction", {0.75, 1.25}, "of a hull whose friction was measured");
-    open.vary("ice_ice_friction_rate_and_state", "sources disagree on what speed does: docs/contact.md",
+    open.vary("ice_ice_friction_rate_and_state", "sources disagree on what speed does: docs/convergence.md",
               [](Scenario& other) { other.contact.slip.ice_ice = SlipEffect::rate_and_state; });
-    open.vary("ice_structure_friction_power", "friction on steel and concrete falls with speed: docs/contact.md",
+    open.vary("ice_structure_friction_power", "friction on steel and concrete falls with speed: docs/convergence.md",
               [](Scenario& other) { other.contact.slip.ice_structure = SlipEffect::power; });
     open.vary("flow_still", "the flow past the structure is that of a cylinder",
               [](Scenario& other) { other.water.flow = WaterFlow::still; });

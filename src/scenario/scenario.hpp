@@ -23,7 +23,7 @@
 
 namespace floes {
 
-// Sets of contact laws that belong together, docs/contact.md.
+// Sets of contact laws that belong together, docs/convergence.md.
 
 enum class ContactPreset {
     paper,     ///< what Bullet does by default: friction in one direction, rigid contacts, internal edges act

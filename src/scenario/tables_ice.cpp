@@ -173,10 +173,10 @@ Key contact_preset(ContactLaw& contact) {
 void add_slip_effect(Keys& keys, std::string_view law, std::string_view power, SlipEffect& effect,
                      std::string_view exponent, double& of, std::string_view source) {
     keys.push_back(late_key(word_key(
-        law, effect, {slip_effect_words.begin(), slip_effect_words.end()}, "docs/contact.md",
+        law, effect, {slip_effect_words.begin(), slip_effect_words.end()}, "docs/convergence.md",
         "How this coefficient of friction depends on the speed of sliding; contact.friction_speed_m_s is the speed at "
-        "which it is given (docs/contact.md). constant: not at all. power: as a power of it. rate_and_state: by the "
-        "logarithms of it and of the speed that the contact remembers. Not with solver stock.")));
+        "which it is given (docs/convergence.md). constant: not at all. power: as a power of it. rate_and_state: by "
+        "the logarithms of it and of the speed that the contact remembers. Not with solver stock.")));
     keys.push_back(only_with(
         power, [&effect] { return effect == SlipEffect::power; },
         late_key(number_key(exponent, of, unit::one, at_least(0).at_most(2), source,
@@ -185,10 +185,10 @@ void add_slip_effect(Keys& keys, std::string_view law, std::string_view power, S
 
 void add_slip_friction(Keys& keys, SlipFriction& slip) {
     add_slip_effect(keys, "contact.ice_ice_friction_law", "contact.ice_ice_friction_law = \"power\"", slip.ice_ice,
-                    "contact.ice_ice_friction_exponent", slip.ice_ice_exponent, "polished ice: docs/contact.md");
+                    "contact.ice_ice_friction_exponent", slip.ice_ice_exponent, "polished ice: docs/convergence.md");
     add_slip_effect(keys, "contact.ice_structure_friction_law", "contact.ice_structure_friction_law = \"power\"",
                     slip.ice_structure, "contact.ice_structure_friction_exponent", slip.ice_structure_exponent,
-                    "steel and concrete: docs/contact.md");
+                    "steel and concrete: docs/convergence.md");
     const auto adder = [&keys](std::string_view setting, const std::function<bool()>& in_force) {
         return [&keys, setting, in_force](std::string_view path, double& field, Range range, std::string_view source,
                                           std::string_view doc) {
@@ -204,9 +204,9 @@ void add_slip_friction(Keys& keys, SlipFriction& slip) {
     });
     add("contact.friction_speed_m_s", slip.speed, above(0).at_most(100), "of the tests of hulls",
         "Speed of sliding at which the coefficients of friction are given.");
-    add("contact.least_friction", slip.least, at_least(0).at_most(10), "docs/contact.md",
+    add("contact.least_friction", slip.least, at_least(0).at_most(10), "docs/convergence.md",
         "No coefficient that depends on the speed falls below this.");
-    add("contact.largest_friction", slip.largest, above(0).at_most(10), "docs/contact.md",
+    add("contact.largest_friction", slip.largest, above(0).at_most(10), "docs/convergence.md",
         "No coefficient that depends on the speed rises above this; what sticks has it, or less.");
     add_state("contact.friction_direct", slip.direct, at_least(0).at_most(10), "Lishman et al. 2011",
               "A: what e times the speed of sliding adds to the coefficient at once.");
@@ -232,13 +232,13 @@ void add_contact(Keys& keys, ContactLaw& contact) {
         "contact.friction", contact.friction, {friction_words.begin(), friction_words.end()}, "docs/convergence.md",
         "Law of friction. one_direction: one row per contact along the sliding velocity, as in Bullet; a contact that "
         "sticks is not held across that row. cone: Coulomb's law in the whole contact plane, not with solver stock; "
-        "higher loads and more broken floes (docs/contact.md).")));
+        "higher loads and more broken floes (docs/convergence.md).")));
     keys.push_back(late_key(word_key(
         "contact.law", contact.normal, {normal_law_words.begin(), normal_law_words.end()}, "docs/convergence.md",
         "What bounds the force along the normal. rigid: nothing, so that a collision ends within one step and the "
         "largest load depends on the time step. crushing: ice yields at crushing_pressure_kPa over the area that the "
         "overlap opens and does not push back, not with solver stock; contact.erp and split impulse then have no "
-        "effect (docs/contact.md).")));
+        "effect (docs/convergence.md).")));
     keys.push_back(late_key(number_key(
         "contact.crushing_pressure_kPa", contact.crushing_pressure, unit::kilopascal, at_least(0).at_most(1e6),
         "the paper has none",

@@ -4,19 +4,19 @@
 
 namespace floes {
 
-/// Direction and bound of friction, docs/contact.md.
+/// Direction and bound of friction, docs/convergence.md.
 enum class Friction {
     one_direction,  ///< one row a contact along the sliding velocity, Bullet's default: nothing acts across it
     cone            ///< in the whole contact plane, |impulse| <= f * impulse of the normal; not in the stock solver
 };
 
-/// What bounds the normal impulse, docs/contact.md.
+/// What bounds the normal impulse, docs/convergence.md.
 enum class NormalLaw {
     rigid,    ///< nothing: it ends the approach within the step, and opens a penetration by erp
     crushing  ///< edges that crush at a pressure: overlap stays and does not push back; not in the stock solver
 };
 
-/// What the speed of sliding does to a coefficient of friction, docs/contact.md.
+/// What the speed of sliding does to a coefficient of friction, docs/convergence.md.
 enum class SlipEffect {
     constant,       ///< nothing
     power,          ///< a power of the speed

@@ -227,7 +227,7 @@ void prepare_contacts(const LaneArrays& arrays, const ContactPacks& packs, const
 }
 
 // Upper bounds on the impulses of normal rows: the impulse at which ice crushes, and zero at faces inside the ice.
-// docs/contact.md has the law and its source.
+// docs/convergence.md has the law and its source.
 
 /// One body of each pair, as far as crushing needs it.
 struct Box {

@@ -1,5 +1,5 @@
 #pragma once
-// How a coefficient of friction depends on the speed of sliding, docs/contact.md#friction-and-speed.
+// How a coefficient of friction depends on the speed of sliding, docs/convergence.md#friction-and-speed.
 
 #include "solver/contact_law.hpp"
 

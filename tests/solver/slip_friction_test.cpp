@@ -1,4 +1,4 @@
-// Friction that depends on the speed of sliding, against the figures of its sources: docs/contact.md.
+// Friction that depends on the speed of sliding, against the figures of its sources: docs/convergence.md.
 
 #include "solver/slip_friction.hpp"
 

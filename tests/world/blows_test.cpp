@@ -1,7 +1,7 @@
 // Blows of ice that crushes, in steps longer and shorter than the blow: what they exert, and how far they crush the
-// edge (docs/contact.md). An edge whose area grows as c / p per depth is a spring c until the bodies stand: with the
-// mass m that meets the contact at the speed v it is crushed by v √(m / c), and yields from then on at v √(m c), the
-// peak of the blow. Impulses are right in any step; how deep the edge is and what it bears afterwards depend on it.
+// edge (docs/convergence.md). An edge whose area grows as c / p per depth is a spring c until the bodies stand: with
+// the mass m that meets the contact at the speed v it is crushed by v √(m / c), and yields from then on at v √(m c),
+// the peak of the blow. Impulses are right in any step; how deep the edge is and what it bears afterwards depend on it.
 
 #include <gtest/gtest.h>
 

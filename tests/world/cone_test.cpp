@@ -1,4 +1,4 @@
-// Coulomb's cone (contact.friction = "cone") against closed forms, at any azimuth: docs/contact.md.
+// Coulomb's cone (contact.friction = "cone") against closed forms, at any azimuth: docs/convergence.md.
 
 #include <gtest/gtest.h>
 

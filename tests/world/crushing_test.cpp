@@ -1,4 +1,4 @@
-// Edges that crush (contact.law = "crushing") against closed forms: docs/contact.md.
+// Edges that crush (contact.law = "crushing") against closed forms: docs/convergence.md.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Faces and rims that lie inside a body (contact.internal_edges): docs/contact.md.
+// Faces and rims that lie inside a body (contact.internal_edges): docs/convergence.md.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A block that slides on a floor with friction that depends on its speed, against closed forms: docs/contact.md.
+// A block that slides on a floor with friction that depends on its speed, against closed forms: docs/convergence.md.
 
 #include <gtest/gtest.h>
 
