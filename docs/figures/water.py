@@ -12,7 +12,7 @@ import sys
 
 import pandas as pd
 
-from contact import collected
+from contact import beside, collected
 from page_blocks import fill_or_check
 from validation_data import change, half_width, interval
 from validation_tables import difference, table, with_interval
@@ -35,23 +35,6 @@ def members(name):
     return pd.read_csv(DATA / f"{name}.csv")
 
 
-def effects(name):
-    """Cases in pairs over arrangements beside the default."""
-    rows = members(name)
-    own = {case: rows[rows.case == case].set_index("arrangement") for case in CASES if (rows.case == case).any()}
-    common = sorted(set.intersection(*(set(one.index) for one in own.values())))
-    lines = []
-    for case in own:
-        cells = [CASES[case], f"{len(common)}"]
-        for quantity in QUANTITIES:
-            values = own[case].loc[common, quantity].to_numpy()
-            apart = values - own["outline"].loc[common, quantity].to_numpy()
-            cells += [with_interval(values), "" if case == "outline" else difference(apart.mean(), half_width(apart))]
-        lines.append(cells)
-    return table(["water", "arrangements"] + [cell for one in QUANTITIES.values() for cell in (one, "beside the default")],
-                 lines)
-
-
 BOUNDARIES = {"fixed": "**fixed sheets, half width 1.25 m, 24 floes (the channel of smoke.toml)**",
               "width_1.5": "1.5 times as wide", "width_2": "2 times as wide", "width_3": "3 times as wide",
               "length_2": "2 times as long", "length_3": "3 times as long", "far_end_open": "far end open",
@@ -66,12 +49,14 @@ def boundaries():
     lines = []
     for case, words in BOUNDARIES.items():
         own = rows[rows.case == case]
-        cells = [words, f"{len(own)}"]
+        cells = [words, with_interval(own.mean_N.to_numpy())]
         for quantity in QUANTITIES:
-            cells += [with_interval(own[quantity].to_numpy()),
-                      "" if case == "fixed" else difference(*change(rows, quantity, case, "fixed"))]
+            if case != "fixed":
+                cells.append(difference(*change(rows, quantity, case, "fixed")))
+            else:
+                cells.append("" if quantity == "mean_N" else with_interval(own[quantity].to_numpy()))
         lines.append(cells)
-    return table(["channel", "arrangements"] + [cell for one in QUANTITIES.values() for cell in (one, "beside fixed")], lines)
+    return table(["channel", "mean, N", "beside fixed", "maxima, 1 s, N, beside fixed", "broken floes, %, beside fixed"], lines)
 
 
 SHELTERED = {"channel": "the channel of smoke.toml", "current": "a current of 0.1 m/s presses ice on the structure",
@@ -81,17 +66,18 @@ SHELTERED = {"channel": "the channel of smoke.toml", "current": "a current of 0.
 def shelter():
     """Each condition beside the same one without shelter, in pairs over arrangements."""
     rows = members("shelter")
+    quantities = ["mean_N", "maximum_1s_N"]
     lines = []
     for case, words in SHELTERED.items():
         own, without = (rows[rows.case == one].set_index("arrangement") for one in (case, f"{case}_open"))
         common = sorted(set(own.index) & set(without.index))
-        cells = [words, f"{len(common)}"]
-        for quantity in QUANTITIES:
+        cells = [words]
+        for quantity in quantities:
             values = own.loc[common, quantity].to_numpy()
             apart = values - without.loc[common, quantity].to_numpy()
             cells += [with_interval(values), difference(apart.mean(), half_width(apart))]
         lines.append(cells)
-    return table(["ice", "arrangements"] + [cell for one in QUANTITIES.values() for cell in (one, "by shelter")], lines)
+    return table(["ice"] + [cell for one in quantities for cell in (QUANTITIES[one], "by shelter")], lines)
 
 
 def work(name):
@@ -121,7 +107,8 @@ def main():
                     DATA / f"{name}.csv", index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "water.md": {"channel": lambda: effects("water_channel"), "work": lambda: work("water_channel"),
+    fill_or_check({DOCS / "water.md": {"channel": lambda: beside(members("water_channel"), CASES, "water", QUANTITIES),
+                                       "work": lambda: work("water_channel"),
                                        "boundaries": boundaries, "shelter": shelter}},
                   arguments == ["--check"], "water.py")
 
