@@ -24,7 +24,7 @@ import numpy as np
 CASES = ["squares", "voronoi", "hexagons"]
 ARRANGEMENT = 1
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "sea_ice"
-COLUMNS = [("mean load, N", "mean_load", 1), ("SD over 1 s, N", "sd_load_1s", 1),
+COLUMNS = [("mean load, N", "mean_load", 1),
            ("mean maximum over 1 s, N", "mean_maximum_1s", 1), ("broken floes, %", "failure_ratio", 100)]
 
 
