@@ -27,7 +27,7 @@ CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution",
              "jam_loose": "jam_loose"}
 QUANTITIES = {"mean_N": "mean, N", "maximum_0.1s_N": "largest over 0.1 s, N", "maximum_1s_N": "over 1 s, N",
               "broken_percent": "broken floes, %"}
-NUMERIC_QUANTITIES = QUANTITIES | {"cracked_percent": "cracked through, %", "heave_N": "heave, N"}
+NUMERIC_QUANTITIES = QUANTITIES | {"heave_N": "heave, N"}
 JAM_QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "largest over 1 s, N", "broken_percent": "broken floes, %"}
 CHOICES = {"default": "**default: friction cone, crushing at 145.6 kPa**", "pressure_halved": "crushing at 72.8 kPa",
            "pressure_x4": "crushing at 582.4 kPa", "pressure_x16": "crushing at 2330 kPa",
@@ -79,7 +79,7 @@ def collected(path, keys, columns=()):
 
 def members(name):
     rows = pd.read_csv(DATA / f"{name}.csv")
-    return rows.assign(cracked_percent=100 * rows.split_ratio, heave_N=rows.mean_heave)
+    return rows.assign(heave_N=rows.mean_heave)
 
 
 def beside(data, words, first, quantities=QUANTITIES, more=(), step_by_step=False):
