@@ -128,7 +128,7 @@ def friction(data):
 def single_steps():
     """Of bench/contact_error.cpp: errors of the load, and sweeps, by tolerance."""
     rows = pd.read_csv(DATA / "single_steps.csv")
-    tolerances = sorted(rows.tolerance_mm_s.unique())
+    tolerances = [0.2, 1, 2, 8]
     cells = []
     for scene, of in rows.groupby("scene", sort=False):
         of = of.set_index("tolerance_mm_s")
