@@ -39,10 +39,7 @@ NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s"
             "step_0.0025": "step 0.0025 s", "tolerance_10": "tolerance 10 mm/s",
             "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps", "sweeps_20": "at most 20 sweeps",
             "elements_0.3": "elements 0.3 m", "elements_0.15": "elements 0.15 m", "elements_0.1": "elements 0.1 m"}
-RIGID = {"rigid": "**0.02 s**", "rigid_0.01": "step 0.01 s", "rigid_0.005": "step 0.005 s",
-         "rigid_0.0025": "step 0.0025 s"}
 JAM = {"tolerance_1": "**1 mm/s**", "tolerance_0.2": "0.2 mm/s", "tolerance_0.05": "0.05 mm/s"}
-UNBREAKABLE = {"unbreakable": "**1 mm/s, floes 162 times as strong**", "unbreakable_0.2": "0.2 mm/s"}
 LOOSE = {"tolerance_1": "**1 mm/s**", "tolerance_2": "2 mm/s", "tolerance_4": "4 mm/s", "tolerance_8": "8 mm/s"}
 FRICTION = {"constant": "**constant**", "ice_rate_and_state": "ice on ice by rate and state",
             "ice_power": "ice on ice by the power 0.35", "hull_power": "hull by the power 0.28"}
@@ -148,8 +145,8 @@ def main(arguments):
         sys.exit(__doc__)
     choices, resolution = members("choices"), members("resolution")
 
-    def numerics(words, first):
-        return beside(resolution, words, first, NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
+    def numerics():
+        return beside(resolution, NUMERICS, "computed with", NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
     def jam(name, words):
         rows = members(name)
@@ -157,9 +154,8 @@ def main(arguments):
         return beside(rows, {case: f"{text} ({counts[case]})" for case, text in words.items()},
                       "contacts solved to (arrangements)", JAM_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
-    blocks = {"numerics": lambda: numerics(NUMERICS, "computed with"), "rigid": lambda: numerics(RIGID, "rigid contacts"),
-              "jam": lambda: jam("jam", JAM), "jam_unbreakable": lambda: jam("jam", UNBREAKABLE),
-              "jam_loose": lambda: jam("jam_loose", LOOSE), "single_steps": single_steps,
+    blocks = {"numerics": numerics, "jam": lambda: jam("jam", JAM), "jam_loose": lambda: jam("jam_loose", LOOSE),
+              "single_steps": single_steps,
               "choices": lambda: beside(choices, CHOICES, "contacts"), "paper": lambda: beside(choices, PAPER, "contacts"),
               "friction_cone": lambda: friction(members("friction_cone")),
               "friction_wall": lambda: friction(members("friction_wall"))}
