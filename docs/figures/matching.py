@@ -109,26 +109,14 @@ def left():
     return table(["measured", "not ruled out", "implausibility of the truth", "what each target rules out (alone)"], rows)
 
 
-def readings(names):
+def readings():
     found = json.loads((DATA / "tank_readings.json").read_text())
     rows = []
-    for name in names:
-        one = found[name]
-        mean, largest, cracked = one["targets"][:3]
-        rows.append([READINGS[name][0], f"{percent(one['left'])} %",
-                     *(f"{percent(target['rules_out'])} %" for target in (mean, largest, cracked))])
-    return rows
-
-
-RULES_OUT = ["not ruled out", "mean rules out", "largest load", "cracked floes"]
-
-
-def averaging():
-    return table(["record averaged over", *RULES_OUT], readings(["single", "0.1", "0.5", "1", "2"]))
-
-
-def further():
-    return table(["1 s, and if one knew", *RULES_OUT], readings(["1", "open_water", "heave", "spectrum", "ten"]))
+    for name, one in found.items():
+        mean, largest, _ = one["targets"][:3]
+        rows.append([READINGS[name][0], *(f"{percent(share)} %" for share in
+                                          (one["left"], mean["rules_out"], largest["rules_out"]))])
+    return table(["record averaged over; 1 s, and if one knew", "not ruled out", "mean rules out", "largest load"], rows)
 
 
 def design():
@@ -155,7 +143,7 @@ def picture(page, png):
                     f"--screenshot={png}", page.as_uri()], check=True, capture_output=True)
 
 
-BLOCKS = {"left": left, "design": design, "averaging": averaging, "further": further}
+BLOCKS = {"left": left, "design": design, "readings": readings}
 
 
 def main(arguments):
