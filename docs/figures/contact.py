@@ -100,7 +100,7 @@ def beside(data, words, first, quantities=QUANTITIES, more=(), step_by_step=Fals
 
 
 def friction(data):
-    """Laws of friction at each speed: of the first the means, of the others paired differences from it."""
+    """Mean load by laws of friction at each speed: of the first the mean, of the others paired differences from it."""
     cases = data.case.str.rsplit("_", n=1, expand=True)
     speeds = sorted(cases[1].unique(), key=float)
     rows = []
@@ -108,18 +108,16 @@ def friction(data):
         if law not in set(cases[0]):
             continue
         cells = [words]
-        for quantity in ["mean_N", "maximum_1s_N"]:
-            for speed in speeds:
-                one, constant = (data[data.case == f"{name}_{speed}"].set_index("arrangement")[quantity]
-                                 for name in [law, "constant"])
-                if law == "constant":
-                    cells.append(f"{number(one.mean())} ± {half_width(one):.1f}")
-                else:
-                    apart = (one - constant).dropna()
-                    cells.append(difference(apart.mean(), half_width(apart)))
+        for speed in speeds:
+            one, constant = (data[data.case == f"{name}_{speed}"].set_index("arrangement").mean_N
+                             for name in [law, "constant"])
+            if law == "constant":
+                cells.append(f"{number(one.mean())} ± {half_width(one):.1f}")
+            else:
+                apart = (one - constant).dropna()
+                cells.append(difference(apart.mean(), half_width(apart)))
         rows.append(cells)
-    heads = [f"{what}, {speed} m/s" for what in ["mean, N", "over 1 s, N"] for speed in speeds]
-    return table(["friction", *heads], rows)
+    return table(["friction", *(f"mean, N, {speed} m/s" for speed in speeds)], rows)
 
 
 def single_steps():

@@ -14,7 +14,6 @@ from validation_data import (CONFIGS, EXPERIMENT, FITTED_TO, LABELS, MODULI, PAP
 
 FITTED_WALL = "r_0.445"  # the case of tank_walls with the wall that is fitted
 STARTS_SHOWN = [80, 100, 110, WINDOW_START]  # s
-SHOWN = ["mean_load", "sd_load", "mean_maximum", "failure_ratio"]
 COMPARED = ["mean_load", "mean_maximum", "failure_ratio", "mean_maximum_1s"]
 
 
@@ -99,7 +98,7 @@ def fitted(means, target, scatter=0.0):
 def fit_row(radius, words):
     best, low, high = radius
     return [f"**{best:.3f} [{low:.3f}, {high:.3f}]**",
-            f"**{wall_angle(best):.1f}° [{wall_angle(low):.1f}°, {wall_angle(high):.1f}°]**", words, "", ""]
+            f"**{wall_angle(best):.1f}° [{wall_angle(low):.1f}°, {wall_angle(high):.1f}°]**", words]
 
 
 def loads_of_fit():
@@ -128,10 +127,10 @@ def fit():
     for case in dict.fromkeys(own.case):
         values = own[own.case == case]
         rows.append([f"{bottom_radius(case):.4g}", f"{wall_angle(bottom_radius(case)):.1f}°"]
-                    + [with_interval(values[quantity]) for quantity in SHOWN[:3]])
+                    + [with_interval(values.mean_load)])
     rows.append(fit_row(fitted_to_paper(), f"**{FITTED_TO['fit_paper']} N, fitted to**"))
     rows.append(fit_row(fitted_to_paper(one_run=True), f"and this is of one run, ± {scatter_of_a_run():.1f} N (SD)"))
-    return table(["radius at the bottom, m", "wall below the waterline"] + [LABELS[q] for q in SHOWN[:3]], rows)
+    return table(["radius at the bottom, m", "wall below the waterline", LABELS["mean_load"]], rows)
 
 
 def window():
@@ -335,7 +334,7 @@ def readings():
             for axis in tomllib.loads((CONFIGS / "readings.toml").read_text())["design"]["axis"]}
     words = {"pivot": "joint", "element_centre": "element's centre", "outline": "outline",
              "every_element": "every element"}
-    table_, moduli, shown = members("readings"), ["E60", "E200"], ["mean_load", "mean_maximum", "failure_ratio"]
+    table_, moduli, shown = members("readings"), ["E60", "E200"], ["mean_load", "failure_ratio"]
     rows = []
     for point, erp in enumerate(axes["contact.erp"]):
         own = [table_[table_.case == f"{modulus}+p{point:03d}"] for modulus in moduli]
