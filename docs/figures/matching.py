@@ -44,8 +44,6 @@ READINGS = {
     "ten": ("all of it in ten runs", "_1s", {"runs": 10}, None),
 }
 TRUTH = {"structure.keel_radius_m": 0.43, "contact.ice_structure_friction": 0.2}  # behind the targets of the channel
-LABELS = {"mean_load": "mean load", "maximum_load_0.5s": "largest load", "split_ratio": "cracked floes", "sd_load_1s": "SD",
-          "mean_maximum_1s": "mean maximum"}
 
 
 def told(name):
@@ -100,13 +98,9 @@ def left():
     rows = []
     for name, (words, _, _) in MATCHINGS.items():
         found = told(name)
-        used = [target for target in found["targets"] if not target["unused"]]
-        most = sorted(used, key=lambda target: -target["rules_out"])
         truth = max((target["implausibility"] for target in found.get("point", [])), default=None)
-        rows.append([words, f"{percent(found['left'])} %", "–" if truth is None else f"{truth:.1f}",
-                     "; ".join(f"{LABELS[target['quantity']]} {percent(target['rules_out'])} %"
-                               f" ({percent(target['alone'])})" for target in most if target["rules_out"] > 0)])
-    return table(["measured", "not ruled out", "implausibility of the truth", "what each target rules out (alone)"], rows)
+        rows.append([words, f"{percent(found['left'])} %", "–" if truth is None else f"{truth:.1f}"])
+    return table(["measured", "not ruled out", "implausibility of the truth"], rows)
 
 
 def readings():
@@ -123,12 +117,9 @@ def design():
     rows = []
     for name, (words, _, targets) in MATCHINGS.items():
         for one in told(name)["design_load"] if targets != "tank" else []:
-            cells = [f"{one[key]:.0f} [{one[f'{key}_low']:.0f}, {one[f'{key}_high']:.0f}]"
-                     for key in ("expected", "quantile_load", "quantile_load_weighted")]
-            growth = (f"{one['growth_quantile']:.2f} [{one['growth_quantile_low']:.2f}, "
-                      f"{one['growth_quantile_high']:.2f}]")
-            rows.append([words, *cells, growth])
-    return table(["measured", "expected, N", "with 10 % exceedance probability, N", "the same, weighed", "its growth"], rows)
+            rows.append([words, *(f"{one[key]:.0f} [{one[f'{key}_low']:.0f}, {one[f'{key}_high']:.0f}]"
+                                  for key in ("expected", "quantile_load"))])
+    return table(["measured", "expected, N", "with 10 % exceedance probability, N"], rows)
 
 
 def picture(page, png):
