@@ -96,9 +96,9 @@ def fields():
     for case, words in FIELDS.items():
         logs = rows[rows.case == case].log_N
         middle, half = logs.mean(), half_width(logs)
-        lines.append([words, f"{len(logs)}", bracketed(*np.exp([middle, middle - half, middle + half])),
+        lines.append([words, bracketed(*np.exp([middle, middle - half, middle + half])),
                       "" if case == base_of(case) else bracketed(*ratio(rows, case))])
-    return table(["field", "arrangements", "load, geometric mean, N", "over the bold row"], lines)
+    return table(["field", "load, geometric mean, N", "over the bold row"], lines)
 
 
 def exponent(quantity, cases):
