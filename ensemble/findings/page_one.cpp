@@ -12,6 +12,7 @@
 #include "core/units.hpp"
 #include "findings/cases.hpp"
 #include "findings/design_load.hpp"
+#include "findings/design_points.hpp"
 #include "findings/moored.hpp"
 #include "findings/pairs.hpp"
 #include "statistics/load_statistics.hpp"
@@ -271,7 +272,7 @@ std::string after_text(const Evidence& evidence, const std::vector<CaseFigure>& 
 /// "a mooring force of 6.2 MN (5.1 to 8.4)"
 std::string quoted(const CaseFigure& one, const Estimate& found, const Units& units) {
     const std::string& unit = one.about.unit;
-    const std::string text = one.noun + " " + units.text(found.value, unit);
+    std::string text = one.noun + " " + units.text(found.value, unit);
     if (!found.said || !std::isfinite(found.low)) return text;
     return text + fmt::format(" ({} to {})", units.number(found.low, unit), units.number(found.high, unit));
 }

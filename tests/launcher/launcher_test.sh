@@ -38,6 +38,7 @@ machine() {
     printf 'epsilon\n' >"$home/packaging/debian/packages-slow.txt"
     printf 'zeta\n' >"$home/packaging/debian/packages-release.txt"
     printf 'theta\n' >"$home/packaging/debian/packages-docs.txt"
+    printf 'iota\n' >"$home/packaging/debian/packages-tidy.txt"
     mkdir -p "$home/docs/site"
     cat >"$home/docs/site/build.py" <<'SITE'
 #!/bin/sh
@@ -351,6 +352,29 @@ launch sanitize -R keys
 check "sanitize" "ctest in $home: --preset asan --no-tests=error -j2 -L quick -R keys" "$out"
 check "sanitize builds quick tests" "cmake --preset asan
 cmake --build $home/build/asan --target quick_tests" "$(calls)"
+
+# -- what changed, before clang-tidy
+machine
+launch tidy
+check_has "tidy needs its packages" "missing: iota" "$err"
+echo iota >>"$stage/installed"
+stub git <<'STUB'
+#!/bin/bash
+[[ $1 != rev-parse || $4 == "HEAD^{commit}" ]] || exit 1
+[[ $1 != diff ]] || printf 'src/a b.cpp\nensemble/c.cpp\n'
+STUB
+stub clang-tidy-16 <<'STUB'
+#!/bin/sh
+echo "tidy $4" >>"$STAGE/calls"
+[ "$4" != ensemble/c.cpp ]
+STUB
+launch tidy
+check "tidy reads what changed, and fails with one of them" "cmake --preset dev
+tidy ensemble/c.cpp
+tidy src/a b.cpp" "$(calls | sort)"
+[[ $status != 0 ]] || check "tidy fails" failed "$status"
+launch tidy nowhere
+check "tidy since a revision that is none" 2 "$status"
 
 # -- wrong words are told before anything is installed or built
 machine

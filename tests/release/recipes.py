@@ -48,7 +48,7 @@ def faults(project, program):
     for name in COMMANDS_IN:
         text = (project / name).read_text(encoding="utf-8")
         for verb, options in commands_in(code_in(text) if name.endswith(".md") else text):
-            if verb in ("package", "test"):
+            if verb in ("package", "test", "tidy"):
                 continue  # of the launcher
             known.setdefault(verb, options_of(program, verb))
             if known[verb] is None:
@@ -78,6 +78,13 @@ def faults(project, program):
                               text=True)
         if lint.returncode:
             yield lint.stdout.strip()
+
+    for form in sorted((project / ".github/ISSUE_TEMPLATE").glob("*.yml")):
+        content = yaml.safe_load(form.read_text(encoding="utf-8"))
+        if not {"name", "description", "body"} <= content.keys():
+            yield f"{form.name} lacks its name, description or body"
+        if not all(field["attributes"].get("label") for field in content.get("body", [])):
+            yield f"{form.name} has a field without a label"
 
     spack = ast.parse((project / "packaging/spack/package.py").read_text(encoding="utf-8"))
     if not any(isinstance(node, ast.ClassDef) and node.name == "Floes" for node in spack.body):
