@@ -1,5 +1,3 @@
-#include <fcntl.h>
-
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -43,8 +41,11 @@ void write_members(const CampaignContent& content, const MemberTables& tables) {
     tables.finish();
 }
 
-void write_file(const std::filesystem::path& path, const CampaignContent& content, std::span<const Session> sessions,
-                std::span<const CalibrationRecord> calibrations) {
+}  // namespace
+
+void write_content(const std::filesystem::path& path, const Campaign& campaign, const StoredMembers& members,
+                   std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations) {
+    const CampaignContent content(campaign, members);
     const hdf5::QuietErrors quiet;
     hdf5::Handle file = hdf5::create_file(path);
     {
@@ -64,24 +65,20 @@ void write_file(const std::filesystem::path& path, const CampaignContent& conten
     hdf5::append_page_digests(path);
 }
 
-}  // namespace
-
 void publish(const std::filesystem::path& path, const Campaign& campaign, const StoredMembers& members,
-             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations) {
-    const CampaignContent content(campaign, members);
-    const std::filesystem::path aside = path.string() + ".tmp";
+             std::span<const Session> sessions, std::span<const CalibrationRecord> calibrations, const System& system,
+             const ContentWriter& write) {
     try {
-        write_file(aside, content, sessions, calibrations);
-        sync_data(open_file(aside, O_RDWR), aside);
+        replace_file(
+            path, path.string() + ".tmp",
+            [&](const std::filesystem::path& aside) { write(aside, campaign, members, sessions, calibrations); },
+            system);
     } catch (const RunError& error) {
-        std::error_code ignored;
-        std::filesystem::remove(aside, ignored);  // on a full disk the journal needs the room
         throw RunError(
             fmt::format("{} cannot be written: {}. Every member that is done lies in the journal beside it; make "
                         "room, and the same command with --resume, or the same merge, writes the file.",
                         path.string(), error.what()));
     }
-    rename_into_place(aside, path);
 }
 
 }  // namespace floes

@@ -15,7 +15,6 @@
 #include <fmt/ranges.h>
 
 #include "cli/given.hpp"
-#include "core/descriptor.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "draw/film.hpp"
@@ -64,12 +63,12 @@ void print(const std::vector<Section>& sections, const std::string& format, cons
 }
 
 void write_new(const fs::path& path, const std::string& text) {
-    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (file.get() < 0 && errno == EEXIST)
+    const OpenFile file(this_system(), this_system().open(path, O_WRONLY | O_CREAT | O_EXCL));
+    if (file.get() == -EEXIST)
         throw InputError(fmt::format("{} exists already and is left as it is; give another name.", path.string()));
     if (file.get() < 0)
         throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", path.string(),
-                                     std::strerror(errno)));
+                                     std::strerror(-file.get())));
     try {
         write_all(file, path, std::as_bytes(std::span(text)));
     } catch (const RunError&) {

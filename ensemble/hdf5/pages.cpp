@@ -47,7 +47,7 @@ std::span<const std::byte> page(std::span<const std::byte> bytes, std::uint64_t 
 }  // namespace
 
 void append_page_digests(const std::filesystem::path& path) {
-    const Descriptor file = open_file(path, O_RDWR | O_APPEND);
+    const OpenFile file = open_file(path, O_RDWR | O_APPEND);
     const std::uint64_t size = file_size(file, path);
     ByteWriter table;
     Bytes bytes;
@@ -64,7 +64,7 @@ void append_page_digests(const std::filesystem::path& path) {
 }
 
 std::optional<CheckedPages> CheckedPages::open(const std::filesystem::path& path) {
-    Descriptor file = open_file(path, O_RDONLY);
+    OpenFile file = open_file(path, O_RDONLY);
     const std::uint64_t all = file_size(file, path);
     Bytes foot(foot_bytes);
     if (all < foot_bytes || !read_at(file, path, all - foot_bytes, foot)) return std::nullopt;
@@ -86,7 +86,7 @@ std::optional<CheckedPages> CheckedPages::open(const std::filesystem::path& path
     return CheckedPages(std::move(file), path, size, std::move(digests));
 }
 
-CheckedPages::CheckedPages(Descriptor file, std::filesystem::path path, std::uint64_t size,
+CheckedPages::CheckedPages(OpenFile file, std::filesystem::path path, std::uint64_t size,
                            std::vector<std::uint32_t> digests)
     : file_(std::move(file)),
       path_(std::move(path)),

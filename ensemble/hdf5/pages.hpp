@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "core/bytes.hpp"
-#include "core/descriptor.hpp"
 #include "hdf5/handle.hpp"
+#include "store/system.hpp"
 
 namespace floes::hdf5 {
 
@@ -40,9 +40,9 @@ class CheckedPages {
     std::string first_fault();
 
   private:
-    CheckedPages(Descriptor file, std::filesystem::path path, std::uint64_t size, std::vector<std::uint32_t> digests);
+    CheckedPages(OpenFile file, std::filesystem::path path, std::uint64_t size, std::vector<std::uint32_t> digests);
 
-    Descriptor file_;
+    OpenFile file_;
     std::filesystem::path path_;
     std::uint64_t size_;
     std::vector<std::uint32_t> digests_;

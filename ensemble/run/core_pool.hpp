@@ -12,19 +12,28 @@
 
 namespace floes {
 
-class CorePool {
+/// What executes tasks for a crew.
+class Cores {
+  public:
+    Cores() = default;
+    Cores(const Cores&) = delete;
+    Cores& operator=(const Cores&) = delete;
+    virtual ~Cores() = default;
+
+    /// Executes the task, which must not throw: the lowest turn first, and of one turn in the order of the calls.
+    virtual void begin(std::int64_t turn, std::function<void()> task) = 0;
+};
+
+class CorePool final : public Cores {
   public:
     /// Computes `threads` tasks at a time, >= 1.
     explicit CorePool(int threads);
-    CorePool(const CorePool&) = delete;
-    CorePool& operator=(const CorePool&) = delete;
 
     int threads() const { return threads_; }
 
-    /// Executes the task on a free thread, or as soon as one is free: the lowest turn first, and of one turn in the
-    /// order of the calls. The task must not throw. The pool must outlive its tasks, but none is touched by the pool
+    /// On a free thread, or as soon as one is free. The pool must outlive its tasks, but none is touched by the pool
     /// after it has returned.
-    void begin(std::int64_t turn, std::function<void()> task);
+    void begin(std::int64_t turn, std::function<void()> task) override;
 
     /// The same for a task that may throw; returns when it has returned, or throws what it threw. Not to be called from
     /// a task.
@@ -43,7 +52,7 @@ class CorePool {
 
 /// The part of a run in a pool that several runs share. Its members go before those of runs with a higher turn.
 struct SharedCores {
-    CorePool* pool = nullptr;  ///< nullptr: the run has threads of its own
+    Cores* pool = nullptr;  ///< nullptr: the run has threads of its own
     std::int64_t turn = 0;
 };
 

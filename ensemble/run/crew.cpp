@@ -39,7 +39,8 @@ Crew::Crew(const Campaign& campaign, CrewSetup setup)
 Crew::~Crew() {
     stop_.request_stop();
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return unfinished_ == 0; });
+    while (unfinished_ > 0)
+        setup_.system.wait(changed_, lock, std::chrono::seconds(1), [this] { return unfinished_ == 0; });
 }
 
 void Crew::begin(Assignment assignment) {
@@ -67,10 +68,10 @@ void Crew::execute_next() {
 
 Outcome Crew::execute(Assignment assignment) {
     if (stop_.stop_requested()) return {assignment, std::nullopt, 0};
-    const auto begin = std::chrono::steady_clock::now();
+    const System::Time begin = setup_.system.now();
     Attempted made = attempt(assignment);
     if (!made.result) return {assignment, std::nullopt, made.peak_memory};
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    const std::chrono::duration<double> taken = setup_.system.now() - begin;
     made.result->wall_time = std::max(made.result->wall_time, taken.count());  // of earlier runs too, if it went on
     PackedArrays arrays = take_arrays(*made.result);
     return {assignment, std::move(made.result), made.peak_memory, std::move(arrays)};
@@ -133,7 +134,7 @@ std::vector<Outcome> Crew::take() {
 
 void Crew::wait(std::chrono::microseconds longest) {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, longest, [this] { return !outcomes_.empty(); });
+    setup_.system.wait(changed_, lock, longest, [this] { return !outcomes_.empty(); });
 }
 
 }  // namespace floes

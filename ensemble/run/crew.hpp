@@ -62,6 +62,7 @@ struct CrewSetup {
     int threads = 1;           ///< members at a time, >= 1
     Helper* helper = nullptr;  ///< for members in isolated processes; nullptr: all are computed in this process
     SharedCores cores = {};    ///< the threads that compute them
+    const System& system = this_system();  ///< whose clock tells how long they take
 };
 
 class Crew {

@@ -76,7 +76,7 @@ std::uint64_t end_of_loose(const JournalContents& contents) {
 /// Records before the first session that are no members: calibrations.
 std::vector<JournalContents::Place> loose_others(const Parts::Part& part) {
     std::vector<JournalContents::Place> others;
-    const Descriptor file = open_file(part.journal, O_RDONLY);
+    const OpenFile file = open_file(part.journal, O_RDONLY);
     const auto add = [&](std::uint64_t from, std::uint64_t to) {
         for (const auto& place : journal_format::records_between(file, part.journal, from, to)) others.push_back(place);
     };
@@ -143,8 +143,8 @@ void Parts::check_campaigns() {
 }
 
 bool Parts::begins_with(const Block& longer, const Block& shorter) const {
-    const Descriptor one = open_file(parts_[longer.part].journal, O_RDONLY);
-    const Descriptor other = open_file(parts_[shorter.part].journal, O_RDONLY);
+    const OpenFile one = open_file(parts_[longer.part].journal, O_RDONLY);
+    const OpenFile other = open_file(parts_[shorter.part].journal, O_RDONLY);
     for (std::uint64_t at = 0; at < shorter.to - shorter.from; at += stretch) {
         const std::uint64_t size = std::min(stretch, shorter.to - shorter.from - at);
         Bytes here(size);
@@ -473,8 +473,8 @@ bool check_output(std::span<const fs::path> parts, const fs::path& output, bool 
 }
 
 /// Copies the block unchanged, because the order of sessions and attempts matters.
-void copy_block(const Descriptor& out, const fs::path& out_path, const fs::path& from, const Parts::Block& block) {
-    const Descriptor file = open_file(from, O_RDONLY);
+void copy_block(const OpenFile& out, const fs::path& out_path, const fs::path& from, const Parts::Block& block) {
+    const OpenFile file = open_file(from, O_RDONLY);
     for (std::uint64_t at = block.from; at < block.to;) {
         Bytes bytes(std::min(stretch, block.to - at));
         if (!read_at(file, from, at, bytes))
@@ -485,7 +485,7 @@ void copy_block(const Descriptor& out, const fs::path& out_path, const fs::path&
 }
 
 void write_journal(const Parts& parts, const fs::path& aside) {
-    const Descriptor out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
+    const OpenFile out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
     write_all(out, aside, journal_format::header(write_campaign(parts.whole_campaign())));
     for (const Parts::Block& block : parts.blocks())
         copy_block(out, aside, piece_path(parts.all()[block.part].journal, block.piece), block);

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
-#include "core/descriptor.hpp"
 #include "inference/precision_stop.hpp"
 #include "run/inventory.hpp"
 #include "store/journal.hpp"
 #include "store/member_record.hpp"
+#include "store/system.hpp"
 
 namespace floes {
 
@@ -99,9 +99,9 @@ class Parts {
     MemberRecord read(std::size_t record) const;
 
     /// A journal, or a piece of one.
-    struct OpenFile {
+    struct LastRead {
         std::filesystem::path path;
-        Descriptor file;
+        OpenFile file;
     };
 
     std::vector<Part> parts_;
@@ -113,7 +113,7 @@ class Parts {
     std::optional<PrecisionStop> rule_;
     Campaign published_;
     std::vector<std::optional<std::size_t>> matched_;
-    mutable OpenFile latest_;  ///< that a record was read from: opening costs a network file system more than reading
+    mutable LastRead latest_;  ///< that a record was read from: opening costs a network file system more than reading
 };
 
 /// Whether a run writes the journal: by its lock, or where a lock cannot be seen by a fresh heartbeat.

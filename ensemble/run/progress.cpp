@@ -1,5 +1,6 @@
 #include "run/progress.hpp"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,13 +9,16 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
+#include <exception>
 #include <fstream>
+#include <span>
 #include <sstream>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "core/text.hpp"
+#include "store/file_calls.hpp"
 #include "store/session.hpp"
 
 namespace floes {
@@ -143,17 +147,14 @@ std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file)
 
 namespace {
 
-/// A reader finds the old text or the new one.
-void replace_text(const std::filesystem::path& path, const std::string& text) {
+/// A reader finds the old text or the new one. It is not worth a sync.
+void replace_text(const std::filesystem::path& path, const std::string& text, const System& system) {
     const std::filesystem::path aside = path.string() + ".tmp";
-    std::ofstream out(aside, std::ios::trunc);
-    out << text;
-    out.close();
-    std::error_code ignored;
-    if (out) {
-        std::filesystem::rename(aside, path, ignored);
-    } else {
-        std::filesystem::remove(aside, ignored);
+    try {
+        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), aside, std::as_bytes(std::span(text)));
+        system.rename(aside, path);
+    } catch (const std::exception&) {
+        system.remove(aside);
     }
 }
 
@@ -186,17 +187,18 @@ std::string metrics_text(const Metrics& metrics) {
     return text;
 }
 
-void write_metrics(const std::filesystem::path& path, const Metrics& metrics) {
-    replace_text(path, metrics_text(metrics));
+void write_metrics(const std::filesystem::path& path, const Metrics& metrics, const System& system) {
+    replace_text(path, metrics_text(metrics), system);
 }
 
-void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat) {
-    std::string text = fmt::format("host {}\nprocess {}\ntime {}\n", host_name(), ::getpid(), std::time(nullptr));
+void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat, const System& system) {
+    std::string text = fmt::format("host {}\nprocess {}\ntime {}\n", host_name(), ::getpid(),
+                                   static_cast<std::int64_t>(system.seconds_since_1970()));
     text += fmt::format("elapsed {}\nfinished {}\nfinished_cost {}\nremaining_cost {}\n", heartbeat.elapsed,
                         heartbeat.finished, heartbeat.finished_cost, heartbeat.remaining_cost);
     for (const Heartbeat::UnderWay& one : heartbeat.under_way)
         text += fmt::format("member {} {} {} {} {}\n", one.number, one.attempt, one.seconds, one.time, one.end);
-    replace_text(path, text);
+    replace_text(path, text, system);
 }
 
 std::optional<Heartbeat> read_heartbeat(const std::filesystem::path& path) {

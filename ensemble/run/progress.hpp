@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "store/system.hpp"
+
 namespace floes {
 
 /// Remaining cost over the measured rate, s; negative while nothing has finished.
@@ -34,7 +36,7 @@ struct Metrics {
 std::string metrics_text(const Metrics& metrics);
 
 /// Replaces the file by renaming. Errors of the file system are ignored.
-void write_metrics(const std::filesystem::path& path, const Metrics& metrics);
+void write_metrics(const std::filesystem::path& path, const Metrics& metrics, const System& system = this_system());
 
 // A small file beside the journal that shows other terminals and nodes what a run is doing. It is replaced every few
 // seconds and removed at the end. It is for display only; no decision depends on it.
@@ -131,7 +133,7 @@ Progress::Style style_of_standard_error();
 std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file);
 
 /// Sets host, process and time, and replaces the file by renaming. Errors of the file system are ignored.
-void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat);
+void write_heartbeat(const std::filesystem::path& path, Heartbeat heartbeat, const System& system = this_system());
 
 /// Empty if there is no such file or it cannot be parsed.
 std::optional<Heartbeat> read_heartbeat(const std::filesystem::path& path);

@@ -1,16 +1,12 @@
 #include "run/recorder.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
-#include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "run/parts.hpp"
 #include "run/saved_members.hpp"
@@ -45,16 +41,16 @@ void UpkeepTimer::published(Time begin, Time end, bool success) {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 /// Opens the journal of the campaign file after checking that nothing is overwritten or mixed up by accident.
 Journal open(const Campaign& campaign, const Recorder::Places& places) {
     stop_rule_of(campaign, places.part);  // refuses an invalid rule before a file is created
     Recorder::check(places);
-    Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing);
+    Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing, places.system);
     if (places.existing == Existing::replace) {
-        fs::remove(places.campaign_file);
-        remove_saved(places.campaign_file, [](const MemberIdentity&) { return false; });
+        remove_file(places.campaign_file, places.system);
+        remove_saved(
+            places.campaign_file, [](const MemberIdentity&) { return false; }, places.system);
     }
     return opened;
 }
@@ -64,16 +60,16 @@ Journal open(const Campaign& campaign, const Recorder::Places& places) {
 void Recorder::check(const Places& places) {
     const fs::path journal = journal_path(places.campaign_file);
     const std::string file = places.campaign_file.string();
-    const bool has_file = fs::exists(places.campaign_file);
-    const std::vector<int> pieces = pieces_of(journal);
-    const bool has_journal = fs::exists(journal) || !pieces.empty();
+    const bool has_file = is_there(places.campaign_file, places.system);
+    const std::vector<int> pieces = pieces_of(journal, places.system);
+    const bool has_journal = is_there(journal, places.system) || !pieces.empty();
     if (places.existing == Existing::refuse && (has_file || has_journal)) {
         throw InputError(
             fmt::format("{} exists already: --resume continues it, --overwrite starts afresh and replaces it, "
                         "-o names another file.",
-                        has_file              ? file
-                        : fs::exists(journal) ? journal.string()
-                                              : piece_path(journal, pieces[0]).string()));
+                        has_file                           ? file
+                        : is_there(journal, places.system) ? journal.string()
+                                                           : piece_path(journal, pieces[0]).string()));
     }
     if (places.existing == Existing::resume && has_file && !has_journal) {
         throw InputError(
@@ -81,10 +77,10 @@ void Recorder::check(const Places& places) {
                         "--overwrite starts afresh and replaces it, -o names another file.",
                         file, journal.string()));
     }
-    const fs::path folder = journal.has_parent_path() ? journal.parent_path() : fs::path(".");
-    if (!has_journal && ::access(folder.c_str(), W_OK) != 0)
+    const int may_write = has_journal ? 0 : places.system.may_write_in(folder_of(journal));
+    if (may_write < 0)
         throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", journal.string(),
-                                     std::strerror(errno)));
+                                     std::strerror(-may_write)));
 }
 
 Recorder::Recorder(const Campaign& campaign, Places places)
@@ -93,8 +89,8 @@ Recorder::Recorder(const Campaign& campaign, Places places)
       keeper_(open(campaign, places_)),
       tally_(campaign,
              take_inventory(campaign, journal().members(), journal().attempts(), places_.part, places_.retry_failed),
-             Clock::now()),
-      timer_(Clock::now(), places_.publish_every) {}
+             places_.system.now()),
+      timer_(places_.system.now(), places_.publish_every) {}
 
 std::vector<std::string> Recorder::begin(Session session) {
     const Inventory& found = tally_.found();
@@ -109,13 +105,14 @@ std::vector<std::string> Recorder::begin(Session session) {
     session.parts = places_.part.of;
     journal.begin_session(session);
     // So that NAME.part*.h5 names every part that has begun.
-    if (places_.part.of > 1 && !fs::exists(places_.campaign_file)) timer_.publish_first(Clock::now());
+    if (places_.part.of > 1 && !is_there(places_.campaign_file, places_.system))
+        timer_.publish_first(places_.system.now());
     return changes;
 }
 
 void Recorder::started(int number, int attempt) {
     keeper_.journal().started(tally_.identity_of(number), attempt);
-    tally_.started(number, attempt, Clock::now());
+    tally_.started(number, attempt, places_.system.now());
 }
 
 void Recorder::keep(const MemberRecord& record) {
@@ -134,7 +131,7 @@ void Recorder::kept_in_piece(int number, const std::optional<MemberRecord>& reco
 std::string Recorder::tend(Time now) {
     keeper_.tend(now);
     if (timer_.heartbeat_is_due(now)) {
-        write_heartbeat(heartbeat_path(places_.campaign_file), tally_.heartbeat(now));
+        write_heartbeat(heartbeat_path(places_.campaign_file), tally_.heartbeat(now), places_.system);
         write_metrics_now(now, true);
         timer_.heartbeat_written(now);
     }
@@ -146,7 +143,7 @@ std::string Recorder::tend(Time now) {
         } catch (const RunError& error) {
             trouble = error.what();
         }
-        timer_.published(now, Clock::now(), trouble.empty());
+        timer_.published(now, places_.system.now(), trouble.empty());
     }
     if (places_.part.of > 1 && campaign_.stop.active() && !together_ && now >= next_look_) {
         try {
@@ -154,7 +151,7 @@ std::string Recorder::tend(Time now) {
         } catch (const std::exception& error) {
             trouble = error.what();
         }
-        const Time end = Clock::now();
+        const Time end = places_.system.now();
         next_look_ = end + std::max<Time::duration>(look_interval, least_work_per_publishing * (end - now));
     }
     return trouble;
@@ -182,9 +179,8 @@ int Recorder::take_in_pieces() {
 
 void Recorder::give_up() noexcept {
     try {
-        std::error_code ignored;
-        fs::remove(heartbeat_path(places_.campaign_file), ignored);
-        write_metrics_now(Clock::now(), false);
+        places_.system.remove(heartbeat_path(places_.campaign_file));
+        write_metrics_now(places_.system.now(), false);
         keeper_.journal().end_session("failed");
     } catch (const std::exception&) {
         // The original error is the one to report.
@@ -196,12 +192,12 @@ void Recorder::finish(const std::string& outcome) {
     keeper_.journal().end_session(outcome);
     if (places_.with_file) publish_now();
     if (outcome.starts_with("complete"))
-        remove_saved(places_.campaign_file, [](const MemberIdentity&) { return false; });
+        remove_saved(
+            places_.campaign_file, [](const MemberIdentity&) { return false; }, places_.system);
     else if (!places_.with_file)
         remove_saved_of_done();
-    std::error_code ignored;
-    fs::remove(heartbeat_path(places_.campaign_file), ignored);
-    write_metrics_now(Clock::now(), false);
+    places_.system.remove(heartbeat_path(places_.campaign_file));
+    write_metrics_now(places_.system.now(), false);
 }
 
 void Recorder::write_metrics_now(Time now, bool at_work) const {
@@ -219,20 +215,22 @@ void Recorder::write_metrics_now(Time now, bool at_work) const {
                    .elapsed = heartbeat.elapsed,
                    .finished = finished,
                    .seconds_left =
-                       at_work ? time_left(heartbeat.finished_cost, heartbeat.remaining_cost, heartbeat.elapsed) : -1});
+                       at_work ? time_left(heartbeat.finished_cost, heartbeat.remaining_cost, heartbeat.elapsed) : -1},
+                  places_.system);
 }
 
 /// Members that still run have such files too; hardly ever are there more.
 void Recorder::remove_saved_of_done() const {
     const StoredMembers members = journal().members();
     const MemberNotes& notes = members.notes();
-    remove_saved(places_.campaign_file, [&](const MemberIdentity& member) {
+    const auto is_wanted = [&](const MemberIdentity& member) {
         const auto key = notes.keys().find(member.first);
         if (key == notes.keys().end()) return true;
         for (std::size_t k = 0; k < notes.size(); ++k)
             if (notes[k].key == key->second && notes[k].arrangement == member.second && notes[k].done()) return false;
         return true;
-    });
+    };
+    remove_saved(places_.campaign_file, is_wanted, places_.system);
 }
 
 void Recorder::publish_now() {
@@ -240,7 +238,7 @@ void Recorder::publish_now() {
     std::unique_lock<std::mutex> alone;
     if (places_.publishing != nullptr) alone = std::unique_lock(*places_.publishing);
     publish(places_.campaign_file, tally_.published(), journal().members(), journal().sessions(),
-            journal().calibrations());
+            journal().calibrations(), places_.system, places_.content);
 }
 
 }  // namespace floes

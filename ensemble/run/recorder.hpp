@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign_file/publish.hpp"
 #include "run/inventory.hpp"
 #include "run/writer.hpp"
 
@@ -56,10 +57,12 @@ class Recorder {
         std::vector<CalibrationRecord> calibrations = {};  ///< that gave cases their Σ, stored with the members
         CampaignPart part = {};                            ///< what to compute; default: the whole campaign
         bool with_file = true;                             ///< publish; otherwise there are journals only
-        std::filesystem::path metrics = {};  ///< file of metrics, replaced with every heartbeat; empty: none
-        bool retry_failed = false;           ///< give members set aside before the full number of attempts again
-        std::mutex* publishing = nullptr;    ///< held meanwhile where several runs of this process publish: HDF5 need
-                                             ///< not be thread-safe
+        std::filesystem::path metrics = {};    ///< file of metrics, replaced with every heartbeat; empty: none
+        bool retry_failed = false;             ///< give members set aside before the full number of attempts again
+        std::mutex* publishing = nullptr;      ///< held meanwhile where several runs of this process publish: HDF5 need
+                                               ///< not be thread-safe
+        const System& system = this_system();  ///< that has the files
+        ContentWriter content = write_content;
     };
 
     /// Throws InputError if the files exist and `existing` does not allow it.

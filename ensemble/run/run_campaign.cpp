@@ -14,7 +14,6 @@
 #include <map>
 #include <set>
 #include <span>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -31,6 +30,7 @@
 #include "run/saved_members.hpp"
 #include "run/scheduler.hpp"
 #include "run/writer.hpp"
+#include "store/file_calls.hpp"
 
 namespace floes {
 
@@ -50,8 +50,6 @@ struct Muster {
         return sum;
     }
 };
-
-using Clock = std::chrono::steady_clock;
 
 // A process by descriptor, because its number may be reused before it is needed. (The wrappers of glibc 2.36 have no
 // C++ linkage.)
@@ -83,7 +81,7 @@ void check_hello(int from, const Hello& hello, const std::string& fingerprint) {
 /// RunError if a rank read a different campaign, reports trouble, or if those that have not answered are silent for
 /// twice the patience with a worker.
 Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const std::filesystem::path& journal,
-              const Hello& own, const SilenceLimits& patience) {
+              const Hello& own, const SilenceLimits& patience, const System& system) {
     Muster result{std::vector<Hello>(static_cast<std::size_t>(link.size())), false};
     result.hellos[0] = own;
     const Bytes text = link.size() > 1 ? encode_text(write_campaign(campaign)) : Bytes{};
@@ -95,18 +93,18 @@ Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const 
     Pause pause = pause_between_polls(link.size());
     // Ranks begin at different speeds, so they have twice the time that is allowed to them later.
     const std::chrono::duration<double> longest_silence{2 * patience.with_a_worker};
-    auto last_word = Clock::now();
+    auto last_word = system.now();
     for (int present = 1; present < link.size();) {
         const auto message = link.poll();
         if (!message) {
-            if (Clock::now() - last_word > longest_silence) {
+            if (system.now() - last_word > longest_silence) {
                 throw RunError(fmt::format("Only {} of {} ranks have answered after {:g} s of silence.", present,
                                            link.size(), longest_silence.count()));
             }
-            std::this_thread::sleep_for(pause.next());
+            system.sleep(pause.next());
             continue;
         }
-        last_word = Clock::now();
+        last_word = system.now();
         pause.something_happened();
         if (message->tag == Tag::trouble) {
             throw RunError(fmt::format("Rank {}: {}", message->from, decode_text(message->bytes)));
@@ -224,6 +222,7 @@ class Master {
     Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
            const MasterLimits& limits)
         : campaign_(campaign),
+          system_(setup.system),
           link_(tools.link),
           groups_(tools.groups),
           recorder_(tools.recorder),
@@ -288,7 +287,7 @@ class Master {
         if (scheduler_.workers() == 0) request_stop("the loss of all ranks that compute");
         if (signals_.received() != 0) request_stop(signal_name(signals_.received()));
         if (recorder_.together()) request_stop("the stop rule");
-        const auto now = std::chrono::steady_clock::now();
+        const auto now = system_.now();
         watch_ranks(now);
         watch_time(now);
         hand_out();
@@ -361,7 +360,7 @@ class Master {
     }
 
     void tell_time_left() {
-        const std::optional<double> left = walltime_.left(std::chrono::steady_clock::now());
+        const std::optional<double> left = walltime_.left(system_.now());
         if (!left || !(pace_ > 0)) return;
         const bool can_be_put_off = saves_every_ > 0 && *left > saves_every_;
         handle(TimeLeft{can_be_put_off ? std::numeric_limits<double>::infinity() : *left / pace_});
@@ -425,8 +424,8 @@ class Master {
                 ranks_.heard(message->from);
                 receive(*message);
             }
-            watch_ranks(std::chrono::steady_clock::now());
-            if (!open_pieces_.empty()) std::this_thread::sleep_for(pause_.next());
+            watch_ranks(system_.now());
+            if (!open_pieces_.empty()) system_.sleep(pause_.next());
         }
     }
 
@@ -512,7 +511,7 @@ class Master {
             state.obstacle = precision->obstacle();
         }
         state.finished_now = scheduler_.done();
-        state.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+        state.elapsed = std::chrono::duration<double>(system_.now() - begin_).count();
         state.finished_cost = scheduler_.done_cost();
         state.remaining_cost = scheduler_.remaining_cost();
         state.longest = longest_;
@@ -520,6 +519,7 @@ class Master {
     }
 
     const Campaign& campaign_;
+    const System& system_;
     Link& link_;
     const Groups& groups_;
     Recorder& recorder_;
@@ -531,7 +531,7 @@ class Master {
     Scribe scribe_;
     Crew crew_;
     Pause pause_;
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    System::Time begin_ = system_.now();
     std::map<int, std::vector<Assignment>> handed_out_;  // by worker, since the last hand_out()
     std::map<int, std::vector<std::string>> failures_;   // by member, the reasons of failed attempts that are retried
     RankWatch ranks_;
@@ -579,24 +579,24 @@ std::string harvest(const Tally& tally) {
 }
 
 /// Throws unless rank 0 sees the pieces that others have opened: results on another node's own disk would be lost.
-void expect_to_see_pieces(const Groups& groups, const std::filesystem::path& journal) {
+void expect_to_see_pieces(const Groups& groups, const std::filesystem::path& journal, const System& system) {
     constexpr std::chrono::seconds longest{60};  // for which a shared file system may remember that there was none
-    const auto deadline = std::chrono::steady_clock::now() + longest;
+    const auto deadline = system.now() + longest;
     for (const int writer : groups.writers()) {
         const std::filesystem::path piece = piece_path(journal, groups.piece_of(writer));
-        while (!std::filesystem::exists(piece)) {
-            if (std::chrono::steady_clock::now() > deadline)
+        while (!is_there(piece, system)) {
+            if (system.now() > deadline)
                 throw RunError(fmt::format(
                     "{}, which rank {} has opened, is not to be seen by rank 0. All ranks that keep results "
                     "need one folder: give -o on a shared file system, or --writers 1.",
                     piece.string(), writer));
-            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            system.sleep(std::chrono::milliseconds(100));
         }
     }
 }
 
-Session session_of(int ranks, int cores) {
-    return describe_session(ranks, cores, std::array{Software{"MPI", library_version()}});
+Session session_of(int ranks, int cores, const System& system) {
+    return describe_session(ranks, cores, std::array{Software{"MPI", library_version()}}, system);
 }
 
 /// After all arrangements, where the stop rule is not met.
@@ -667,12 +667,13 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
 int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link, const MemberFunction& compute,
                  Progress& progress, Helper* helper) {
     const StopSignals signals;
+    const System& system = options.places.system;
     Recorder recorder(campaign, options.places);
     const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign), ::getpid()};
     const Groups groups(link.size(), options.writers);
     const Muster mustered =
-        muster(link, campaign, groups, journal_path(options.places.campaign_file), own, options.patience);
-    expect_to_see_pieces(groups, journal_path(options.places.campaign_file));
+        muster(link, campaign, groups, journal_path(options.places.campaign_file), own, options.patience, system);
+    expect_to_see_pieces(groups, journal_path(options.places.campaign_file), system);
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (const Inventory& found = recorder.tally().found(); campaign.stop.active() && !found.precise())
         progress.say(stop_forecast(campaign, found.done, found.pace, mustered.cores()));
@@ -687,14 +688,15 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     for (const std::string& line : recorder.journal().extension()) {
         progress.say(fmt::format("the campaign is extended, existing results are kept: {}", line));
     }
-    for (const std::string& change : recorder.begin(session_of(link.size(), mustered.cores()))) {
+    for (const std::string& change : recorder.begin(session_of(link.size(), mustered.cores(), system))) {
         progress.say(
             fmt::format("the earlier members may differ in the last bits from results of this program; {}", change));
     }
-    const int saved = options.saves_every > 0 ? count_saved(options.places.campaign_file) : 0;
+    const int saved = options.saves_every > 0 ? count_saved(options.places.campaign_file, system) : 0;
     if (const std::string text = stock(recorder.tally().found(), saved); !text.empty()) progress.say(text);
-    Master master(campaign, {link, groups, recorder, progress, signals}, {compute, own.cores, helper, options.cores},
-                  mustered, {options.walltime, options.patience, saves_every(campaign, options)});
+    Master master(campaign, {link, groups, recorder, progress, signals},
+                  {compute, own.cores, helper, options.cores, system}, mustered,
+                  {options.walltime, options.patience, saves_every(campaign, options)});
     try {
         master.run();
     } catch (...) {

@@ -34,8 +34,8 @@ std::string_view text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-Bytes bytes_of(const fs::path& path) {
-    const Descriptor file = open_file(path, O_RDONLY);
+Bytes bytes_of(const fs::path& path, const System& system) {
+    const OpenFile file = open_file(path, O_RDONLY, system);
     Bytes bytes(file_size(file, path));
     if (!read_at(file, path, 0, bytes)) throw RunError("its end is missing");
     return bytes;
@@ -60,10 +60,10 @@ std::string saved_stamp(const Campaign& campaign, int number) {
                                     arrangement_seed(campaign, key.case_index), key.arrangement);
     for (const Software& one : describe_session(1, 1, {}).software)
         stamp += fmt::format("{} {}\n", one.name, one.version);
-    return stamp + fmt::format("program {}\n", digest_hex(text_of(bytes_of("/proc/self/exe"))));
+    return stamp + fmt::format("program {}\n", digest_hex(text_of(bytes_of("/proc/self/exe", this_system()))));
 }
 
-void write_saved(const fs::path& path, const std::string& stamp, const SavedMember& member) {
+void write_saved(const fs::path& path, const std::string& stamp, const SavedMember& member, const System& system) {
     ByteWriter out;
     out.text(magic);
     out.text(stamp);
@@ -74,22 +74,15 @@ void write_saved(const fs::path& path, const std::string& stamp, const SavedMemb
     const std::string digest = digest_hex(text_of(bytes));
     const auto last = std::as_bytes(std::span(digest));
     bytes.insert(bytes.end(), last.begin(), last.end());
-    const fs::path aside = fmt::format("{}.{}.{}.tmp", path.string(), host_name(), ::getpid());
-    try {
-        const Descriptor file = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
-        write_all(file, aside, bytes);
-        sync_data(file, aside);
-        rename_into_place(aside, path);
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove(aside, ignored);
-        throw;
-    }
+    const auto write = [&](const fs::path& aside) {
+        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), aside, bytes);
+    };
+    replace_file(path, fmt::format("{}.{}.{}.tmp", path.string(), host_name(), ::getpid()), write, system);
 }
 
-std::optional<SavedMember> read_saved(const fs::path& path, const std::string& stamp) {
-    if (!fs::exists(path)) return {};
-    const Bytes bytes = bytes_of(path);
+std::optional<SavedMember> read_saved(const fs::path& path, const std::string& stamp, const System& system) {
+    if (!is_there(path, system)) return {};
+    const Bytes bytes = bytes_of(path, system);
     if (bytes.size() < digest_bytes) throw RunError("its end is missing");
     const auto content = std::span(bytes).first(bytes.size() - digest_bytes);
     if (digest_hex(text_of(content)) != text_of(std::span(bytes).last(digest_bytes)))
@@ -112,19 +105,17 @@ struct SavedFile {
     bool whole = true;  ///< or what a killed process left of one
 };
 
-std::vector<SavedFile> saved_files(const fs::path& campaign_file) {
-    const fs::path folder = campaign_file.has_parent_path() ? campaign_file.parent_path() : fs::path(".");
+std::vector<SavedFile> saved_files(const fs::path& campaign_file, const System& system) {
+    const fs::path folder = folder_of(campaign_file);
     const std::string begins = beginning_of_names(campaign_file);
     std::vector<SavedFile> found;
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-        const std::string name = entry.path().filename().string();
+    for (const std::string& name : system.names_in(folder)) {
         const std::size_t end = name.find(ending);
         if (!name.starts_with(begins) || end == std::string::npos) continue;
         const std::string member = name.substr(begins.size(), end - begins.size());
         const std::size_t dash = member.rfind('-');
         if (dash == std::string::npos || member.find('.') != std::string::npos) continue;  // of another campaign
-        SavedFile file{entry.path(), {member.substr(0, dash), 0}, name.size() == end + ending.size()};
+        SavedFile file{folder / name, {member.substr(0, dash), 0}, name.size() == end + ending.size()};
         char rest = 0;
         if (std::sscanf(member.c_str() + dash + 1, "%9d%c", &file.member.second, &rest) == 1) found.push_back(file);
     }
@@ -133,14 +124,14 @@ std::vector<SavedFile> saved_files(const fs::path& campaign_file) {
 
 }  // namespace
 
-void remove_saved(const fs::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted) {
-    std::error_code ignored;
-    for (const SavedFile& file : saved_files(campaign_file))
-        if (!file.whole || !wanted(file.member)) fs::remove(file.path, ignored);
+void remove_saved(const fs::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted,
+                  const System& system) {
+    for (const SavedFile& file : saved_files(campaign_file, system))
+        if (!file.whole || !wanted(file.member)) system.remove(file.path);
 }
 
-int count_saved(const fs::path& campaign_file) {
-    return static_cast<int>(std::ranges::count_if(saved_files(campaign_file), &SavedFile::whole));
+int count_saved(const fs::path& campaign_file, const System& system) {
+    return static_cast<int>(std::ranges::count_if(saved_files(campaign_file, system), &SavedFile::whole));
 }
 
 namespace {

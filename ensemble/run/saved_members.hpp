@@ -14,6 +14,7 @@
 #include "core/bytes.hpp"
 #include "run/attempt.hpp"
 #include "store/session.hpp"
+#include "store/system.hpp"
 
 namespace floes {
 
@@ -32,16 +33,19 @@ std::string saved_stamp(const Campaign& campaign, int number);
 
 /// Puts the file in its place by a rename; on return it is on the disk. Throws RunError or InputError where the file
 /// system refuses.
-void write_saved(const std::filesystem::path& path, const std::string& stamp, const SavedMember& member);
+void write_saved(const std::filesystem::path& path, const std::string& stamp, const SavedMember& member,
+                 const System& system = this_system());
 
 /// Nothing if there is no file. Throws RunError with the reason, a clause, if it is torn or has another stamp.
-std::optional<SavedMember> read_saved(const std::filesystem::path& path, const std::string& stamp);
+std::optional<SavedMember> read_saved(const std::filesystem::path& path, const std::string& stamp,
+                                      const System& system = this_system());
 
 /// Removes the files of a campaign's members that are not wanted any more, and what a killed process left half written.
-void remove_saved(const std::filesystem::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted);
+void remove_saved(const std::filesystem::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted,
+                  const System& system = this_system());
 
 /// How many members of the campaign have a file.
-int count_saved(const std::filesystem::path& campaign_file);
+int count_saved(const std::filesystem::path& campaign_file, const System& system = this_system());
 
 /// compute_member(), with members that are saved every `interval` s of wall clock, and when they are put off; 0 s:
 /// never. So are none that can_be_saved() says no of.

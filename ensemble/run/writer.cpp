@@ -10,8 +10,6 @@ namespace floes {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr std::chrono::milliseconds sync_interval{900};
 
 }  // namespace
@@ -25,7 +23,7 @@ void SyncTimer::synced(Time now) {
     last_sync_ = now;
 }
 
-Keeper::Keeper(Journal journal) : journal_(std::move(journal)), timer_(Clock::now()) {}
+Keeper::Keeper(Journal journal) : journal_(std::move(journal)), timer_(journal_.system().now()) {}
 
 void Keeper::keep(const MemberRecord& record) {
     journal_.append(record);
@@ -39,7 +37,7 @@ void Keeper::tend(SyncTimer::Time now) {
 
 void Keeper::sync() {
     if (timer_.is_unsynced()) journal_.sync();
-    timer_.synced(Clock::now());
+    timer_.synced(journal_.system().now());
 }
 
 namespace {
@@ -77,10 +75,10 @@ std::vector<int> Groups::group_of(int writer) const {
     return group;
 }
 
-Writer::Writer(Link& link, const Campaign& campaign, const std::filesystem::path& piece)
+Writer::Writer(Link& link, const Campaign& campaign, const std::filesystem::path& piece, const System& system)
     : link_(link),
       has_stop_rule_(campaign.stop.active()),
-      keeper_(open_journal(piece, write_campaign(campaign), Existing::resume)) {}
+      keeper_(open_journal(piece, write_campaign(campaign), Existing::resume, system)) {}
 
 void Writer::keep(int worker, std::vector<Answer> answers) {
     for (Answer& answer : answers) {
@@ -95,7 +93,7 @@ void Writer::keep(int worker, std::vector<Answer> answers) {
 }
 
 void Writer::tend() {
-    keeper_.tend(std::chrono::steady_clock::now());
+    keeper_.tend(keeper_.journal().system().now());
     if (!kept_.empty()) link_.send(master_rank, Tag::kept, encode(std::exchange(kept_, {})));
     for (const int worker : std::exchange(farewells_, {}))
         link_.send(master_rank, Tag::farewell, encode_status(worker));

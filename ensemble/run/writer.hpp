@@ -77,7 +77,8 @@ class Groups {
 class Writer {
   public:
     /// Opens the piece of the journal. Throws as open_journal() does. `campaign` and `link` must outlive the writer.
-    Writer(Link& link, const Campaign& campaign, const std::filesystem::path& piece);
+    Writer(Link& link, const Campaign& campaign, const std::filesystem::path& piece,
+           const System& system = this_system());
 
     /// Keeps members that were computed by that rank.
     void keep(int worker, std::vector<Answer> answers);

@@ -1,11 +1,10 @@
 #include "store/file_calls.hpp"
 
 #include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -19,75 +18,93 @@ namespace {
                                path.string(), std::strerror(error)));
 }
 
+/// `result`: of a System.
+void expect(const char* call, const std::filesystem::path& path, std::int64_t result) {
+    if (result < 0) refuse(call, path, static_cast<int>(-result));
+}
+
+FileFacts facts_of(const OpenFile& file, const std::filesystem::path& path) {
+    FileFacts facts;
+    expect("fstat", path, file.system().facts(file.get(), facts));
+    return facts;
+}
+
 }  // namespace
 
-Descriptor open_file(const std::filesystem::path& path, int flags) {
-    const int value = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
-    if (value < 0)
+OpenFile open_file(const std::filesystem::path& path, int flags, const System& system) {
+    const int opened = system.open(path, flags);
+    if (opened < 0)
         throw InputError(fmt::format("{} cannot be opened: {}. The folder must exist and permit it.", path.string(),
-                                     std::strerror(errno)));
-    return Descriptor(value);
+                                     std::strerror(-opened)));
+    return {system, opened};
 }
 
-std::uint64_t file_size(const Descriptor& file, const std::filesystem::path& path) {
-    struct stat status {};
-    if (::fstat(file.get(), &status) != 0) refuse("fstat", path, errno);
-    return static_cast<std::uint64_t>(status.st_size);
+std::uint64_t file_size(const OpenFile& file, const std::filesystem::path& path) {
+    return facts_of(file, path).size;
 }
 
-double modified_at(const Descriptor& file, const std::filesystem::path& path) {
-    struct stat status {};
-    if (::fstat(file.get(), &status) != 0) refuse("fstat", path, errno);
-    return static_cast<double>(status.st_mtim.tv_sec) + 1e-9 * static_cast<double>(status.st_mtim.tv_nsec);
+double modified_at(const OpenFile& file, const std::filesystem::path& path) {
+    return facts_of(file, path).modified;
 }
 
-bool read_at(const Descriptor& file, const std::filesystem::path& path, std::uint64_t offset,
+bool read_at(const OpenFile& file, const std::filesystem::path& path, std::uint64_t offset,
              std::span<std::byte> bytes) {
     while (!bytes.empty()) {
-        const ssize_t got = ::pread(file.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        const std::int64_t got = file.system().read(file.get(), offset, bytes);
         if (got == 0) return false;
-        if (got < 0) {
-            if (errno == EINTR) continue;
-            refuse("read", path, errno);
-        }
+        if (got == -EINTR) continue;
+        expect("read", path, got);
         offset += static_cast<std::uint64_t>(got);
         bytes = bytes.subspan(static_cast<std::size_t>(got));
     }
     return true;
 }
 
-void write_all(const Descriptor& file, const std::filesystem::path& path, std::span<const std::byte> bytes) {
+void write_all(const OpenFile& file, const std::filesystem::path& path, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(file.get(), bytes.data(), bytes.size());
-        if (written < 0) {
-            if (errno == EINTR) continue;
-            refuse("write", path, errno);
-        }
+        const std::int64_t written = file.system().write(file.get(), bytes);
+        if (written == -EINTR) continue;
+        expect("write", path, written);
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
 }
 
-void truncate_file(const Descriptor& file, const std::filesystem::path& path, std::uint64_t size) {
-    if (::ftruncate(file.get(), static_cast<off_t>(size)) != 0) refuse("ftruncate", path, errno);
+void truncate_file(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size) {
+    expect("ftruncate", path, file.system().truncate(file.get(), size));
 }
 
-void sync_data(const Descriptor& file, const std::filesystem::path& path) {
-    if (::fdatasync(file.get()) != 0) refuse("fdatasync", path, errno);
+void sync_data(const OpenFile& file, const std::filesystem::path& path) {
+    expect("fdatasync", path, file.system().sync(file.get()));
 }
 
-bool is_named(const Descriptor& file, const std::filesystem::path& path) {
-    struct stat here {};
-    struct stat there {};
-    if (::fstat(file.get(), &here) != 0) refuse("fstat", path, errno);
-    if (::stat(path.c_str(), &there) != 0) return false;
-    return here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+bool is_named(const OpenFile& file, const std::filesystem::path& path) {
+    const FileFacts here = facts_of(file, path);
+    FileFacts there;
+    if (file.system().facts(path, there) < 0) return false;
+    return here.device == there.device && here.number == there.number;
 }
 
-void sync_folder_of(const std::filesystem::path& path) {
-    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    const Descriptor opened = open_file(folder, O_RDONLY | O_DIRECTORY);
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+    return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+bool is_there(const std::filesystem::path& path, const System& system) {
+    FileFacts facts;
+    const int result = system.facts(path, facts);
+    if (result != -ENOENT && result != -ENOTDIR) expect("stat", path, result);
+    return result == 0;
+}
+
+void remove_file(const std::filesystem::path& path, const System& system) {
+    const int result = system.remove(path);
+    if (result != -ENOENT) expect("unlink", path, result);
+}
+
+void sync_folder_of(const std::filesystem::path& path, const System& system) {
+    const std::filesystem::path folder = folder_of(path);
+    const int result = system.sync_folder(folder);
     // Some network file systems do not support fsync of a folder (EINVAL); they keep names consistent themselves.
-    if (::fsync(opened.get()) != 0 && errno != EINVAL) refuse("fsync", folder, errno);
+    if (result != -EINVAL) expect("fsync", folder, result);
 }
 
 std::filesystem::path target_of(std::filesystem::path path) {
@@ -101,23 +118,43 @@ std::filesystem::path target_of(std::filesystem::path path) {
     return path;
 }
 
-void rename_into_place(const std::filesystem::path& aside, const std::filesystem::path& path) {
-    const std::filesystem::path target = target_of(path);
+namespace {
+
+/// Where a file cannot be renamed to: what arrives there is copied beside it first.
+std::error_code copy_into_place(const std::filesystem::path& aside, const std::filesystem::path& target) {
+    const std::filesystem::path arriving = target.string() + ".arriving";
     std::error_code error;
-    std::filesystem::rename(aside, target, error);
-    if (error == std::errc::cross_device_link) {
-        const std::filesystem::path arriving = target.string() + ".arriving";
-        std::filesystem::copy_file(aside, arriving, std::filesystem::copy_options::overwrite_existing, error);
-        if (!error) {
-            sync_data(open_file(arriving, O_RDWR), arriving);
-            std::filesystem::rename(arriving, target, error);
-        }
-        std::error_code ignored;
-        std::filesystem::remove(error ? arriving : aside, ignored);
+    std::filesystem::copy_file(aside, arriving, std::filesystem::copy_options::overwrite_existing, error);
+    if (!error) {
+        sync_data(open_file(arriving, O_RDWR), arriving);
+        std::filesystem::rename(arriving, target, error);
     }
+    std::error_code ignored;
+    std::filesystem::remove(error ? arriving : aside, ignored);
+    return error;
+}
+
+}  // namespace
+
+void rename_into_place(const std::filesystem::path& aside, const std::filesystem::path& path, const System& system) {
+    const std::filesystem::path target = target_of(path);
+    std::error_code error(-system.rename(aside, target), std::generic_category());
+    if (error == std::errc::cross_device_link) error = copy_into_place(aside, target);
     if (error)
         throw RunError(fmt::format("renaming {} to {} failed: {}", aside.string(), target.string(), error.message()));
-    sync_folder_of(target);
+    sync_folder_of(target, system);
+}
+
+void replace_file(const std::filesystem::path& path, const std::filesystem::path& aside,
+                  const std::function<void(const std::filesystem::path& aside)>& write, const System& system) {
+    try {
+        write(aside);
+        sync_data(open_file(aside, O_RDWR, system), aside);
+        rename_into_place(aside, path, system);
+    } catch (...) {
+        system.remove(aside);  // on a full disk others need the room
+        throw;
+    }
 }
 
 }  // namespace floes

@@ -1,12 +1,13 @@
 #pragma once
-// System calls for durable files.
+// Durable files: what programs do with the calls of a system.
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 
-#include "core/descriptor.hpp"
+#include "store/system.hpp"
 
 namespace floes {
 
@@ -14,28 +15,41 @@ namespace floes {
 // cannot be opened, RunError otherwise.
 
 /// open(2) with close-on-exec.
-Descriptor open_file(const std::filesystem::path& path, int flags);
-std::uint64_t file_size(const Descriptor& file, const std::filesystem::path& path);
+OpenFile open_file(const std::filesystem::path& path, int flags, const System& system = this_system());
+std::uint64_t file_size(const OpenFile& file, const std::filesystem::path& path);
 /// When it was written last, s since 1970 by the clock of the file system.
-double modified_at(const Descriptor& file, const std::filesystem::path& path);
+double modified_at(const OpenFile& file, const std::filesystem::path& path);
 /// Fills `bytes` from `offset` on; false if the file is too short.
-bool read_at(const Descriptor& file, const std::filesystem::path& path, std::uint64_t offset,
-             std::span<std::byte> bytes);
+bool read_at(const OpenFile& file, const std::filesystem::path& path, std::uint64_t offset, std::span<std::byte> bytes);
 /// One write(2) for all bytes, and further ones only after a partial write.
-void write_all(const Descriptor& file, const std::filesystem::path& path, std::span<const std::byte> bytes);
-void truncate_file(const Descriptor& file, const std::filesystem::path& path, std::uint64_t size);
+void write_all(const OpenFile& file, const std::filesystem::path& path, std::span<const std::byte> bytes);
+void truncate_file(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size);
 /// fdatasync(2): on return contents and size are on the disk.
-void sync_data(const Descriptor& file, const std::filesystem::path& path);
+void sync_data(const OpenFile& file, const std::filesystem::path& path);
 /// True while `path` still refers to this file.
-bool is_named(const Descriptor& file, const std::filesystem::path& path);
+bool is_named(const OpenFile& file, const std::filesystem::path& path);
 /// fsync(2) of the folder that holds `path`: on return the name is on the disk.
-void sync_folder_of(const std::filesystem::path& path);
+void sync_folder_of(const std::filesystem::path& path, const System& system = this_system());
+
+/// Whether there is something at the path.
+bool is_there(const std::filesystem::path& path, const System& system = this_system());
+/// Where there is nothing, nothing happens.
+void remove_file(const std::filesystem::path& path, const System& system = this_system());
+/// The folder that holds `path`.
+std::filesystem::path folder_of(const std::filesystem::path& path);
 
 /// The file that a path means: what its links point to, also where that is not there yet.
 std::filesystem::path target_of(std::filesystem::path path);
 
 /// Gives the file at `aside` the name `path`, in place of what had it, and syncs the folder. Both in one folder; where
 /// `path` is a link it stays one, and what it points to is replaced, on another file system too.
-void rename_into_place(const std::filesystem::path& aside, const std::filesystem::path& path);
+void rename_into_place(const std::filesystem::path& aside, const std::filesystem::path& path,
+                       const System& system = this_system());
+
+/// Has `write` make a file at `aside`, brings it to the disk, and renames it into place: at every moment, and after a
+/// power cut, `path` is the old file or the new one, whole. Throws what `write` does; `aside` is removed then.
+void replace_file(const std::filesystem::path& path, const std::filesystem::path& aside,
+                  const std::function<void(const std::filesystem::path& aside)>& write,
+                  const System& system = this_system());
 
 }  // namespace floes

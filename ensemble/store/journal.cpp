@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <exception>
@@ -91,7 +90,7 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
 }
 
 /// Reads the record at `at`; false if there is no whole record.
-bool read_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
+bool read_record(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
                  Bytes& bytes) {
     if (size - at < record_head_bytes + crc_bytes) return false;
     bytes.resize(record_head_bytes);
@@ -106,8 +105,8 @@ bool read_record(const Descriptor& file, const std::filesystem::path& path, std:
 /// Offset of the next whole record from `at` on; `size` if there is none. Records after a damaged one were acknowledged
 /// too and must not be lost. `effort`: bytes that may still be read for what only looks like a record; bytes made for
 /// it look like one everywhere.
-std::uint64_t next_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at,
-                          std::uint64_t size, std::uint64_t& effort) {
+std::uint64_t next_record(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
+                          std::uint64_t& effort) {
     constexpr std::uint64_t most_in_window = 1 << 20;
     constexpr std::uint32_t types = 256;  // a filter: more types than there will ever be
     Bytes bytes;
@@ -188,7 +187,7 @@ struct Walked {
 
 /// Calls `use` with the bytes and the offset of each whole record between `at` and `size`.
 template <class Use>
-Walked walk(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
+Walked walk(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
             const Use& use) {
     Walked walked{at, 0};
     std::uint64_t effort = std::max(4 * size, least_effort);
@@ -215,7 +214,7 @@ struct Header {
     std::string text;
     std::uint64_t end = 0;
 };
-std::optional<Header> read_header(const Descriptor& file, const std::filesystem::path& path, std::uint64_t size) {
+std::optional<Header> read_header(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size) {
     Bytes fixed(std::min(size, fixed_header_bytes));
     read_at(file, path, 0, fixed);
     if (!magic_fits(fixed)) refuse(path, "is not a journal of floes");
@@ -231,8 +230,7 @@ std::optional<Header> read_header(const Descriptor& file, const std::filesystem:
 }
 
 /// Whether so many bytes at the end of a file may be the begin of a record, and no damaged one.
-bool is_begin_of_record(const Descriptor& file, const std::filesystem::path& path, std::uint64_t at,
-                        std::uint64_t size) {
+bool is_begin_of_record(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size) {
     if (size < record_head_bytes + crc_bytes) return true;
     Bytes head(record_head_bytes);
     if (!read_at(file, path, at, head)) return true;
@@ -240,9 +238,10 @@ bool is_begin_of_record(const Descriptor& file, const std::filesystem::path& pat
 }
 
 /// Adds the members that the piece has beyond what was read of it.
-void read_piece(const std::filesystem::path& journal, JournalContents& contents, JournalContents::Piece& piece) {
+void read_piece(const std::filesystem::path& journal, JournalContents& contents, JournalContents::Piece& piece,
+                const System& system) {
     const std::filesystem::path path = piece_path(journal, piece.number);
-    const Descriptor file = open_file(path, O_RDONLY);
+    const OpenFile file = open_file(path, O_RDONLY, system);
     const std::uint64_t size = file_size(file, path);
     if (piece.good_bytes == not_begun) {
         const std::optional<Header> header = read_header(file, path, size);
@@ -270,7 +269,7 @@ std::uint32_t crc32c(std::span<const std::byte> bytes) {
     return crc.checksum();
 }
 
-MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place) {
+MemberRecord read_member(const OpenFile& file, const std::filesystem::path& path, JournalContents::Place place) {
     Bytes bytes(place.size);
     if (!read_at(file, path, place.offset, bytes) || !crc_is_right(bytes))
         throw RunError(
@@ -305,7 +304,7 @@ Bytes record(RecordType type, std::span<const std::byte> payload) {
     return bytes;
 }
 
-Reading read(const Descriptor& file, const std::filesystem::path& path) {
+Reading read(const OpenFile& file, const std::filesystem::path& path) {
     Reading reading;
     // The size is read once: data that a live writer adds meanwhile is left to the next reader.
     const std::uint64_t size = file_size(file, path);
@@ -324,16 +323,16 @@ Reading read(const Descriptor& file, const std::filesystem::path& path) {
     return reading;
 }
 
-void read_pieces(const std::filesystem::path& path, JournalContents& contents) {
-    for (const int number : pieces_of(path)) {
+void read_pieces(const std::filesystem::path& path, JournalContents& contents, const System& system) {
+    for (const int number : pieces_of(path, system)) {
         if (std::ranges::find(contents.pieces, number, &JournalContents::Piece::number) == contents.pieces.end())
             contents.pieces.push_back({number, not_begun});
     }
     std::ranges::sort(contents.pieces, {}, &JournalContents::Piece::number);
-    for (JournalContents::Piece& piece : contents.pieces) read_piece(path, contents, piece);
+    for (JournalContents::Piece& piece : contents.pieces) read_piece(path, contents, piece, system);
 }
 
-std::vector<JournalContents::Place> records_between(const Descriptor& file, const std::filesystem::path& path,
+std::vector<JournalContents::Place> records_between(const OpenFile& file, const std::filesystem::path& path,
                                                     std::uint64_t from, std::uint64_t to) {
     std::vector<JournalContents::Place> places;
     walk(file, path, from, to, [&](auto record, std::uint64_t at) { places.push_back({at, record.size()}); });
@@ -383,17 +382,6 @@ using journal_format::RecordType;
 constexpr std::size_t most_appended = 1 << 20;  // bytes buffered before a write()
 constexpr double least_told_difference = 10;    // s between two clocks; a sync to a busy disk takes seconds
 
-double seconds_since_1970() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-struct flock whole_file(short type) {
-    struct flock lock {};
-    lock.l_type = type;
-    lock.l_whence = SEEK_SET;
-    return lock;
-}
-
 [[noreturn]] void refuse_second_writer(const std::filesystem::path& path) {
     throw InputError(
         fmt::format("{} is being written by another run. Wait for it, stop it, or choose another output "
@@ -402,20 +390,17 @@ struct flock whole_file(short type) {
 }
 
 /// Refuses if one of them has a writer still, whose master was lost; removes them where the journal is replaced.
-void settle_pieces(const std::filesystem::path& journal, Existing existing) {
-    const std::vector<int> numbers = pieces_of(journal);
+void settle_pieces(const std::filesystem::path& journal, Existing existing, const System& system) {
+    const std::vector<int> numbers = pieces_of(journal, system);
     for (const int number : numbers)
-        if (is_being_written(piece_path(journal, number))) refuse_second_writer(piece_path(journal, number));
+        if (is_being_written(piece_path(journal, number), system)) refuse_second_writer(piece_path(journal, number));
     if (existing != Existing::replace) return;
-    for (const int number : numbers) std::filesystem::remove(piece_path(journal, number));
+    for (const int number : numbers) remove_file(piece_path(journal, number), system);
 }
 
-// Locks of the open file, not of the process, so that they also work between two journals of one process. A file system
-// without locks lets both in (docs/campaign_file.md).
-void lock_for_writing(const Descriptor& file, const std::filesystem::path& path) {
-    auto lock = whole_file(F_WRLCK);
-    if (::fcntl(file.get(), F_OFD_SETLK, &lock) == 0 || (errno != EAGAIN && errno != EACCES)) return;
-    refuse_second_writer(path);
+/// A file system without locks lets both in (docs/campaign_file.md).
+void lock_for_writing(const OpenFile& file, const std::filesystem::path& path) {
+    if (file.system().lock(file.get()) == -EAGAIN) refuse_second_writer(path);
 }
 
 std::string load_nothing(const std::string& path) {
@@ -429,11 +414,12 @@ Campaign read_text(const std::string& campaign_text, const std::filesystem::path
 
 /// Reads records of pieces, whose files it opens now.
 std::function<MemberRecord(JournalContents::Place)> reader_of_pieces(const JournalContents& contents,
-                                                                     const std::filesystem::path& journal) {
-    auto files = std::make_shared<std::map<int, std::pair<std::filesystem::path, Descriptor>>>();
+                                                                     const std::filesystem::path& journal,
+                                                                     const System& system) {
+    auto files = std::make_shared<std::map<int, std::pair<std::filesystem::path, OpenFile>>>();
     for (const JournalContents::Piece& piece : contents.pieces) {
         const std::filesystem::path path = piece_path(journal, piece.number);
-        files->emplace(piece.number, std::pair(path, open_file(path, O_RDONLY)));
+        files->emplace(piece.number, std::pair(path, open_file(path, O_RDONLY, system)));
     }
     return [files](JournalContents::Place place) {
         const auto& [path, file] = files->at(place.piece);
@@ -451,14 +437,10 @@ std::filesystem::path piece_path(const std::filesystem::path& journal, int numbe
     return number == 0 ? journal : std::filesystem::path(fmt::format("{}.{}", journal.string(), number));
 }
 
-std::vector<int> pieces_of(const std::filesystem::path& journal) {
-    namespace fs = std::filesystem;
+std::vector<int> pieces_of(const std::filesystem::path& journal, const System& system) {
     const std::string begin = journal.filename().string() + ".";
     std::vector<int> numbers;
-    std::error_code none;  // a folder that is not there has no pieces
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(journal.has_parent_path() ? journal.parent_path() : fs::path("."), none)) {
-        const std::string name = entry.path().filename().string();
+    for (const std::string& name : system.names_in(folder_of(journal))) {
         if (!name.starts_with(begin)) continue;
         int number = 0;
         const char* const end = name.data() + name.size();
@@ -470,7 +452,7 @@ std::vector<int> pieces_of(const std::filesystem::path& journal) {
     return numbers;
 }
 
-Journal::Journal(std::filesystem::path path, Descriptor file, JournalContents contents)
+Journal::Journal(std::filesystem::path path, OpenFile file, JournalContents contents)
     : path_(std::move(path)), file_(std::move(file)), contents_(std::move(contents)) {}
 
 Journal::~Journal() {
@@ -481,10 +463,11 @@ Journal::~Journal() {
     }
 }
 
-Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing) {
-    Descriptor file = open_file(path, O_RDWR | O_CREAT | O_APPEND);
+Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing,
+                     const System& system) {
+    OpenFile file = open_file(path, O_RDWR | O_CREAT | O_APPEND, system);
     lock_for_writing(file, path);
-    settle_pieces(path, existing);
+    settle_pieces(path, existing, system);
     if (existing != Existing::replace) {
         journal_format::Reading reading = journal_format::read(file, path);
         if (reading.begun) {
@@ -494,7 +477,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
                                 "--overwrite, or choose another output file with -o.",
                                 path.string()));
             truncate_file(file, path, reading.contents.good_bytes);
-            journal_format::read_pieces(path, reading.contents);
+            journal_format::read_pieces(path, reading.contents, system);
             reading.contents.attempts.close_session();  // no other run is active, because we hold the lock
             return {path, std::move(file), std::move(reading.contents)};
         }
@@ -503,18 +486,19 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     truncate_file(file, path, 0);
     write_all(file, path, header);
     sync_data(file, path);
-    sync_folder_of(path);
+    sync_folder_of(path, system);
     JournalContents contents;
     contents.campaign_text = campaign_text;
     contents.good_bytes = header.size();
     contents.first_record = contents.good_bytes;
-    journal_format::read_pieces(path, contents);  // of a journal that was lost
+    journal_format::read_pieces(path, contents, system);  // of a journal that was lost
     return {path, std::move(file), std::move(contents)};
 }
 
-Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing) {
+Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing,
+                     const System& system) {
     const std::string here = write_campaign(campaign);
-    Journal journal = open_journal(path, here, existing);
+    Journal journal = open_journal(path, here, existing, system);
     if (journal.campaign_text() == here) return journal;
     const Campaign there = read_text(journal.campaign_text(), path);
     const bool same_members = fingerprint(there) == fingerprint(campaign);
@@ -570,7 +554,7 @@ void Journal::append(const MemberRecord& record) {
 }
 
 StoredMembers Journal::members() const {
-    return {contents_.members, [this, of_piece = reader_of_pieces(contents_, path_)](std::size_t k) {
+    return {contents_.members, [this, of_piece = reader_of_pieces(contents_, path_, file_.system())](std::size_t k) {
                 const JournalContents::Place place = contents_.places.at(k);
                 return place.piece == 0 ? journal_format::read_member(file_, path_, place) : of_piece(place);
             }};
@@ -591,7 +575,7 @@ void Journal::done_in_piece(const MemberIdentity& member) {
 }
 
 void Journal::take_in_pieces() {
-    journal_format::read_pieces(path_, contents_);
+    journal_format::read_pieces(path_, contents_, file_.system());
 }
 
 void Journal::started(const MemberIdentity& member, int attempt) {
@@ -618,7 +602,7 @@ void Journal::begin_session(const Session& session) {
     contents_.begin(session, at);
     sync();
     Session& begun = contents_.sessions.back();
-    const double ahead = seconds_since_1970() - modified_at(file_, path_);
+    const double ahead = file_.system().seconds_since_1970() - modified_at(file_, path_);
     if (std::abs(ahead) >= least_told_difference) begun.clock_ahead = ahead;
     if (begun.parts == 1 && begun.clock_ahead == 0) return;
     write_record(static_cast<std::uint32_t>(RecordType::session_surroundings), encode_surroundings(begun, ::getpid()));
@@ -626,7 +610,7 @@ void Journal::begin_session(const Session& session) {
 }
 
 void Journal::end_session(const std::string& outcome) {
-    const std::string now = utc_now();
+    const std::string now = utc_now(file_.system());
     contents_.end(now, outcome);
     ByteWriter payload;
     payload.text(now);
@@ -635,17 +619,18 @@ void Journal::end_session(const std::string& outcome) {
     sync();
 }
 
-JournalContents read_journal(const std::filesystem::path& path) {
-    const Descriptor file = open_file(path, O_RDONLY);
+JournalContents read_journal(const std::filesystem::path& path, const System& system) {
+    const OpenFile file = open_file(path, O_RDONLY, system);
     journal_format::Reading reading = journal_format::read(file, path);
     if (!reading.begun) throw InputError(fmt::format("{} is still empty.", path.string()));
-    journal_format::read_pieces(path, reading.contents);
+    journal_format::read_pieces(path, reading.contents, system);
     return std::move(reading.contents);
 }
 
-StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path) {
-    const auto file = std::make_shared<const Descriptor>(open_file(path, O_RDONLY));
-    return {contents.members, [&contents, path, file, of_piece = reader_of_pieces(contents, path)](std::size_t k) {
+StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path, const System& system) {
+    const auto file = std::make_shared<const OpenFile>(open_file(path, O_RDONLY, system));
+    return {contents.members,
+            [&contents, path, file, of_piece = reader_of_pieces(contents, path, system)](std::size_t k) {
                 const JournalContents::Place place = contents.places.at(k);
                 return place.piece == 0 ? journal_format::read_member(*file, path, place) : of_piece(place);
             }};
@@ -655,10 +640,9 @@ Campaign read_stored_campaign(const JournalContents& contents, const std::filesy
     return read_text(contents.campaign_text, path);
 }
 
-bool is_being_written(const std::filesystem::path& path) {
-    const Descriptor file = open_file(path, O_RDONLY);
-    auto lock = whole_file(F_WRLCK);
-    return ::fcntl(file.get(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+bool is_being_written(const std::filesystem::path& path, const System& system) {
+    const OpenFile file = open_file(path, O_RDONLY, system);
+    return system.is_locked(file.get());
 }
 
 }  // namespace floes

@@ -15,6 +15,7 @@
 #include "store/file_calls.hpp"
 #include "store/member_record.hpp"
 #include "store/session.hpp"
+#include "store/system.hpp"
 
 namespace floes {
 
@@ -93,7 +94,7 @@ Bytes header(std::string_view text);
 Bytes record(RecordType type, std::span<const std::byte> payload);
 
 /// The member whose record is at `place`. Throws RunError if it is damaged.
-MemberRecord read_member(const Descriptor& file, const std::filesystem::path& path, JournalContents::Place place);
+MemberRecord read_member(const OpenFile& file, const std::filesystem::path& path, JournalContents::Place place);
 
 /// The contents of a file open for reading, without its pieces. `begun` is false if the file ends inside the header:
 /// its writer was stopped before it kept anything. Throws InputError if the file is not a readable journal.
@@ -101,17 +102,17 @@ struct Reading {
     bool begun = false;
     JournalContents contents;
 };
-Reading read(const Descriptor& file, const std::filesystem::path& path);
+Reading read(const OpenFile& file, const std::filesystem::path& path);
 
 /// Adds the members of the pieces beyond what was read of them. Throws as read() does.
-void read_pieces(const std::filesystem::path& path, JournalContents& contents);
+void read_pieces(const std::filesystem::path& path, JournalContents& contents, const System& system = this_system());
 
 /// Whether what follows the last whole record, read of the file at `path`, is the begin of a record only. A whole one
 /// that is damaged is not.
 bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents);
 
 /// Where the whole records between two offsets of the file are.
-std::vector<JournalContents::Place> records_between(const Descriptor& file, const std::filesystem::path& path,
+std::vector<JournalContents::Place> records_between(const OpenFile& file, const std::filesystem::path& path,
                                                     std::uint64_t from, std::uint64_t to);
 
 }  // namespace floes::journal_format
@@ -169,20 +170,22 @@ class Journal {
     const std::string& campaign_text() const { return contents_.campaign_text; }
     /// How the campaign has grown since the journal was last opened, see differences().
     const std::vector<std::string>& extension() const { return extension_; }
+    /// That has the file.
+    const System& system() const { return file_.system(); }
     /// Damaged bytes inside the journal, which were skipped; the members in them are computed again.
     std::uint64_t damaged_bytes() const { return contents_.damaged_bytes; }
     /// Bytes of the torn tail that were cut off when the journal was opened.
     std::uint64_t cut_bytes() const { return contents_.torn_bytes; }
 
   private:
-    friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing);
-    friend Journal open_journal(const std::filesystem::path&, const Campaign&, Existing);
-    Journal(std::filesystem::path path, Descriptor file, JournalContents contents);
+    friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing, const System&);
+    friend Journal open_journal(const std::filesystem::path&, const Campaign&, Existing, const System&);
+    Journal(std::filesystem::path path, OpenFile file, JournalContents contents);
     void extend(const Campaign& there, const Campaign& here);
     void write_record(std::uint32_t type, std::span<const std::byte> payload);
 
     std::filesystem::path path_;
-    Descriptor file_;
+    OpenFile file_;
     JournalContents contents_;
     std::vector<std::string> extension_;
     Bytes appended_;  ///< not handed over yet: the last of contents_.good_bytes
@@ -195,28 +198,31 @@ std::filesystem::path journal_path(const std::filesystem::path& campaign_file);
 std::filesystem::path piece_path(const std::filesystem::path& journal, int number);
 
 /// The numbers of the pieces that are there, in order.
-std::vector<int> pieces_of(const std::filesystem::path& journal);
+std::vector<int> pieces_of(const std::filesystem::path& journal, const System& system = this_system());
 
 /// Opens for writing. refuse: throws InputError if the journal exists; replace: starts afresh; resume: keeps every
 /// whole record, cuts a torn tail, and starts afresh if there is no journal. Throws InputError if another process is
 /// writing this journal or a piece of it, if it has a newer schema, a damaged header or is not a journal; RunError if
 /// the file system refuses.
-Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing);
+Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing,
+                     const System& system = this_system());
 
 /// As above for a campaign. A campaign that has all members of the journal's campaign and more extends it. Resuming
 /// with any other is refused (InputError), and the error names the keys that differ.
-Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing);
+Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing,
+                     const System& system = this_system());
 
 /// Reads without locking or changing anything, also during a run. Throws as open_journal() does.
-JournalContents read_journal(const std::filesystem::path& path);
+JournalContents read_journal(const std::filesystem::path& path, const System& system = this_system());
 
 /// The members of a journal that was read from `path`; `contents` must outlive them.
-StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path);
+StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path,
+                             const System& system = this_system());
 
 /// The campaign that a journal belongs to. Throws InputError if this program does not accept its configuration.
 Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path);
 
 /// True if a process has the journal open for writing (on file systems with locks).
-bool is_being_written(const std::filesystem::path& path);
+bool is_being_written(const std::filesystem::path& path, const System& system = this_system());
 
 }  // namespace floes

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -90,9 +89,8 @@ std::string host_name() {
     return name.data();
 }
 
-std::string utc_now() {
-    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                       fmt::gmtime(std::chrono::system_clock::to_time_t(std::chrono::system_clock::now())));
+std::string utc_now(const System& system) {
+    return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(static_cast<std::time_t>(system.seconds_since_1970())));
 }
 
 std::string version_of(const Session& session, std::string_view name) {
@@ -101,9 +99,9 @@ std::string version_of(const Session& session, std::string_view name) {
     return {};
 }
 
-Session describe_session(int ranks, int threads, std::span<const Software> others) {
+Session describe_session(int ranks, int threads, std::span<const Software> others, const System& system) {
     Session session;
-    session.started = utc_now();
+    session.started = utc_now(system);
     session.host = host_name();
     session.machine = system_and_processor();
     session.job = batch_job();

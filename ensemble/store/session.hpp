@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/bytes.hpp"
+#include "store/system.hpp"
 
 namespace floes {
 
@@ -79,13 +80,14 @@ struct Session {
 };
 
 /// A session of this process that starts now. `others`: software whose version only the caller knows (MPI).
-Session describe_session(int ranks, int threads, std::span<const Software> others);
+Session describe_session(int ranks, int threads, std::span<const Software> others,
+                         const System& system = this_system());
 
 /// Name of this computer.
 std::string host_name();
 
 /// The present moment, UTC, ISO 8601 to the second.
-std::string utc_now();
+std::string utc_now(const System& system = this_system());
 
 /// The version of the software `name`; empty if there is none.
 std::string version_of(const Session& session, std::string_view name);

@@ -107,7 +107,7 @@ class EditedFile {
     }
 
     std::filesystem::path path_;
-    Descriptor file_;
+    OpenFile file_;
     Bytes whole_;
     std::vector<Stretch> stretches_;
     std::size_t size_ = 0;

@@ -17,9 +17,9 @@ namespace format = floes::journal_format;
 /// The file at path(), in memory.
 class File {
   public:
-    File() : file_(::memfd_create("journal", MFD_CLOEXEC)) {}
+    File() : file_(floes::this_system(), ::memfd_create("journal", MFD_CLOEXEC)) {}
     std::string path() const { return "/proc/self/fd/" + std::to_string(file_.get()); }
-    const floes::Descriptor& descriptor() const { return file_; }
+    const floes::OpenFile& opened() const { return file_; }
     void fill(std::span<const std::byte> bytes) {
         floes::truncate_file(file_, path(), 0);
         ::lseek(file_.get(), 0, SEEK_SET);
@@ -27,7 +27,7 @@ class File {
     }
 
   private:
-    floes::Descriptor file_;
+    floes::OpenFile file_;
 };
 
 void put_crc(std::span<std::byte> with_crc) {
@@ -67,7 +67,7 @@ void require_whole(const File& file, const format::Reading& reading, std::uint64
     require(contents.damaged_bytes <= contents.good_bytes, "more bytes are damaged than there are");
     require(contents.places.size() == contents.members.size(), "a member has no place");
     for (std::size_t k = 0; k < contents.members.size(); ++k) {
-        const auto alone = format::read_member(file.descriptor(), file.path(), contents.places[k]);
+        const auto alone = format::read_member(file.opened(), file.path(), contents.places[k]);
         require(alone.arrangement == contents.members[k].arrangement && alone.attempt == contents.members[k].attempt,
                 "a member alone is another one");
     }
@@ -83,7 +83,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Bytes bytes(given.begin(), given.end());
     if (data[size - 1] % 2 == 1) repair(bytes);
     file.fill(bytes);
-    const auto reading = floes::fuzz::taken([&] { return format::read(file.descriptor(), file.path()); });
+    const auto reading = floes::fuzz::taken([&] { return format::read(file.opened(), file.path()); });
     if (!reading || !reading->begun) return 0;
     require_whole(file, *reading, bytes.size());
     {
