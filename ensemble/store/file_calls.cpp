@@ -74,7 +74,9 @@ void truncate_file(const OpenFile& file, const std::filesystem::path& path, std:
 }
 
 void sync_data(const OpenFile& file, const std::filesystem::path& path) {
-    expect("fdatasync", path, file.system().sync(file.get()));
+    const int result = file.system().sync(file.get());
+    if (result < 0) file.system().forget_cached(file.get());
+    expect("fdatasync", path, result);
 }
 
 bool is_named(const OpenFile& file, const std::filesystem::path& path) {

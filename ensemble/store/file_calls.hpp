@@ -24,7 +24,7 @@ bool read_at(const OpenFile& file, const std::filesystem::path& path, std::uint6
 /// One write(2) for all bytes, and further ones only after a partial write.
 void write_all(const OpenFile& file, const std::filesystem::path& path, std::span<const std::byte> bytes);
 void truncate_file(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size);
-/// fdatasync(2): on return contents and size are on the disk.
+/// fdatasync(2): on return contents and size are on the disk. If it fails, nobody reads what is not.
 void sync_data(const OpenFile& file, const std::filesystem::path& path);
 /// True while `path` still refers to this file.
 bool is_named(const OpenFile& file, const std::filesystem::path& path);

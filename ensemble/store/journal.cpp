@@ -229,6 +229,17 @@ std::optional<Header> read_header(const OpenFile& file, const std::filesystem::p
                   fixed_header_bytes + length + crc_bytes};
 }
 
+/// Whether this is what a power cut left of a header of that text: zeros stand for what had not come to the disk.
+bool is_torn_header(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size,
+                    std::string_view text) {
+    if (size == 0 || size > fixed_header_bytes + text.size() + crc_bytes) return false;
+    const Bytes whole = header(text);
+    Bytes found(size);
+    if (!read_at(file, path, 0, found)) return false;
+    const auto fits = [](std::byte one, std::byte of_whole) { return one == of_whole || one == std::byte{0}; };
+    return found != whole && std::ranges::equal(found, std::span(whole).first(found.size()), fits);
+}
+
 /// Whether so many bytes at the end of a file may be the begin of a record, and no damaged one.
 bool is_begin_of_record(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size) {
     if (size < record_head_bytes + crc_bytes) return true;
@@ -244,6 +255,7 @@ void read_piece(const std::filesystem::path& journal, JournalContents& contents,
     const OpenFile file = open_file(path, O_RDONLY, system);
     const std::uint64_t size = file_size(file, path);
     if (piece.good_bytes == not_begun) {
+        if (is_torn_header(file, path, size, contents.campaign_text)) return;
         const std::optional<Header> header = read_header(file, path, size);
         if (!header) return;
         piece.good_bytes = header->end;
@@ -304,10 +316,11 @@ Bytes record(RecordType type, std::span<const std::byte> payload) {
     return bytes;
 }
 
-Reading read(const OpenFile& file, const std::filesystem::path& path) {
+Reading read(const OpenFile& file, const std::filesystem::path& path, std::string_view text) {
     Reading reading;
     // The size is read once: data that a live writer adds meanwhile is left to the next reader.
     const std::uint64_t size = file_size(file, path);
+    if (is_torn_header(file, path, size, text)) return reading;
     std::optional<Header> header = read_header(file, path, size);
     if (!header) return reading;
     reading.begun = true;
@@ -398,6 +411,14 @@ void settle_pieces(const std::filesystem::path& journal, Existing existing, cons
     for (const int number : numbers) remove_file(piece_path(journal, number), system);
 }
 
+/// What is read of pieces may be in the system's memory only, of writers that were lost.
+void sync_pieces(const std::filesystem::path& journal, const JournalContents& contents, const System& system) {
+    for (const JournalContents::Piece& piece : contents.pieces) {
+        const std::filesystem::path path = piece_path(journal, piece.number);
+        sync_data(open_file(path, O_RDONLY, system), path);
+    }
+}
+
 /// A file system without locks lets both in (docs/campaign_file.md).
 void lock_for_writing(const OpenFile& file, const std::filesystem::path& path) {
     if (file.system().lock(file.get()) == -EAGAIN) refuse_second_writer(path);
@@ -469,7 +490,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     lock_for_writing(file, path);
     settle_pieces(path, existing, system);
     if (existing != Existing::replace) {
-        journal_format::Reading reading = journal_format::read(file, path);
+        journal_format::Reading reading = journal_format::read(file, path, campaign_text);
         if (reading.begun) {
             if (existing == Existing::refuse)
                 throw InputError(
@@ -477,7 +498,9 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
                                 "--overwrite, or choose another output file with -o.",
                                 path.string()));
             truncate_file(file, path, reading.contents.good_bytes);
+            sync_folder_of(path, system);  // the run that made it may have been killed before it did
             journal_format::read_pieces(path, reading.contents, system);
+            sync_pieces(path, reading.contents, system);
             reading.contents.attempts.close_session();  // no other run is active, because we hold the lock
             return {path, std::move(file), std::move(reading.contents)};
         }
@@ -492,6 +515,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     contents.good_bytes = header.size();
     contents.first_record = contents.good_bytes;
     journal_format::read_pieces(path, contents, system);  // of a journal that was lost
+    sync_pieces(path, contents, system);
     return {path, std::move(file), std::move(contents)};
 }
 
@@ -576,6 +600,7 @@ void Journal::done_in_piece(const MemberIdentity& member) {
 
 void Journal::take_in_pieces() {
     journal_format::read_pieces(path_, contents_, file_.system());
+    sync_pieces(path_, contents_, file_.system());
 }
 
 void Journal::started(const MemberIdentity& member, int attempt) {

@@ -96,13 +96,14 @@ Bytes record(RecordType type, std::span<const std::byte> payload);
 /// The member whose record is at `place`. Throws RunError if it is damaged.
 MemberRecord read_member(const OpenFile& file, const std::filesystem::path& path, JournalContents::Place place);
 
-/// The contents of a file open for reading, without its pieces. `begun` is false if the file ends inside the header:
-/// its writer was stopped before it kept anything. Throws InputError if the file is not a readable journal.
+/// The contents of a file open for reading, without its pieces. `begun` is false if the file ends inside the header, or
+/// if a power cut tore the header, of `text` then: its writer was stopped before it kept anything. Throws InputError if
+/// the file is not a readable journal.
 struct Reading {
     bool begun = false;
     JournalContents contents;
 };
-Reading read(const OpenFile& file, const std::filesystem::path& path);
+Reading read(const OpenFile& file, const std::filesystem::path& path, std::string_view text = {});
 
 /// Adds the members of the pieces beyond what was read of them. Throws as read() does.
 void read_pieces(const std::filesystem::path& path, JournalContents& contents, const System& system = this_system());
@@ -146,7 +147,8 @@ class Journal {
     void append(const CalibrationRecord& record);
     /// Notes that the member's record is in a piece. Needs no sync(), because the piece is what is believed.
     void done_in_piece(const MemberIdentity& member);
-    /// Takes in what was appended to pieces since the journal was opened or this was called.
+    /// Takes in what was appended to pieces since the journal was opened or this was called, and syncs them: a writer
+    /// that was lost may not have.
     void take_in_pieces();
     /// Notes that an attempt at the member begins. Needs no sync(): a lost note only costs one more attempt.
     void started(const MemberIdentity& member, int attempt);

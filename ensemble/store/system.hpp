@@ -44,6 +44,9 @@ class System {
     virtual int truncate(int file, std::uint64_t size) const = 0;
     /// fdatasync(2).
     virtual int sync(int file) const = 0;
+    /// Has what is read from now on come from the disk, as far as nothing waits to be written to it:
+    /// posix_fadvise(2). After a sync that failed, the system may read out what is on no disk and will never be.
+    virtual void forget_cached(int file) const = 0;
     /// fsync(2) of a folder: of the names in it.
     virtual int sync_folder(const std::filesystem::path& folder) const = 0;
     virtual int facts(int file, FileFacts& facts) const = 0;
