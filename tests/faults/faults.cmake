@@ -1,3 +1,11 @@
+# Faults from a seed, on a simulated machine: faults/history.hpp.
+floes_test_program(seeds WITH tests SOURCES faults/seeds.cpp faults/history.cpp LIBRARIES floes_run)
+add_test(NAME faults.seeds COMMAND seeds 10000)
+add_test(NAME faults.mutants COMMAND seeds --mutants 10000)
+set_tests_properties(faults.seeds faults.mutants PROPERTIES LABELS default TIMEOUT 300)
+add_test(NAME faults.million_seeds COMMAND seeds 1000000)
+set_tests_properties(faults.million_seeds PROPERTIES LABELS "slow;seeds" TIMEOUT 36000)
+
 # Which process breaks, when and how: tests/faults/matrix.py.
 floes_test_program(faulty WITH all_tests SOURCES faults/main.cpp LIBRARIES floes_run)
 foreach(what members processes writers)

@@ -1,0 +1,106 @@
+// Histories of campaigns on a simulated machine, faults/history.hpp.
+//
+//     seeds [--from SEED] COUNT            exit status 1 if one does not hold; the first twenty are told
+//     seeds --seed SEED [MUTANT]           one, and what happened in it
+//     seeds --mutants COUNT                each driver that is wrong is found out by so many
+//
+// A driver that is wrong: "sync", a sync left out; "rename", a rename before the sync; "append", a count before the
+// append; "folder", the sync of a folder left out.
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "faults/history.hpp"
+
+namespace {
+
+using namespace floes;
+using namespace floes::simulated;
+
+/// The number of the first seed that does not hold, from `from` on; -1 if all hold.
+std::int64_t first_fault(const std::vector<Subject>& subjects, std::int64_t from, std::int64_t count,
+                         const Mutant& mutant, std::string& fault) {
+    for (std::int64_t seed = from; seed < from + count; ++seed) {
+        fault = history(subjects, static_cast<std::uint64_t>(seed), mutant);
+        if (!fault.empty()) return seed;
+    }
+    return -1;
+}
+
+/// Whether a history is told again as it was.
+bool is_replayed(const std::vector<Subject>& subjects, std::int64_t seed) {
+    std::array<std::string, 2> accounts;
+    for (std::string& account : accounts) history(subjects, static_cast<std::uint64_t>(seed), {}, &account);
+    if (accounts[0] != accounts[1]) fmt::print("seed {} is not replayed:\n{}\n{}", seed, accounts[0], accounts[1]);
+    return accounts[0] == accounts[1];
+}
+
+int run(const std::vector<Subject>& subjects, std::int64_t from, std::int64_t count) {
+    constexpr int most_told = 20;
+    const auto begin = std::chrono::steady_clock::now();
+    const std::clock_t begin_of_work = std::clock();
+    int faults = 0;
+    for (std::int64_t seed = from; seed < from + std::min<std::int64_t>(count, 100); ++seed)
+        if (!is_replayed(subjects, seed)) return 1;
+    for (std::int64_t next = from; next < from + count && faults < most_told; ++next) {
+        std::string fault;
+        next = first_fault(subjects, next, from + count - next, {}, fault);
+        if (next < 0) break;
+        fmt::print("seed {}: {}\n", next, fault);
+        std::fflush(stdout);
+        ++faults;
+    }
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    const double work = static_cast<double>(std::clock() - begin_of_work) / CLOCKS_PER_SEC;
+    fmt::print("{} seeds from {} on, {} failed, {:.0f} s, {:.0f} s of the processor\n", count, from,
+               faults == 0 ? "none" : std::to_string(faults), taken.count(), work);
+    return faults == 0 ? 0 : 1;
+}
+
+/// A driver that is wrong, played by the disk.
+const std::vector<std::pair<std::string, Mutant>> mutants{{"sync", {.sync_left_out = true}},
+                                                          {"rename", {.rename_too_early = true}},
+                                                          {"append", {.append_too_late = true}},
+                                                          {"folder", {.folder_not_synced = true}}};
+
+int find_mutants(const std::vector<Subject>& subjects, std::int64_t count) {
+    int missed = 0;
+    for (const auto& [name, mutant] : mutants) {
+        std::string fault;
+        const std::int64_t seed = first_fault(subjects, 0, count, mutant, fault);
+        if (seed >= 0) fmt::print("{}: found by seed {}: {}\n", name, seed, fault);
+        if (seed < 0) fmt::print("{}: not found by {} seeds\n", name, count);
+        missed += seed < 0 ? 1 : 0;
+    }
+    return missed;
+}
+
+int tell(const std::vector<Subject>& subjects, const std::string& seed, const std::string& name) {
+    const auto of_that_name = std::ranges::find(mutants, name, &std::pair<std::string, Mutant>::first);
+    std::string account;
+    const std::string fault =
+        history(subjects, std::stoull(seed), of_that_name == mutants.end() ? Mutant{} : of_that_name->second, &account);
+    fmt::print("{}{}\n", account, fault.empty() ? "all holds" : fault);
+    return fault.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const std::vector<Subject> subjects = make_subjects();
+    if (words.size() == 2 && words[0] == "--mutants") return find_mutants(subjects, std::stoll(words[1]));
+    if (words.size() >= 2 && words[0] == "--seed") return tell(subjects, words[1], words.size() > 2 ? words[2] : "");
+    if (words.size() == 3 && words[0] == "--from") return run(subjects, std::stoll(words[1]), std::stoll(words[2]));
+    if (words.size() == 1) return run(subjects, 0, std::stoll(words[0]));
+    fmt::print(stderr, "seeds [--from SEED] COUNT | --seed SEED [MUTANT] | --mutants COUNT\n");
+    return 2;
+}
