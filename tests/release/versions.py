@@ -18,6 +18,7 @@ PLACES = [
     ("python/floes_reader/__init__.py", r'^__version__ = "([^"]+)"  # of floes$'),
     ("README.md", r"floes_([0-9.]+)_amd64\.deb"),
     ("docs/start.md", r"floes_([0-9.]+)_amd64\.deb"),
+    ("docs/start.md", r"spack dev-build floes@([0-9.]+) "),
 ]
 
 
