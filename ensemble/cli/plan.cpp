@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <iostream>
@@ -268,6 +269,13 @@ std::string merge_words(const fs::path& output) {
     return fmt::format("floes merge {}.part*.h5 -o {}", shell_word(stem), shell_word(output.string()));
 }
 
+/// What starts this program in a job: its file or, where a loader that came along has started it, the script that did
+/// so and by whose name it goes (packaging/bundled-floes).
+fs::path program_of_jobs() {
+    const fs::path file = fs::read_symlink("/proc/self/exe");
+    return file.filename().string().starts_with("ld-linux") ? fs::absolute(program_invocation_name) : file;
+}
+
 std::string script_of(const ArrayOptions& options, const Division& division, const fs::path& output,
                       const std::string& name) {
     const std::string stem = fs::path(output).replace_extension("").string();
@@ -289,7 +297,7 @@ std::string script_of(const ArrayOptions& options, const Division& division, con
         {"@NAME@", "floes-" + plain(fs::path(stem).filename().string())},
         {"@LOG@", plain(fs::path(stem).filename().string())},
         {"@SCRIPT@", shell_word(name)},
-        {"@PROGRAM@", shell_word(fs::read_symlink("/proc/self/exe").string())},
+        {"@PROGRAM@", shell_word(program_of_jobs().string())},
         {"@CONFIG@", shell_word(options.config)},
         {"@STEM@", shell_word(stem)},
         {"@OPTIONS@", options_of(options)},

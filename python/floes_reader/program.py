@@ -1,11 +1,13 @@
-"""The program floes: which one it is, what it is asked, and what it refuses. It is $FLOES, `floes` on the PATH, or the
-launcher of the clone that this package stands in, which is never made to build: a call from Python answers at once."""
+"""The program floes: which one it is, what it is asked, and what it refuses. It is $FLOES, the one that pip installed
+with this package, `floes` on the PATH, or the launcher of the clone that this package stands in, which is never made to
+build: a call from Python answers at once."""
 
 import json
 import os
 import pathlib
 import shutil
 import subprocess
+import sysconfig
 from typing import Any
 
 from .stored import CampaignError
@@ -44,7 +46,8 @@ def executable() -> str:
     if named and shutil.which(named) is None:
         raise CampaignError(f"The variable FLOES names {named}, which is no program.")
     launcher = pathlib.Path(__file__).parents[2] / "floes"
-    found = named or shutil.which("floes") or (str(launcher) if launcher.is_file() else None)
+    found = (named or shutil.which("floes", path=sysconfig.get_path("scripts")) or shutil.which("floes")
+             or (str(launcher) if launcher.is_file() else None))
     if found is None:
         raise CampaignError("There is no program floes on the PATH; install it, or name it by the variable FLOES.")
     return found

@@ -80,7 +80,7 @@ else
     [[ -e $STAGE/slow_build ]] && sleep 0.5
     while [[ -e $STAGE/endless_build ]]; do sleep 0.05; done
     rm "$STAGE/in_build"
-    if [[ $* == *"--target package" ]]; then touch "$2/floes_1.1.0_amd64.deb" "$2/floes-1.1.0-Linux.tar.gz"; exit; fi
+    if [[ $* == *"--target package" ]]; then touch "$2/floes_1.1.0_amd64.deb" "$2/floes-1.1.0-Linux.tar.gz" "$2/floes-1.1.0-py3.whl"; exit; fi
     if [[ -e $STAGE/broken_build ]]; then echo "no such header"; exit 1; fi
     cat >"$2/floes" <<'PROGRAM'
 #!/bin/bash
@@ -282,9 +282,10 @@ launch package
 check_has "packages need their packages, and those of the site" "missing: theta zeta" "$err"
 printf 'theta\nzeta\n' >>"$stage/installed"
 launch status c.h5  # builds
-touch "$home/build/release/floes_1.0.0_amd64.deb" "$home/build/release/floes-1.0.0-Linux.tar.gz"
+touch "$home/build/release/floes_1.0.0_amd64.deb" "$home/build/release/floes-1.0.0-Linux.tar.gz" "$home/build/release/floes-1.0.0-py3.whl"
 launch package
 check "their names" "$home/build/release/floes_1.1.0_amd64.deb
+$home/build/release/floes-1.1.0-py3.whl
 $home/build/release/floes-1.1.0-Linux.tar.gz" "$out"
 check_has "packages" "cmake --build $home/build/release --target all
 site

@@ -21,8 +21,10 @@ if(TARGET floes)
       COMMAND /usr/bin/python3 ${release_tests}/pages.py $<TARGET_FILE:floes> ${PROJECT_BINARY_DIR}/manual --shells)
     floes_release_test(install LABELS all TIMEOUT 120
       COMMAND bash ${release_tests}/install.sh ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+    floes_release_test(wheel LABELS all TIMEOUT 600
+      COMMAND bash ${release_tests}/wheel.sh ${PROJECT_BINARY_DIR} $<TARGET_FILE:floes>)
     floes_release_test(scripts LABELS all TIMEOUT 60
-      COMMAND shellcheck -x install.sh debian_root.sh old_processor.sh
+      COMMAND shellcheck -x install.sh wheel.sh debian_root.sh old_processor.sh
               ${PROJECT_SOURCE_DIR}/packaging/clusters/pbs/campaign.pbs
               ${PROJECT_SOURCE_DIR}/packaging/clusters/lsf/campaign.lsf)
     set_tests_properties(release.scripts PROPERTIES WORKING_DIRECTORY ${release_tests})
