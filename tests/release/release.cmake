@@ -29,7 +29,7 @@ if(TARGET floes)
               ${PROJECT_SOURCE_DIR}/packaging/clusters/lsf/campaign.lsf)
     set_tests_properties(release.scripts PROPERTIES WORKING_DIRECTORY ${release_tests})
     floes_release_test(debian_root LABELS slow TIMEOUT 1800
-      COMMAND bash ${release_tests}/debian_root.sh ${PROJECT_BINARY_DIR} $<TARGET_FILE:floes>)
+      COMMAND bash ${release_tests}/debian_root.sh ${PROJECT_BINARY_DIR} $<TARGET_FILE:floes> ${PROJECT_SOURCE_DIR})
   endif()
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_BUILD_TYPE STREQUAL "Release")
     floes_release_test(old_processor LABELS slow TIMEOUT 300
