@@ -120,8 +120,8 @@ def main():
 
     load = os.getloadavg()[0]
     answers, shares = default_scenes(os.path.join(options.folder, "floes_default"), options.rounds)
-    tables["default"] = (f"{default_table(answers)}\n{shares_table(shares)}\n"
-                         f"{options.rounds} rounds of {STEPS} steps; {machine(load)}.\n")
+    tables["default"] = f"{default_table(answers)}\n{options.rounds} rounds of {STEPS} steps; {machine(load)}.\n"
+    print(shares_table(shares))
 
     load = os.getloadavg()[0]
     program = os.path.join(options.folder, "floes_bench")

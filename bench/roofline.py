@@ -3,7 +3,7 @@
 
     bench/roofline.py build/release/bench [--rounds 3] [--docs docs/performance.md]
 
---docs puts the tables into that file, between their marks. Medians over the rounds.
+--docs puts that of sizes into that file, between its marks. Medians over the rounds.
 """
 
 import json
@@ -76,7 +76,7 @@ def main():
               "sizes": sizes_table(os.path.join(options.folder, "floes_bench"), options.rounds)}
     for name, text in tables.items():
         print(text)
-        if options.docs:
+        if options.docs and name == "sizes":
             paired.put_between_marks(options.docs, "\n" + text, (f"<!-- {name} -->", "<!-- end -->"))
 
 

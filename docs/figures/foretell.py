@@ -1,15 +1,15 @@
 #!/usr/bin/python3
-"""Tables of docs/year.md: does a load foretell a larger one, from the histories of campaign files; and the coverage.
+"""Does a load foretell a larger one, from the histories of campaign files (docs/decisions.md); and the coverage in docs/year.md.
 
 Of each member, every 5 s of its window: the mean load of the last 1, 5 and 10 s, and the largest 1 s average of the 15 s
 that begin 0, 2, 5 and 10 s later. Their rank correlation (Spearman) is over all members of a case together, as a score
 that decides which run is to be continued would be; its 95 % interval is by bootstrap over members (1000, percentiles).
 
 Usage:
-    foretell.py                          writes the tables
-    foretell.py --check                  writes nothing; fails if a table differs from the data
-    foretell.py --collect NAME FILE      first takes the cases of a campaign file; NAME is what the table calls them
-    foretell.py --show FILE ...          only prints the correlations of the campaign files
+    foretell.py                          writes the table of the coverage
+    foretell.py --check                  writes nothing; fails if it differs from the data
+    foretell.py --collect NAME FILE      takes the correlations of a campaign file's cases into docs/year/foretell.csv
+    foretell.py --show FILE ...          only prints those of the campaign files
 """
 import pathlib
 import sys
@@ -85,14 +85,6 @@ def correlations(path, name):
     return pd.DataFrame(rows, columns=columns)
 
 
-def page_table():
-    lines = []
-    for (campaign, case, past), rows in pd.read_csv(DATA).groupby(["campaign", "case", "past_s"], sort=False):
-        cells = [f"{row.correlation:+.2f} ({row.low:+.2f} to {row.high:+.2f})" for row in rows.itertuples()]
-        lines.append([f"{campaign}, {case}", f"{rows.members.iloc[0]}", f"{past} s", *cells])
-    return table(["campaign, case", "members", "mean of the last", *[f"{later} s later" for later in LATER]], lines)
-
-
 def main(words):
     if words[:1] == ["--show"]:
         for path in words[1:]:
@@ -106,7 +98,7 @@ def main(words):
         new.to_csv(DATA, index=False, float_format="%.4f")
     elif words not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "year.md": {"foretell": page_table, "coverage": coverage_table}}, words == ["--check"],
+    fill_or_check({DOCS / "year.md": {"coverage": coverage_table}}, words == ["--check"],
                   pathlib.Path(__file__).name)
 
 
