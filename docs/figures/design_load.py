@@ -80,7 +80,7 @@ def pair_coverage():
                   "width / load of a case", "Student's"],
                  [[one.pairs, str(one.n), whole(one.none_met_percent), whole(one.within_percent),
                    whole(one.student_within_percent), f"{one.width:.2f}", f"{one.student_width:.2f}"]
-                  for one in pd.read_csv(DATA / "coverage_pairs.csv").itertuples()])
+                  for one in pd.read_csv(DATA / "coverage_pairs.csv").query("n == 20 or n == 50").itertuples()])
 
 
 def stop_coverage():
