@@ -19,7 +19,7 @@ namespace floes {
 // inwards is cut until no point is deeper than 1/500 of the body's size, or there are as many pieces as wanted. So
 // pieces fill hollows less deep than that, never less than the body.
 //
-// Bullet's HACD was tried instead (docs/structures.md): it divides the surface and not the body, and left one hollow.
+// Bullet's HACD was tried instead (docs/decisions.md): it divides the surface and not the body, and left one hollow.
 
 struct ConvexPiece {
     Polyhedron body;

@@ -19,7 +19,7 @@ namespace floes {
 
 namespace {
 
-// The rules in numbers; docs/field.md says where they come from.
+// The rules of docs/field.md in numbers.
 constexpr double floes_before = 0.5;    // between the bow and the field's edge
 constexpr double floes_of_entry = 2;    // behind the stern before it is steady
 constexpr double periods_of_entry = 5;  // likewise
