@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Does a load foretell a larger one, from the histories of campaign files (docs/decisions.md); and the coverage in docs/year.md.
+"""Does a load foretell a larger one, from histories of campaign files (docs/decisions.md)? And the coverage of docs/year.md.
 
 Of each member, every 5 s of its window: the mean load of the last 1, 5 and 10 s, and the largest 1 s average of the 15 s
 that begin 0, 2, 5 and 10 s later. Their rank correlation (Spearman) is over all members of a case together, as a score
