@@ -14,7 +14,7 @@ import tempfile
 
 import all as paired
 
-FLOES = (50, 100, 189, 500, 1000, 2000, 5000, 10000, 20000)
+FLOES = (50, 189, 500, 1000, 5000, 20000)
 READS = ("24 KiB", "512 KiB", "4096 KiB", "262144 KiB")
 
 
