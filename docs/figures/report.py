@@ -16,13 +16,8 @@ PICTURES = {
     "answer": ["The answer"],
     "worst": ["The worst moment"],
     "loads": ["Loads"],
-    "run": ["What was run"],
-    "differences": ["Do the cases differ?"],
     "design": ["Design load"],
     "where": ["Where the load acts", "Where floes fail"],
-    "extremes": ["Load over time", "Extremes"],
-    "convergence": ["Uncertainty of the mean", "Broken floes", "The arrangement with the largest load"],
-    "formulas": ["Elastic modulus and closed formulas"],
 }
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "report"
 
