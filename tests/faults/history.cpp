@@ -561,7 +561,8 @@ RunOptions Session::options(int writers) {
 void Session::plan_faults() {
     Dice& dice = world.dice;
     Plan& plan = master.plan;
-    const int calls = dice.one_in(2) ? 60 : 300;  // of a session; most are made when it begins
+    constexpr std::array begins{15, 60, 300};  // most calls of a session are made when it begins
+    const int calls = begins[static_cast<std::size_t>(dice.below(3))];
     master.clock_ahead = dice.one_in(4) ? 1e8 * dice.between(-3, 3) : 0;
     switch (dice.below(8)) {
         case 0:
