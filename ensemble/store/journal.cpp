@@ -498,7 +498,9 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
                                 "--overwrite, or choose another output file with -o.",
                                 path.string()));
             truncate_file(file, path, reading.contents.good_bytes);
-            sync_folder_of(path, system);  // the run that made it may have been killed before it did
+            // The run that made it may have been killed before it did; no record is to stand behind a torn header.
+            sync_data(file, path);
+            sync_folder_of(path, system);
             journal_format::read_pieces(path, reading.contents, system);
             sync_pieces(path, reading.contents, system);
             reading.contents.attempts.close_session();  // no other run is active, because we hold the lock

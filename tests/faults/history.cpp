@@ -540,21 +540,22 @@ MemberFunction Session::compute() {
 }
 
 RunOptions Session::options(int writers) {
-    RunOptions made{.places = {.campaign_file = campaign_file,
-                               .existing = existing_,
-                               .publish_every = std::chrono::seconds(world.dice.between(0, 2)),
-                               .system = master,
-                               .content =
-                                   [this](const fs::path& path, const Campaign&, const StoredMembers& members,
-                                          std::span<const floes::Session>, std::span<const CalibrationRecord>) {
-                                       write_text(master, path, world.subject, members);
-                                   }},
-                    .threads = threads_,
-                    .writers = writers,
-                    .resume_command = "the same",
-                    .patience = patience,
-                    .saves_every = saves_ ? 1.0 : 0.0,
-                    .cores = {&cores_, 0}};
+    RunOptions made{
+        .places = {.campaign_file = campaign_file,
+                   .existing = existing_,
+                   .publish_every = std::chrono::seconds(world.dice.one_in(2) ? 60 : world.dice.between(0, 2)),
+                   .system = master,
+                   .content =
+                       [this](const fs::path& path, const Campaign&, const StoredMembers& members,
+                              std::span<const floes::Session>, std::span<const CalibrationRecord>) {
+                           write_text(master, path, world.subject, members);
+                       }},
+        .threads = threads_,
+        .writers = writers,
+        .resume_command = "the same",
+        .patience = patience,
+        .saves_every = saves_ ? 1.0 : 0.0,
+        .cores = {&cores_, 0}};
     return made;
 }
 
@@ -762,7 +763,8 @@ void World::check_kept() {
                                      : "done, after the end of the process"));
     if (is_there(campaign_file, reader) && !is_whole(text_of(reader, campaign_file)))
         fault(was_cut ? "half a campaign file is left after a power cut" : "half a campaign file is left");
-    if (was_cut || was_lost) most_told_ = promised_ = std::min(kept, most_told_);
+    if (was_cut || was_lost) most_told_ = std::min(kept, most_told_);
+    if (was_cut) promised_ = most_told_;
     was_cut = false;
 }
 

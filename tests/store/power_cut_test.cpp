@@ -81,6 +81,24 @@ TEST(PowerCut, LeavesNoHeaderThatHasToBeRemovedByHand) {
     });
 }
 
+TEST(PowerCut, LeavesNoRecordBehindATornHeader) {
+    with_every_draw([](Machine& machine) {
+        Process killed(machine.disk, machine.time, machine.dice);
+        killed.plan.dies = calls_to_begin() - 1;  // the sync of the header
+        EXPECT_THROW(machine.open(killed), RunError);
+        Process next(machine.disk, machine.time, machine.dice);
+        {
+            Journal journal = machine.open(next);
+            journal.append(small_record(0));
+            journal.hand_over();
+        }
+        machine.disk.sync_names();
+        machine.disk.power_cut();
+        const Process process(machine.disk, machine.time, machine.dice);
+        EXPECT_EQ(machine.open(process).campaign_text(), text);
+    });
+}
+
 TEST(PowerCut, TakesNothingOfPiecesWhoseWritersWereLost) {
     with_every_draw([](Machine& machine) {
         Process master(machine.disk, machine.time, machine.dice);
