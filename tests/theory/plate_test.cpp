@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 
 #include "core/error.hpp"
 #include "theory/plate.hpp"
@@ -72,6 +73,112 @@ TEST(FloatingCantilever, ReadsMoreThanTheStrength) {
 
 TEST(Cantilever, NominalStrengthIsSixPLOverBHSquared) {
     EXPECT_DOUBLE_EQ(nominal_flexural_strength(2.0, 0.5, 0.2, 0.1), 6 * 2.0 * 0.5 / (0.2 * 0.01));
+}
+
+// A beam on water without thrust under a load at its end (Hetényi 1946): the largest moment V/λ exp(-π/4) sin(π/4) lies
+// π/4 λ from it, and the end rises by 2 V λ/k, λ = (k/(4 D))^(1/4).
+TEST(LiftedEdge, WithoutThrustIsHetenyis) {
+    const FloatingPlate plate{0.05};
+    const double modulus = 107e6;
+    const double strength = 44e3;
+    const double lambda = std::pow(plate.foundation() / (4 * plate.flexural_rigidity(modulus)), 0.25);
+    const LiftedEdge edge = lifted_edge(plate, modulus, strength, 0, plate.thickness / 2);
+    const double largest = std::exp(-std::numbers::pi / 4) * std::sqrt(0.5) / lambda;
+    EXPECT_NEAR(edge.vertical, strength * plate.thickness * plate.thickness / 6 / largest, 1e-6);
+    EXPECT_EQ(edge.horizontal, 0);
+    EXPECT_NEAR(edge.distance, std::numbers::pi / 4 / lambda, 1e-9);
+    EXPECT_NEAR(edge.lift, 2 * edge.vertical * lambda / plate.foundation(), 1e-9);
+}
+
+/// Finite differences of D w⁗ + H w″ + k w = 0 on 12 characteristic lengths, the far end clamped: the load at which
+/// the lower fibre has the strength, by one solution, since it is linear in V for a thrust that is given.
+double vertical_by_differences(const FloatingPlate& plate, double modulus, double strength, double thrust,
+                               double end_moment) {
+    constexpr int n = 600;
+    const double d = plate.flexural_rigidity(modulus);
+    const double step = 12 * plate.characteristic_length(modulus) / n;
+    // Nodes -2 to n, of which the two behind the edge are for its conditions; the last two are 0.
+    const int size = n + 1;
+    const auto solve = [&](double vertical, double moment) {
+        Eigen::MatrixXd a = Eigen::MatrixXd::Zero(size, size);
+        Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
+        const auto put = [&](int row, int node, double value) {
+            if (node + 2 < size) a(row, node + 2) += value;
+        };
+        const double fourth = d / std::pow(step, 4);
+        for (int i = 0; i < n - 1; ++i) {
+            for (const auto& [k, c] : {std::pair(-2, 1.0), {-1, -4.0}, {0, 6.0}, {1, -4.0}, {2, 1.0}})
+                put(i + 2, i + k, fourth * c);
+            for (const auto& [k, c] : {std::pair(-1, 1.0), {0, -2.0}, {1, 1.0}})
+                put(i + 2, i + k, thrust / (step * step) * c);
+            put(i + 2, i, plate.foundation());
+        }
+        for (const auto& [k, c] : {std::pair(-1, 1.0), {0, -2.0}, {1, 1.0}}) put(0, k, d / (step * step) * c);
+        b(0) = -moment;
+        for (const auto& [k, c] : {std::pair(-2, -0.5), {-1, 1.0}, {1, -1.0}, {2, 0.5}})
+            put(1, k, d / std::pow(step, 3) * c);
+        put(1, 1, thrust / (2 * step));
+        put(1, -1, -thrust / (2 * step));
+        b(1) = vertical;
+        const Eigen::VectorXd w = a.partialPivLu().solve(b);
+        Eigen::VectorXd bending(n - 2);
+        for (int i = 0; i < n - 2; ++i) bending(i) = d * (w(i + 1) - 2 * w(i + 2) + w(i + 3)) / (step * step);
+        return bending;
+    };
+    const Eigen::VectorXd by_load = solve(1, 0);
+    const Eigen::VectorXd by_moment = solve(0, end_moment);
+    const double t = plate.thickness;
+    double low = 0;
+    double high = 1e4;
+    for (int i = 0; i < 60; ++i) {
+        const double v = (low + high) / 2;
+        const double stress = 6 * (v * by_load + by_moment).maxCoeff() / (t * t) - thrust / t;
+        (stress < strength ? low : high) = v;
+    }
+    return high;
+}
+
+TEST(LiftedEdge, WithThrustAndLeverIsThatOfFiniteDifferences) {
+    const FloatingPlate plate{0.033};
+    for (const double ratio : {0.5, 1.5, 3.0}) {
+        const LiftedEdge edge = lifted_edge(plate, 60e6, 36.4e3, ratio, plate.thickness / 2);
+        EXPECT_NEAR(
+            vertical_by_differences(plate, 60e6, 36.4e3, edge.horizontal, edge.horizontal * plate.thickness / 2) /
+                edge.vertical,
+            1, 2e-3)
+            << ratio;
+    }
+}
+
+TEST(LiftedEdge, HasTheHeightsOfItsEquation) {
+    const FloatingPlate plate{0.033};
+    const double e = plate.thickness / 2;
+    const LiftedEdge edge = lifted_edge(plate, 60e6, 36.4e3, 1.5, e);
+    const auto w = [&](double x) { return height_of_edge(plate, 60e6, {edge.vertical, edge.horizontal, e}, x); };
+    EXPECT_NEAR(w(0), edge.lift, 1e-12);
+    EXPECT_NEAR(w(10), 0, 1e-8) << "27 characteristic lengths";
+    const double d = plate.flexural_rigidity(60e6);
+    constexpr double h = 0.005;
+    for (const double x : {0.2, 0.5, 1.0}) {
+        const double second = (w(x - h) - 2 * w(x) + w(x + h)) / (h * h);
+        const double fourth = (w(x - 2 * h) - 4 * w(x - h) + 6 * w(x) - 4 * w(x + h) + w(x + 2 * h)) / std::pow(h, 4);
+        EXPECT_NEAR(d * fourth + edge.horizontal * second, -plate.foundation() * w(x),
+                    1e-3 * plate.foundation() * w(0));
+    }
+    EXPECT_THROW(height_of_edge(plate, 60e6, {0, buckling_thrust(plate, 60e6), e}, 0), InputError);
+}
+
+TEST(LiftedEdge, BucklesUnderTheThrustOfASteepWall) {
+    const FloatingPlate plate{0.033};
+    EXPECT_NEAR(buckling_thrust(plate, 60e6), std::sqrt(plate.foundation() * plate.flexural_rigidity(60e6)), 1e-9);
+    EXPECT_NO_THROW(lifted_edge(plate, 60e6, 36.4e3, 3, plate.thickness / 2));
+    EXPECT_THROW(lifted_edge(plate, 60e6, 1e12, 3, plate.thickness / 2), InputError) << "ice that does not crack";
+}
+
+TEST(PushOverLift, IsThatOfIceThatSlidesUp) {
+    EXPECT_NEAR(push_over_lift(std::numbers::pi / 4, 0), 1, 1e-12);
+    EXPECT_NEAR(push_over_lift(std::numbers::pi / 4, 0.2), 1.5, 1e-12);
+    EXPECT_THROW(push_over_lift(std::numbers::pi / 4, 1.01), InputError);
 }
 
 }  // namespace plate_test
