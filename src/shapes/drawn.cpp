@@ -31,7 +31,7 @@ Outline voronoi_cell(const WaterArea& area, Corners by_x, std::size_t point) {
         if (distance > 2 * reach || !(distance > 0)) return;
         const Corner normal = (1 / distance) * apart;
         const Outline left = clipped(cell, {normal, dot(normal, own) + 0.5 * distance});
-        if (left.empty()) return;
+        if (left.empty() || left == cell) return;
         cell = left;
         reach = reach_of(in_axes(cell, own, {1, 0}));
     };

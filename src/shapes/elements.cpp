@@ -345,15 +345,35 @@ CutElement element_of(const Outline& corners, Corners outline, double exact) {
     return element;
 }
 
+/// Sides along the axes.
+struct CellBox {
+    Corner low, high;
+
+    explicit CellBox(Corners of) : low(of[0]), high(of[0]) {
+        for (const Corner& one : of) {
+            low = {std::min(low.x, one.x), std::min(low.z, one.z)};
+            high = {std::max(high.x, one.x), std::max(high.z, one.z)};
+        }
+    }
+
+    bool is_apart_from(const CellBox& other, double gap) const {
+        return low.x > other.high.x + gap || other.low.x > high.x + gap || low.z > other.high.z + gap ||
+               other.low.z > high.z + gap;
+    }
+};
+
 }  // namespace
 
 CutFloe cut_into_cells(Corners outline, double side, std::uint32_t pattern) {
     const Cutter cutter(outline, side);
     const std::vector<Outline> pieces = cutter.pieces(pattern);
     CutFloe floe;
+    std::vector<CellBox> boxes;
+    for (const Outline& one : pieces) boxes.emplace_back(one);
     for (const Outline& one : pieces) floe.elements.push_back(element_of(one, outline, cutter.exact()));
     for (std::size_t a = 0; a < pieces.size(); ++a)
         for (std::size_t b = a + 1; b < pieces.size(); ++b) {
+            if (boxes[a].is_apart_from(boxes[b], 2 * cutter.exact())) continue;  // most are, and sharing edges costs
             const Shared common = shared(pieces[a], pieces[b], cutter.exact());
             if (!(common.length > cutter.shortest_joint())) continue;
             const Corner& from = floe.elements[a].centre;
