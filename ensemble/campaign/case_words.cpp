@@ -150,6 +150,9 @@ Words property_words(const FloeSet& floes, const char* name, const char* unit, d
 }
 
 Words ice_words(const Scenario& scenario, std::uint64_t seed) {
+    if (scenario.spread.length > 0)
+        return Words::of("the ice varies within the sheet, over a correlation length of {:.4g} m",
+                         scenario.spread.length);
     const FloeSet floes = floes_of(scenario, {seed, 0});
     std::vector<Words> words{
         property_words(floes, "thickness", "m", unit::one, [](auto& shape, auto&) { return shape.thickness; }),
@@ -269,6 +272,8 @@ const char* placing_words(ArrangementMethod method) {
             return "as given in a file";
         case ArrangementMethod::traced:
             return "as traced";
+        case ArrangementMethod::level:
+            return "as one sheet";
         case ArrangementMethod::scattered:
             break;
     }

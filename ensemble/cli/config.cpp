@@ -30,10 +30,11 @@ struct Kind {
     const char* words;
 };
 
-constexpr std::array<Kind, 5> kinds{{
+constexpr std::array<Kind, 6> kinds{{
     {"--full-scale", "full_scale.toml", "A floater of 70 m in floes of 20 m, instead of model ice"},
     {"--moored", "moored.toml", "A moored hull that floats among floes of mixed shapes, at full scale"},
     {"--turret", "turret.toml", "A turret ship that swings with the drift, in floes of two sizes, at full scale"},
+    {"--level", "level.toml", "A cone in level ice: one sheet that breaks, instead of floes"},
     {"--design", "design.toml", "A design over two keys: how the load depends on them"},
     {"--paper", "paper.toml", "The paper's Table 3, with few arrangements"},
 }};

@@ -96,6 +96,7 @@ std::vector<PlanarPose> find_poses(const Scenario& scenario, const FloeSet& floe
     switch (scenario.arrangement.method) {
         case ArrangementMethod::file:
         case ArrangementMethod::traced:
+        case ArrangementMethod::level:
             return floes.poses();
         case ArrangementMethod::lattice:
             return lattice(scenario, rectangles(floes), RandomStream(seed, number, StreamId::lattice_jitter, geometry));

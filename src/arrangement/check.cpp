@@ -178,6 +178,7 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
     if (poses.size() != static_cast<std::size_t>(field.floes)) {
         return Fault{fmt::format("the arrangement has {} floes where the field has {}", poses.size(), field.floes)};
     }
+    if (scenario.arrangement.level()) return std::nullopt;  // check_level() has looked at it
     const double concentration = covered_area(floes) / ((scenario.field_end() - field.begin) * 2 * field.half_width);
     const double exact = scenario.shapes.any() ? tidied_area : area_rounding;
     if (!(std::abs(concentration - field.concentration) <= exact * field.concentration)) {

@@ -31,6 +31,7 @@ enum class StreamId : std::uint32_t {
     ice_salinity = 14,
     ice_temperature = 15,
     weakened_ice = 16,  ///< which floes are weaker than the others
+    level_ice = 17,     ///< waves of the random fields within level ice
     voronoi = 20,       ///< points whose Voronoi cells are floes
     polygons = 21,      ///< corners of single floes
     elements = 22,      ///< points whose Voronoi cells are the elements of a floe

@@ -15,6 +15,7 @@
 #include "core/turn.hpp"
 #include "core/vector.hpp"
 #include "ice/joint_stress.hpp"
+#include "scenario/varied_ice.hpp"
 
 namespace floes {
 
@@ -85,8 +86,11 @@ Vec3 flat(const Corner& point) {
 /// Of the joints, by number.
 std::vector<JointStrength> strength_of(const SingleFloe& floe, const CutFloe& cut) {
     std::vector<JointStrength> found;
-    for (const CutJoint& joint : cut.joints)
-        found.push_back(joint_strength(floe.shape, floe.material, joint.length, joint.span));
+    PlacedIce ice(floe);
+    for (const CutJoint& joint : cut.joints) {
+        const SingleFloe& here = ice.at(joint.pivot);
+        found.push_back(joint_strength(here.shape, here.material, joint.length, joint.span));
+    }
     return found;
 }
 
@@ -131,19 +135,69 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                  shape.thickness, material.ice.poisson_ratio, crushing});
     }
     sheet.strength = floes::strength_of(floe, *cut);
+    PlacedIce ice(floe);
     for (std::size_t number = 0; number < cut->joints.size(); ++number) {
         const CutJoint& joint = cut->joints[number];
-        const std::size_t at = put_joint(world, {.a = elements_[first + static_cast<std::size_t>(joint.a)].body,
-                                                 .b = elements_[first + static_cast<std::size_t>(joint.b)].body,
-                                                 .pivot = middle + yaw * flat(joint.pivot),
-                                                 .frame = yaw * turned_to(joint.normal),
-                                                 .cfm = material.joint.cfm,
-                                                 .erp = material.joint.erp,
-                                                 .spring = joint_spring(shape, material, joint.length, joint.span)});
+        const SingleFloe& here = ice.at(joint.pivot);
+        const std::size_t at =
+            put_joint(world, {.a = elements_[first + static_cast<std::size_t>(joint.a)].body,
+                              .b = elements_[first + static_cast<std::size_t>(joint.b)].body,
+                              .pivot = middle + yaw * flat(joint.pivot),
+                              .frame = yaw * turned_to(joint.normal),
+                              .cfm = material.joint.cfm,
+                              .erp = material.joint.erp,
+                              .spring = joint_spring(here.shape, here.material, joint.length, joint.span)});
         sheet.joints.push_back(at);
         joints_.push_back({joint_ids_[at], static_cast<int>(place), static_cast<int>(number), joint.a, joint.b, at});
         if (stress_) feel(joints_.back(), first);
     }
+}
+
+void IceField::hold_edge(World& world, const SingleFloe& floe, int place, BodyId support, const Vec3& outwards) {
+    const Sheet& sheet = floes_[static_cast<std::size_t>(place)];
+    const Turn half = turn_of(0.5 * floe.pose.yaw);
+    const Quat yaw(half.cos, 0, half.sin, 0);
+    const Vec3 to_floe = yaw.conjugate() * outwards;
+    const Corner normal{to_floe.x(), to_floe.z()};
+    const auto reach = [&](const Corner& at) { return at.x * normal.x + at.z * normal.z; };
+    double edge = 0;
+    for (const Corner& corner : floe.shape.corners()) edge = std::max(edge, reach(corner));
+    const Vec3 middle(floe.pose.x, world.state(elements_[static_cast<std::size_t>(sheet.first)].body).position.y(),
+                      floe.pose.z);
+    PlacedIce ice(floe);
+    for (int index = 0; index < sheet.elements(); ++index) {
+        IceElement& element = elements_[static_cast<std::size_t>(sheet.first + index)];
+        const CutElement& one = cut_element(element);
+        const Outline corners = from_axes(one.corners, one.centre, one.axis);
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+            if ((one.rim >> k & 1U) == 0) continue;
+            const Corner& from = corners[k];
+            const Corner& to = corners[(k + 1) % corners.size()];
+            const double rounding = 1e-6 * floe.shape.element;
+            if (std::min(reach(from), reach(to)) < edge - rounding) continue;
+            const double span = edge - reach(one.centre);  // from the centre to the clamp
+            const Corner along = 0.5 * (from + to) - (0.5 * span) * normal;
+            const SingleFloe& here = ice.at(along);
+            const double length = std::hypot(to.x - from.x, to.z - from.z);
+            const Quat axes = yaw * turned_to(normal);
+            supports_.push_back({world.add_joint({.a = element.body,
+                                                  .b = support,
+                                                  .pivot = middle + yaw * flat(along),
+                                                  .frame = axes,
+                                                  .spring = joint_spring(here.shape, here.material, length, span)}),
+                                 axes});
+            element.exposed_edges &= ~(1U << k);
+        }
+    }
+}
+
+Vec3 IceField::force_on_supports(const World& world) const {
+    Vec3 sum = Vec3::Zero();
+    for (const Support& one : supports_) {
+        const JointReaction reaction = world.reaction(one.joint);
+        sum -= one.axes * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
+    }
+    return sum;
 }
 
 /// Tells the stress of a joint that was just made; `first`: the first element of its floe.
@@ -472,8 +526,8 @@ void IceField::Sheet::archive(StateArchive& state) {
 }
 
 void IceField::archive(StateArchive& state) {
-    auto& [sheets, elements, element_of_body, joint_ids, free_joints, entered, left, joints, breaks, peaks, time_step,
-           stress, failed, fracture_work] = *this;
+    auto& [sheets, elements, element_of_body, joint_ids, supports, free_joints, entered, left, joints, breaks, peaks,
+           time_step, stress, failed, fracture_work] = *this;
     state.list(sheets, Sheet{0, 0, nullptr});
     state.list(elements, IceElement{BodyId(0)});
     state.list(joint_ids, JointId(0));

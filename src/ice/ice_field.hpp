@@ -91,6 +91,14 @@ class IceField {
     /// Returns its place: the index by which elements() and the functions below know it.
     int enter(World& world, const Scenario& scenario, const SingleFloe& floe);
 
+    /// Freezes the straight edge of the floe at this place, whose outward normal is along one of the world's axes, to a
+    /// body that nothing moves: each rim element there is held as by a clamp at the edge. These joints never fail; the
+    /// next ones towards the middle do. Of beam joints.
+    void hold_edge(World& world, const SingleFloe& floe, int place, BodyId support, const Vec3& outwards);
+
+    /// Force of the ice on what holds its edges in the world's last step, N, along the world's axes at the start.
+    Vec3 force_on_supports(const World& world) const;
+
     /// Takes the floe at this place out of the world; the counts below keep it.
     void leave(World& world, int place);
 
@@ -233,7 +241,12 @@ class IceField {
     std::vector<Sheet> floes_;
     std::vector<IceElement> elements_;
     std::vector<std::size_t> element_of_body_;
-    std::vector<JointId> joint_ids_;        // of all ever made
+    std::vector<JointId> joint_ids_;  // of all ever made
+    struct Support {
+        JointId joint;
+        Quat axes;  // joint -> world
+    };
+    std::vector<Support> supports_;         // joints to bodies that hold an edge
     std::vector<std::size_t> free_joints_;  // of these, joints of floes that have left; the first last
     int entered_ = 0;
     Left left_;

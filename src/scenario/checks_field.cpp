@@ -117,6 +117,83 @@ void check_endless(const Scenario& scenario, Contradictions& found) {
     if (found.size() == before) check_way_back(scenario, found);
 }
 
+namespace {
+
+/// What one sheet in place of floes cannot have.
+void check_sheet_alone(const Scenario& scenario, Contradictions& found) {
+    const std::string method = "arrangement.method";
+    const auto needs = [&](bool met, const std::string& key, const char* reason, const char* instead) {
+        if (!met)
+            refuse(scenario, found, {key, method}, "<{}> does not go together with <{}>: {}; take {}", key, method,
+                   reason, instead);
+    };
+    needs(scenario.field.floes == 1, "field.floes", "level ice is one sheet", "field.floes = 1");
+    needs(scenario.field.concentration == 1, "field.concentration_percent", "level ice has no leads",
+          "100, and floe.length_m and floe.breadth_m for its size");
+    needs(!scenario.shapes.any(), "shapes.kind", "the sheet is a rectangle", "\"rectangle\"");
+    needs(scenario.sizes.law == SizeLaw::one, "sizes.law", "level ice is one sheet", "\"one\"");
+    needs(scenario.arrangement.columns.empty(), "arrangement.columns", "no file gives the sheet", "none");
+}
+
+/// Where it is frozen to the ice sheets round the field.
+void check_held(const Scenario& scenario, Contradictions& found) {
+    const Field& field = scenario.field;
+    const std::string held = "field.level_held";
+    const bool at_sides = field.level_held == LevelHeld::far_end_and_sides;
+    const auto needs = [&](bool met, const std::string& key, const char* reason, const char* instead) {
+        if (!met)
+            refuse(scenario, found, {key, held},
+                   "<{}> does not go together with <{}>: {}; take {}, or "
+                   "field.level_held = \"nowhere\"",
+                   key, held, reason, instead);
+    };
+    needs(field.far_end == FarEnd::ice_sheet, "field.far_end", "there is nothing to freeze to", "\"ice_sheet\"");
+    needs(!at_sides || field.sides == FieldSides::ice_sheet, "field.sides", "there is nothing to freeze to",
+          "\"ice_sheet\"");
+    needs(scenario.general.solver == SolverKind::direct && scenario.joint.model == JointModel::beam, "general.solver",
+          "only beams that are solved exactly hold an edge", "general.solver = \"direct\" with joint.model = \"beam\"");
+    needs(!scenario.contact.internal_edges, "contact.internal_edges",
+          "an edge that is frozen to another would push it away", "false");
+    needs(field.confining == 0, "field.confining_N_m", "ice sheets that give way hold nothing", "0");
+    needs(field.wake_radius == 0, "field.wake_radius_m", "a sheet that is held does not rest", "0");
+    if (field.level_pushed && (scenario.path.any() || scenario.moorings.give_way()))
+        refuse(scenario, found, {"field.level_pushed", "path.legs", "moorings.free"},
+               "<field.level_pushed> has the structure at rest, so it has neither a path nor moorings that give way; "
+               "take false, the tow through ice at rest");
+    needs(scenario.water.current == 0, "water.current_m_s", "ice starts with the current, and this is held", "0");
+}
+
+}  // namespace
+
+void check_level(const Scenario& scenario, Contradictions& found) {
+    if (scenario.spread.length > 0 && !scenario.arrangement.level())
+        refuse(scenario, found, {"spread.length_m", "arrangement.method"},
+               "<spread.length_m> is of level ice, and <arrangement.method> lays floes; take 0, or \"level\"");
+    const bool held = scenario.arrangement.level() && scenario.field.level_held != LevelHeld::nowhere;
+    if (scenario.field.level_pushed && !held)
+        refuse(scenario, found, {"field.level_pushed", "field.level_held", "arrangement.method"},
+               "<field.level_pushed> needs level ice that is held; take arrangement.method = \"level\" with "
+               "field.level_held = \"far_end\", or false");
+    if (!scenario.arrangement.level()) return;
+    check_sheet_alone(scenario, found);
+    const Field& field = scenario.field;
+    if (held) check_held(scenario, found);
+    const bool at_sides = field.level_held == LevelHeld::far_end_and_sides;
+    const double width = 2 * field.half_width;
+    const double breadth = scenario.floe.breadth;
+    if (at_sides && std::abs(breadth - width) > length_rounding)
+        refuse(scenario, found, {"floe.breadth_m", "field.half_width_m", "field.level_held"},
+               "<floe.breadth_m> is not the width of the field, {:.6g} m, at whose sides <field.level_held> holds the "
+               "sheet; make them equal",
+               width);
+    const double gap = field.sides == FieldSides::ice_sheet ? scenario.arrangement.clearance : 0;
+    if (!at_sides && breadth > width - 2 * gap + length_rounding)
+        refuse(scenario, found, {"floe.breadth_m", "field.half_width_m", "arrangement.clearance_m"},
+               "<floe.breadth_m> leaves the sheet less than <arrangement.clearance_m> at either side of the field, "
+               "which is {:.6g} m wide; take a wider field, or {:.6g}",
+               width, width - 2 * gap);
+}
+
 void check_shapes(const Scenario& scenario, Contradictions& found) {
     if (!scenario.shapes.any()) return;
     const std::size_t before = found.size();

@@ -234,12 +234,6 @@ class PropertyDraws {
     std::optional<Factors> factors_;
 };
 
-void scale_strengths(Ice& ice, double factor) {
-    for (double* strength : {&ice.bending_strength, &ice.compressive_strength, &ice.shear_strength,
-                             &ice.tensile_strength, &ice.torsion_strength, &ice.in_plane_bending_strength})
-        *strength *= factor;
-}
-
 void follow_brine(Ice& ice, double salinity, double temperature) {
     const double brine = brine_volume(salinity, temperature);
     scale_strengths(ice, static_cast<float>(flexural_strength(brine) / ice.bending_strength));
@@ -247,6 +241,12 @@ void follow_brine(Ice& ice, double salinity, double temperature) {
 }
 
 }  // namespace
+
+void scale_strengths(Ice& ice, double factor) {
+    for (double* strength : {&ice.bending_strength, &ice.compressive_strength, &ice.shear_strength,
+                             &ice.tensile_strength, &ice.torsion_strength, &ice.in_plane_bending_strength})
+        *strength *= factor;
+}
 
 bool IceSpread::any() const {
     return thickness.any() || strength.any() || elastic_modulus.any() || density.any() || salinity.any() ||
@@ -278,14 +278,21 @@ void draw_ice(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe
         if (correlation != 0)
             of_strength = normal_share(correlation * normal_at(of_thickness) +
                                        std::sqrt(1 - correlation * correlation) * normal_at(of_strength));
-        floe.shape.thickness *= thickness.at(of_thickness);
+        const bool within = spread.length > 0;
+        if (within)
+            floe.material.variation = {spread.length,           draw.seed,        draw.number,
+                                       of_part(scenario, draw), spread.thickness, spread.strength,
+                                       spread.elastic_modulus,  correlation};
+        else
+            floe.shape.thickness *= thickness.at(of_thickness);
         Ice& ice = floe.material.ice;
         const double salt = scenario.brine.salinity * salinity.next();
         const double cold = scenario.brine.temperature * temperature.next();
         if (scenario.brine.salinity > 0) follow_brine(ice, salt, cold);
-        scale_strengths(ice, strength.at(of_strength));
+        if (!within) scale_strengths(ice, strength.at(of_strength));
         if (weakened.uniform() < spread.weakened) scale_strengths(ice, spread.weakened_to);
-        ice.elastic_modulus *= modulus.next();
+        const double of_modulus = modulus.next();
+        if (!within) ice.elastic_modulus *= of_modulus;
         ice.density *= density.next();
     }
 }
@@ -462,9 +469,15 @@ std::vector<SingleFloe> given_floes(const Scenario& scenario) {
     return given;
 }
 
+/// From the near edge of the field on, about the tow's line.
+SingleFloe level_sheet(const Scenario& scenario) {
+    return {{scenario.field.begin + scenario.floe.length / 2, 0, 0}, scenario.floe, scenario.material()};
+}
+
 /// Floes of the sizes of the scenario in an order of this arrangement's own, without places unless they were traced.
 std::vector<SingleFloe> sized_floes(const Scenario& scenario, const Draw& draw) {
     if (scenario.arrangement.method == ArrangementMethod::traced) return floes_as_traced(scenario);
+    if (scenario.arrangement.level()) return {level_sheet(scenario)};
     std::vector<SingleFloe> sized;
     for (const FloeShape& shape : floe_sizes(scenario)) sized.push_back({{}, shape, scenario.material()});
     if (!sizes_may_differ(scenario)) return sized;
@@ -484,7 +497,9 @@ FloeSet floes_of(const Scenario& scenario, const Draw& draw) {
         shape_floes(scenario, draw, floes);
         draw_ice(scenario, draw, floes);
     }
-    for (std::size_t i = 0; i < floes.size(); ++i) floes[i].shape.pattern = scenario.pattern_of(i);
+    for (std::size_t i = 0; i < floes.size(); ++i)
+        floes[i].shape.pattern =
+            scenario.arrangement.level() ? scenario.pattern_of_sheet(draw.number) : scenario.pattern_of(i);
     return gathered(floes);
 }
 

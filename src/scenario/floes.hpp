@@ -110,6 +110,9 @@ std::vector<int> listed_counts(const Scenario& scenario);
 /// campaign's seed, the arrangement's number, spread.draw, the property and the floe's number only.
 void draw_ice(const Scenario& scenario, const Draw& draw, std::vector<SingleFloe>& floes);
 
+/// Multiplies all strengths.
+void scale_strengths(Ice& ice, double factor);
+
 /// The least or the largest factor that a property can have, 1 where it has no law.
 double least_factor(const Spread& spread);
 double largest_factor(const Spread& spread);

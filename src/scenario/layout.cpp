@@ -419,6 +419,7 @@ class Layout {
             const std::size_t given =
                 traced ? scenario_.shapes.traced.outlines.size() : scenario_.arrangement.poses.size();
             field.floes = static_cast<int>(std::clamp<std::size_t>(given, 1, most_floes));
+            if (scenario_.arrangement.level()) return tell(LaidKey::floes, "one sheet");
             return tell(LaidKey::floes, traced ? "one for each outline" : "one for each pose");
         }
         needed_ = field.endless() ? scenario_.window_ahead() + scenario_.window_behind() : length.value;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "scenario/floes.hpp"
 #include "shapes/hydrostatics.hpp"
@@ -63,8 +64,14 @@ int Scenario::pattern_of(std::size_t number) const {
     return stock * elements.draw + static_cast<int>(number % stock);
 }
 
+int Scenario::pattern_of_sheet(std::uint32_t arrangement) const {
+    constexpr std::int64_t draws = 1 << 20;
+    if (!has_cells()) return FloeShape::squares;
+    return static_cast<int>((draws * arrangement + elements.draw) % std::numeric_limits<int>::max());
+}
+
 Material Scenario::material() const {
-    return {ice, joint};
+    return {ice, joint, {}};
 }
 
 double Scenario::closing_speed() const {
@@ -160,6 +167,7 @@ double area_of_floes(const Scenario& scenario) {
 }  // namespace
 
 double Scenario::field_length() const {
+    if (arrangement.level()) return floe.length;
     const double covered = area_of_floes(*this);
     return covered / (field.concentration * 2.0 * field.half_width);
 }
@@ -169,7 +177,7 @@ double Scenario::field_end() const {
 }
 
 std::optional<BankGap> Scenario::gap() const {
-    if (field.sides == FieldSides::open || path.any()) return {};
+    if (field.sides == FieldSides::open || path.any() || arrangement.level()) return {};
     const double breadth = field.half_width - structure.shape.waterline_radius();
     return BankGap{breadth, breadth / std::sqrt(area_of_floes(*this) / field.floes)};
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -128,6 +129,8 @@ struct Spread {
 
     FactorLaw factors() const { return {law, cov, within.at(0), within.at(1)}; }
     bool any() const { return law != LawKind::none; }
+
+    friend auto operator<=>(const Spread&, const Spread&) = default;
 };
 
 struct IceSpread {
@@ -140,7 +143,9 @@ struct IceSpread {
     double correlation = 0;    ///< of the normal variables behind thickness and strength (Gaussian copula)
     double weakened = 0;       ///< share of the floes, each by a draw of its own, that are weaker; 0 to 1
     double weakened_to = 0.6;  ///< factor on all their strengths
-    int draw = 0;              ///< number of the draw: another one gives the same arrangements other ice
+    /// m: of level ice, over which thickness, strength and modulus vary within the sheet. 0: each floe has one of each
+    double length = 0;
+    int draw = 0;  ///< number of the draw: another one gives the same arrangements other ice
 
     bool any() const;
 };
@@ -160,12 +165,14 @@ enum class ElementForm { squares, cells };
 /// element, about which Bullet reports a joint's torque.
 enum class MomentAbout { pivot, element_centre };
 enum class ThresholdForm { force, as_printed };  ///< of Eqs. (1)-(2): L_e T_e σ, or L_e T_e² σ as the paper prints them
-/// How floes get their places; traced: those that they have in shapes.file.
-enum class ArrangementMethod { monte_carlo, lattice, file, scattered, traced };
+/// How floes get their places; traced: those that they have in shapes.file; level: one sheet is the whole field.
+enum class ArrangementMethod { monte_carlo, lattice, file, scattered, traced, level };
 enum class ArrangementStart { lattice, stripes };  ///< of the Monte Carlo chain; the result forgets it
 /// What stands behind the ice field; never: ice comes from ahead as long as the run lasts.
 enum class FarEnd { ice_sheet, open, never };
 enum class FieldSides { ice_sheet, open };  ///< what bounds it abeam of the tow
+/// Edges at which level ice is frozen to the ice sheets round the field.
+enum class LevelHeld { nowhere, far_end, far_end_and_sides };
 enum class WaterFlow { potential, still };  ///< water velocity that drag is relative to
 /// Where added mass and the damping by waves come from: a share, alike for all elements, or the outline of each piece.
 enum class WaterFrom { share, outline };
@@ -252,10 +259,26 @@ struct Joint {
     friend auto operator<=>(const Joint&, const Joint&) = default;
 };
 
+/// How the ice varies within a floe: factors on thickness, strengths and modulus where a joint is
+/// (scenario/varied_ice.hpp).
+struct IceVariation {
+    double length = 0;  ///< m, of correlation; 0: it does not
+    std::uint64_t seed = 0;
+    std::uint32_t arrangement = 0;
+    std::uint64_t draw = 0;
+    Spread thickness{};
+    Spread strength{};
+    Spread elastic_modulus{};
+    double correlation = 0;  ///< of the normal fields behind thickness and strength
+
+    friend auto operator<=>(const IceVariation&, const IceVariation&) = default;
+};
+
 /// All that a floe is made of.
 struct Material {
     Ice ice;
     Joint joint;
+    IceVariation variation{};
 
     friend auto operator<=>(const Material&, const Material&) = default;
 };
@@ -275,6 +298,8 @@ struct Field {
     /// m; of a field without end, floes farther ahead of the structure's axis rest. 0: Scenario::window_ahead()
     double ahead = 0;
     double behind = 0;  ///< m; likewise, floes farther behind it are taken out. 0: Scenario::window_behind()
+    LevelHeld level_held = LevelHeld::far_end;  ///< of ArrangementMethod::level
+    bool level_pushed = false;                  ///< the structure rests, and what holds the sheet moves
 
     bool endless() const { return far_end == FarEnd::never; }
 };
@@ -295,8 +320,9 @@ struct ArrangementRule {
     std::string columns;
     std::vector<std::vector<double>> values;  ///< of each floe, in the order of `columns` and in the units of the keys
 
+    bool level() const { return method == ArrangementMethod::level; }
     /// Every arrangement is the same, and the places of its floes are input.
-    bool given() const { return method == ArrangementMethod::file || method == ArrangementMethod::traced; }
+    bool given() const { return method == ArrangementMethod::file || method == ArrangementMethod::traced || level(); }
 };
 
 enum class HullAxis { plus_x, minus_x, plus_y, minus_y, plus_z, minus_z };  ///< of a file
@@ -403,7 +429,7 @@ struct Scenario {
     double window_behind() const;  ///< likewise field.behind
     double closing_speed() const;  ///< of the field, or that of the tow, m/s
     bool towed_straight() const { return !path.any() && !moorings.give_way(); }
-    /// Where the structure starts; none where the sides are open, or a path takes it elsewhere.
+    /// Where the structure starts; none where the sides are open, in level ice, or where a path takes it elsewhere.
     std::optional<BankGap> gap() const;
     std::vector<PathPlace> places() const;  ///< of a path, places_of() it; empty without one
     double reach() const;                   ///< m, how far ahead of its start it comes, without its moorings
@@ -412,6 +438,7 @@ struct Scenario {
     bool has_cells() const { return elements.form == ElementForm::cells && joint.model == JointModel::beam; }
     /// FloeShape::pattern of a floe by its number: a stock of them, taken in turn.
     int pattern_of(std::size_t floe) const;
+    int pattern_of_sheet(std::uint32_t arrangement) const;       ///< of level ice: one of each arrangement's own
     ContactLaw contact_law() const { return contact_law(ice); }  ///< contact, with the crushing pressure in force
     ContactLaw contact_law(const Ice& of) const;                 ///< for such ice
     /// Averaging times that are measured, s: those given; of the default, only whole steps that fit into a segment.

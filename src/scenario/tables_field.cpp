@@ -153,6 +153,15 @@ void add_field(Keys& keys, Field& field) {
     keys.push_back(
         late_key(word_key("field.sides", field.sides, {"ice_sheet", "open"}, "the paper: walls",
                           "Sides of the field: ice sheets along the walls, or open water, into which floes drift.")));
+    keys.push_back(late_key(word_key(
+        "field.level_held", field.level_held, {"nowhere", "far_end", "far_end_and_sides"},
+        "ice goes on beyond what is computed: docs/field.md",
+        "arrangement.method level: edges at which the sheet is frozen to the fixed ice sheets round the field; held at "
+        "its sides it is as wide as the field.")));
+    keys.push_back(late_key(switch_key(
+        "field.level_pushed", field.level_pushed, "a tow through ice at rest",
+        "arrangement.method level: the structure stays at structure.start_m, and what holds the sheet pushes it on at "
+        "structure.speed_m_s, through water at rest.")));
     add_confinement(keys, field);
     keys.push_back(
         number_key("field.wake_radius_m", field.wake_radius, unit::one, at_least(0).at_most(farthest),
@@ -163,13 +172,14 @@ void add_field(Keys& keys, Field& field) {
 }
 
 void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
-    const Key method =
-        word_key("arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered", "traced"},
-                 "floes in a tank are laid at random; docs/field.md",
-                 "scattered: a disordered field, floes thrown at random and pushed apart until none overlap; "
-                 "monte_carlo: equilibrium of hard squares, rows and columns where they are dense, independent of the "
-                 "start; lattice: rows, with jitter; file: given poses, the same for each arrangement; traced: where "
-                 "shapes.file has them, likewise.");
+    const Key method = word_key(
+        "arrangement.method", arrangement.method, {"monte_carlo", "lattice", "file", "scattered", "traced", "level"},
+        "floes in a tank are laid at random; docs/field.md",
+        "scattered: a disordered field, floes thrown at random and pushed apart until none overlap; "
+        "monte_carlo: equilibrium of hard squares, rows and columns where they are dense, independent of the "
+        "start; lattice: rows, with jitter; file: given poses, the same for each arrangement; traced: where "
+        "shapes.file has them, likewise; level: one sheet of level ice, floe.length_m long from field.begin_m "
+        "on and floe.breadth_m wide about the tow's line, up to the field's far end (docs/field.md).");
     keys.push_back(
         instead_of({method, word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "", "")}, method));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),

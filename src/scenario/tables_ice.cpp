@@ -430,6 +430,12 @@ void add_spread(Keys& keys, IceSpread& spread) {
                    "Correlation ρ of thickness and strength: of the two normal variables behind them (Gaussian "
                    "copula). Their ranks then correlate by 6/π asin(ρ/2)."))));
     keys.push_back(late_key(number_key(
+        "spread.length_m", spread.length, unit::one, at_least(0).at_most(1e4), "none: one ice a floe",
+        "arrangement.method level: spread.thickness, spread.strength and spread.elastic_modulus are laws of a random "
+        "field within the sheet, whose normal variables correlate by exp(-r²/(2 a²)) at a distance r, a this length. "
+        "Joints have the thickness, strength and modulus of their place; weight and draught are of one thickness. 0: "
+        "one factor for the whole sheet.")));
+    keys.push_back(late_key(number_key(
         "spread.weakened_percent", spread.weakened, unit::percent, at_least(0).at_most(100), "the paper: none",
         "Share of the floes that are weaker than the others, as floes that were cut, thawed or cracked before. Each "
         "floe has one draw, from a stream of its own.")));

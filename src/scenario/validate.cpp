@@ -10,6 +10,7 @@ namespace floes {
 std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     Contradictions found;
     check_traced(scenario, found);
+    check_level(scenario, found);
     if (!found.empty()) return found;  // all below take floes from these outlines
     check_sizes(scenario, found);
     check_spread(scenario, found);

@@ -66,6 +66,7 @@ void check_matrices(const Moorings& moorings, Contradictions& found);     ///< s
 void check_boundaries(const Scenario& scenario, Contradictions& found);   ///< what presses has something to press on
 void check_wake(const Scenario& scenario, Contradictions& found);         ///< the structure strikes no resting floe
 void check_endless(const Scenario& scenario, Contradictions& found);      ///< such ice comes from ahead and rests there
+void check_level(const Scenario& scenario, Contradictions& found);        ///< one sheet that fits into the field
 void check_lattice(const Scenario& scenario, Contradictions& found);      ///< the floes fit
 void check_given_floes(const Scenario& scenario, Contradictions& found);  ///< each is ice that floats, in elements
 void check_poses(const Scenario& scenario, Contradictions& found);        ///< given poses belong to the field

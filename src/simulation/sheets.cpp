@@ -47,7 +47,8 @@ Channel make_channel(const Scenario& scenario, const FloeSet& floes) {
     const double towed = scenario.towed();
     Channel channel;
     channel.room = room_for_a_floe(floes);
-    channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - channel.room;
+    channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - channel.room -
+                    (field.level_pushed ? towed : 0.0);
     channel.end = scenario.field_end() + field.sheet_width + (closed ? 0.0 : towed);
     if (field.endless()) channel.end = channel.begin + without_end;
     channel.inner_edge = field.half_width;
@@ -87,12 +88,13 @@ const char* place_of(const IceSheet& form) {
 
 Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
     : confining_(scenario.field.confining),
+      push_(scenario.field.level_pushed ? scenario.structure.speed : 0),
       radius_(scenario.structure.shape.waterline_radius()),
       ahead_(scenario.structure.shape.waterline_ahead()) {
     for (const IceSheet& form : channel.sheets) {
         if (!give_way()) {
-            world.add_fixed_box({.half_extents = form.half_extents, .pose = {.position = form.centre}});
-            fixed_.push_back(form);
+            fixed_.push_back(
+                {world.add_fixed_box({.half_extents = form.half_extents, .pose = {.position = form.centre}}), form});
             continue;
         }
         const Vec3 size = 2 * form.half_extents;
@@ -107,7 +109,7 @@ Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
             {.half_extents = form.half_extents, .position = form.centre, .mass = mass, .axis = is_side(form) ? 2 : 0});
         sheets_.push_back({body, form, load, skin, closing});
     }
-    motions_.resize(sheets_.size());
+    motions_.resize(push_ > 0 ? fixed_.size() : sheets_.size());
     mean_speed_.resize(sheets_.size());
 }
 
@@ -119,7 +121,13 @@ void Sheets::place(World& world, const std::vector<SheetMotion>& motions) const 
     }
 }
 
-void Sheets::press(World& world) const {
+void Sheets::press(World& world, double time) {
+    for (std::size_t i = 0; i < fixed_.size() && push_ > 0; ++i) {
+        const auto& [body, form] = fixed_[i];
+        const Vec3 along = -Vec3::UnitX();
+        world.place(body, {.position = form.centre + push_ * time * along, .velocity = push_ * along});
+        motions_[i] = {push_ * time * along.dot(form.inwards), push_ * along.dot(form.inwards)};
+    }
     for (std::size_t i = 0; i < sheets_.size(); ++i) {
         const Sheet& sheet = sheets_[i];
         const double u = motions_[i].speed;
@@ -144,7 +152,7 @@ void Sheets::read(const World& world, const StructurePose& at, double time) {
 }
 
 void Sheets::check_fixed(const StructurePose& at, const Vec2& offset, double time) const {
-    for (const IceSheet& form : fixed_) {
+    for (const auto& [body, form] : fixed_) {
         if (!touches(form, form.centre, at)) continue;
         throw MemberFailure(fmt::format(
             "The structure has come to the ice sheet at {} (t = {:.2f} s), {:.4g} m from where its tow alone would "
@@ -165,7 +173,7 @@ Vec3 Sheets::velocity(BodyId body) const {
 }
 
 void Sheets::archive(StateArchive& state) {
-    auto& [confining, radius, ahead, fixed, sheets, motions, mean_speed] = *this;
+    auto& [confining, push, radius, ahead, fixed, sheets, motions, mean_speed] = *this;
     state(motions, mean_speed);
 }
 

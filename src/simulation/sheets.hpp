@@ -49,15 +49,23 @@ struct SheetMotion {
 
 class Sheets {
   public:
+    struct Fixed {
+        BodyId body;
+        IceSheet form;
+    };
+
     Sheets(World& world, const Scenario& scenario, const Channel& channel);
 
     bool give_way() const { return confining_ > 0; }
 
+    const std::vector<Fixed>& fixed() const { return fixed_; }
+
     /// Puts them where they came to; as many as there are sheets, or none for the start.
     void place(World& world, const std::vector<SheetMotion>& motions) const;
 
-    /// Before each step: what acts on them besides the ice.
-    void press(World& world) const;
+    /// Before each step, which begins at `time`, s: what acts on them besides the ice, and where those are that push
+    /// level ice.
+    void press(World& world, double time);
 
     /// After a step. Throws MemberFailure when a sheet has closed as far as the structure, s `time`: a sheet cannot
     /// touch it.
@@ -88,9 +96,10 @@ class Sheets {
     bool touches(const IceSheet& form, const Vec3& centre, const StructurePose& structure) const;
 
     double confining_;
+    double push_;    ///< m/s along -x, of fixed sheets
     double radius_;  ///< of the structure
     double ahead_;   ///< of its waterline, from the axis, m
-    std::vector<IceSheet> fixed_;
+    std::vector<Fixed> fixed_;
     std::vector<Sheet> sheets_;
     std::vector<SheetMotion> motions_;
     std::vector<double> mean_speed_;  ///< in the last step, m/s

@@ -100,6 +100,12 @@ std::vector<ConvexSolid> solids_of(const Scenario& scenario) {
     return scenario.contact.internal_edges ? shape.solids() : shape.overlapping_solids();
 }
 
+/// As hull and water see it: the structure rests where level ice is pushed on it.
+Scenario by_motion(Scenario scenario) {
+    if (scenario.field.level_pushed) scenario.structure.speed = 0;
+    return scenario;
+}
+
 /// Contacts of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
 constexpr std::size_t most_contacts = 1024;
 
@@ -109,20 +115,21 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
     : scenario_(scenario),
       channel_(make_channel(scenario, floes)),
       wellbeing_(scenario, channel_),
-      motion_(scenario),
+      motion_(by_motion(scenario)),
       hull_loads_(scenario.structure.shape, solids_of(scenario),
                   static_cast<std::size_t>(scenario.step_count() - scenario.first_window_step())),
       world_(scenario_world(scenario)),
       structure_(world_.add_structure(hull_loads_.solids(), {.position = {scenario.structure.start, 0, 0}})),
       ice_(world_, scenario, floes),
       sheets_(world_, scenario, channel_),
-      water_(make_water(scenario, floes, ice_)),
+      water_(make_water(by_motion(scenario), floes, ice_)),
       piece_water_(scenario, floes),
       lee_(scenario, channel_, floes, ice_),
       work_(scenario, floes, ice_, structure_),
       nearby_(scenario, channel_),
       sleeping_(scenario.field.wake_radius, ice_.elements()),
       contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
+    hold_edges(floes);
     for (int floe = 0; floe < ice_.places(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     for (const auto history : load_histories) (loads_.*history).reserve(steps);
@@ -137,6 +144,16 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
     encounters_.enter(ice_.floes());
     if (ahead.next) start_window(floes, std::move(ahead));
     if (motion_.after().yaw != 0) place_structure();
+}
+
+/// Of level ice.
+void Simulation::hold_edges(const FloeSet& floes) {
+    const LevelHeld held = scenario_.field.level_held;
+    if (!scenario_.arrangement.level() || held == LevelHeld::nowhere) return;
+    const SingleFloe sheet{floes.floes[0].pose, floes.shape(0), floes.material(0)};
+    for (const auto& [body, form] : sheets_.fixed())
+        if (form.inwards.x() != 0 || held == LevelHeld::far_end_and_sides)
+            ice_.hold_edge(world_, sheet, 0, body, -form.inwards);
 }
 
 /// Ice that lies still in the water moves with it.
@@ -220,7 +237,7 @@ void Simulation::step(const FromOutside& outside) {
     move_window();
     wake_floes();
     apply_water();
-    sheets_.press(world_);
+    sheets_.press(world_, time());
     world_.step();
     sweeps_ += world_.sweeps();
     ++swept_steps_;

@@ -134,6 +134,8 @@ class Simulation {
     /// Of the ice on the hull in the last step: in the world's axes and about its reference point at the step's end.
     const Wrench& ice_load() const { return ice_load_; }
     const IceField& ice() const { return ice_; }  ///< breaks, broken floes, peak reactions
+    /// Of level ice on what holds it, in the last step, N along the world's axes.
+    Vec3 force_on_supports() const { return ice_.force_on_supports(world_); }
 
     /// Floes that were computed at any time so far: all of a field with an end.
     int floes_entered() const { return encounters_.entered(); }
@@ -187,6 +189,7 @@ class Simulation {
     double step_end() const { return (steps_ + 1) * scenario_.general.time_step; }
     void place_structure();
     void move_structure(const FromOutside& outside);
+    void hold_edges(const FloeSet& floes);
     void start_window(const FloeSet& floes, IceAhead ahead);
     void move_window();
     void check_way_back() const;

@@ -55,7 +55,7 @@ TEST_F(New, TheFirstCampaignNamesNeitherTheSolverNorItsNumbers) {
 
 TEST_F(New, SaysUnitAndRangeOfEveryKey) {
     const std::vector<KeyDescription> keys = reference();
-    for (const char* options : {"", "--full-scale", "--moored", "--turret", "--design", "--paper"}) {
+    for (const char* options : {"", "--full-scale", "--moored", "--turret", "--level", "--design", "--paper"}) {
         std::istringstream text(file_text(make(options)));
         std::string table;
         std::string before;
