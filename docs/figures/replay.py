@@ -35,7 +35,7 @@ def main(floes, campaign):
 
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        record, page, series = folder / "worst.h5", folder / "worst.html", folder / "worst.pvd"
+        record, page, series = folder / "worst.h5", folder / "worst.html", folder / "worst.xdmf2"
         replay(campaign, record, "--worst", "--every", "0.2")
         replay(record, FOLDER / "fig5.png")
         replay(record, FOLDER / "below.png", "--view", "below", "--size", "960x600")

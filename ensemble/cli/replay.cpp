@@ -179,8 +179,8 @@ void add_choices(Verb& verb, ReplayOptions& options) {
 void add_looks(Verb& verb, ReplayOptions& options) {
     verb.option("-o,--output", options.outputs,
                 "What to make, by its ending; may be repeated: .html a page that plays, .png or .svg a picture, "
-                ".mp4, .webm, .webp, .gif or .apng a film, .pvd a series for ParaView, .h5 "
-                "the recording")
+                ".mp4, .webm, .webp, .gif or .apng a film, .xdmf2 a series for ParaView, "
+                ".h5 the recording")
         .one_each()
         .writes_file()
         .required();
@@ -220,7 +220,7 @@ void add_replay(CommandLine& line) {
         "  floes replay e60.h5 -o e60.png -o e60.svg               Fig. 5 at the largest load\n"
         "  floes replay e60.h5 -o plan.png --view plan --at 235\n"
         "  floes replay e60.h5 -o below.mp4 --view below\n"
-        "  floes replay e60.h5 -o e60.pvd                          for ParaView, with a state: paraview "
+        "  floes replay e60.h5 -o e60.xdmf2                        for ParaView, with a state: paraview "
         "--state=e60.py");
     verb.runs([options] {
         options->times.worst = options->look.worst = options->member.worst;

@@ -15,7 +15,7 @@
 #include "draw/film.hpp"
 #include "draw/picture.hpp"
 #include "draw/replay_page.hpp"
-#include "draw/vtk_series.hpp"
+#include "draw/xdmf_series.hpp"
 #include "store/file_calls.hpp"
 
 namespace floes {
@@ -98,7 +98,7 @@ void write(const std::filesystem::path& path, const Recording& recording, const 
             return write_picture(path, recording, look);
         case ReplayOutput::film:
             return write_film(path, recording, style_of(look, recording), look.rate, go_on);
-        case ReplayOutput::vtk:
+        case ReplayOutput::series:
         case ReplayOutput::recording:
             break;
     }
@@ -110,13 +110,13 @@ ReplayOutput kind_of(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
     if (ending == ".h5") return ReplayOutput::recording;
     if (ending == ".html") return ReplayOutput::page;
-    if (ending == ".pvd") return ReplayOutput::vtk;
+    if (ending == ".xdmf2") return ReplayOutput::series;
     if (ending == ".png" || ending == ".svg") return ReplayOutput::picture;
     for (const char* film : {".mp4", ".webm", ".webp", ".gif", ".apng"})
         if (ending == film) return ReplayOutput::film;
     throw InputError(fmt::format(
         "What is {} to be? Its ending says: .html a page that plays, .png or .svg a picture, .mp4, .webm, .webp, .gif "
-        "or .apng a film, .pvd a series for ParaView, .h5 the recording itself.",
+        "or .apng a film, .xdmf2 a series for ParaView, .h5 the recording itself.",
         path.string()));
 }
 
@@ -132,8 +132,7 @@ void check_time(const ReplayLook& look, double from, double to, double every) {
 
 void write_replay_output(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
                          const std::function<void(double)>& go_on) {
-    if (kind_of(path) == ReplayOutput::vtk)
-        return write_vtk_series(path, recording);  // a file and a folder of its name
+    if (kind_of(path) == ReplayOutput::series) return write_xdmf_series(path, recording);  // three files of its name
     std::filesystem::path aside = path;
     aside.replace_extension(".part" + path.extension().string());  // by which ffmpeg knows what to make
     try {

@@ -10,7 +10,7 @@
 
 namespace floes {
 
-enum class ReplayOutput { recording, page, picture, film, vtk };
+enum class ReplayOutput { recording, page, picture, film, series };
 
 /// Throws InputError, with all endings, for any other.
 ReplayOutput kind_of(const std::filesystem::path& path);

@@ -32,7 +32,7 @@ TEST(ReplayOutput, IsWhatItsEndingSays) {
     EXPECT_EQ(kind_of("a.html"), ReplayOutput::page);
     EXPECT_EQ(kind_of("a.svg"), ReplayOutput::picture);
     EXPECT_EQ(kind_of("a.b.webm"), ReplayOutput::film);
-    EXPECT_EQ(kind_of("a.pvd"), ReplayOutput::vtk);
+    EXPECT_EQ(kind_of("a.xdmf2"), ReplayOutput::series);
     EXPECT_THAT(refusal([] { kind_of("a.avi"); }), HasSubstr(".html a page that plays, .png or .svg a picture"));
 }
 

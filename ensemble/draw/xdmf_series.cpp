@@ -1,4 +1,4 @@
-#include "draw/vtk_series.hpp"
+#include "draw/xdmf_series.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "hdf5/columns.hpp"
 #include "replay/view.hpp"
 #include "simulation/sheets.hpp"
 #include "tables/table.hpp"
@@ -19,133 +19,60 @@ namespace floes {
 
 namespace {
 
-constexpr int zlib_level = 1;  // higher ones save a hundredth of the bytes and take up to twice as long
-constexpr std::uint8_t vtk_hexahedron = 12;
-constexpr std::uint8_t vtk_convex_point_set = 41;
+// Kinds of cells as XDMF 2 counts them.
+constexpr std::int32_t vertices_of = 1;
+constexpr std::int32_t line_along = 2;
+constexpr std::int32_t polygon_of = 3;
+constexpr std::int32_t wedge = 8;
+constexpr std::int32_t hexahedron = 9;
 
-/// The bytes of an array as one compressed block behind VTK's header: number of blocks, size of a block, size of the
-/// last one if it is shorter, compressed size.
-std::string packed(const std::vector<char>& bytes) {
-    if (bytes.empty()) return std::string(3 * sizeof(std::uint64_t), '\0');
-    uLongf size = compressBound(bytes.size());
-    std::string block(size, '\0');
-    if (compress2(reinterpret_cast<Bytef*>(block.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()),
-                  bytes.size(), zlib_level) != Z_OK)
-        throw RunError("zlib could not compress an array of a VTK file; memory may be short.");
-    block.resize(size);
-    const std::array<std::uint64_t, 4> header{1, bytes.size(), 0, size};
-    return std::string(reinterpret_cast<const char*>(header.data()), sizeof header) + block;
+void add_cell(XdmfMesh& mesh, std::int32_t kind, std::span<const std::int32_t> points) {
+    mesh.cells.push_back(kind);
+    if (kind <= polygon_of) mesh.cells.push_back(static_cast<std::int32_t>(points.size()));
+    mesh.cells.insert(mesh.cells.end(), points.begin(), points.end());
+    ++mesh.count;
 }
-
-/// The document is collected in two parts: elements that say where the data stand, and the data.
-class XmlDocument {
-  public:
-    void line(std::string_view text) { text_.append(text).append("\n"); }
-
-    void array(const VtkArray& array) {
-        line(fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)",
-                         array.type, array.name, array.components, data_.size()));
-        data_ += packed(array.bytes);
-    }
-
-    void arrays(std::string_view element, const std::vector<VtkArray>& all) {
-        line(fmt::format("<{}>", element));
-        for (const VtkArray& one : all) array(one);
-        line(fmt::format("</{}>", element));
-    }
-
-    const std::string& text() const { return text_; }
-    const std::string& data() const { return data_; }
-
-  private:
-    std::string text_;
-    std::string data_;
-};
-
-std::vector<std::uint8_t> cell_types(const VtkMesh& mesh) {
-    std::vector<std::uint8_t> types(mesh.offsets.size(), vtk_hexahedron);
-    for (std::size_t k = 0; k < types.size() && mesh.kind == VtkCells::solids; ++k)
-        if (mesh.offsets[k] - (k > 0 ? mesh.offsets[k - 1] : 0) != 8) types[k] = vtk_convex_point_set;
-    return types;
-}
-
-}  // namespace
-
-std::string_view VtkMesh::extension() const {
-    return kind == VtkCells::hexahedra || kind == VtkCells::solids ? ".vtu" : ".vtp";
-}
-
-void write_vtk(const std::filesystem::path& path, const VtkMesh& mesh, double time) {
-    const bool volume = mesh.kind == VtkCells::hexahedra || mesh.kind == VtkCells::solids;
-    const std::string_view type = volume ? "UnstructuredGrid" : "PolyData";
-    const std::size_t points = mesh.points.size() / 3;
-    const std::string_view cells = volume                          ? "Cells"
-                                   : mesh.kind == VtkCells::points ? "Verts"
-                                   : mesh.kind == VtkCells::lines  ? "Lines"
-                                                                   : "Polys";
-
-    std::vector<VtkArray> topology{vtk_array("connectivity", mesh.connectivity), vtk_array("offsets", mesh.offsets)};
-    if (volume) topology.push_back(vtk_array("types", cell_types(mesh)));
-
-    XmlDocument document;
-    document.line(R"(<?xml version="1.0"?>)");
-    document.line(fmt::format(R"(<VTKFile type="{}" version="1.0" byte_order="{}" header_type="UInt64" )"
-                              R"(compressor="vtkZLibDataCompressor">)",
-                              type, std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian"));
-    document.line(fmt::format("<{}>", type));
-    document.line(fmt::format(R"(<FieldData><DataArray type="Float64" Name="TimeValue" NumberOfTuples="1" )"
-                              R"(format="ascii">{}</DataArray></FieldData>)",
-                              time));
-    document.line(fmt::format(R"(<Piece NumberOfPoints="{}" {}="{}">)", points,
-                              volume ? "NumberOfCells" : fmt::format("NumberOf{}", cells), mesh.offsets.size()));
-    document.arrays("PointData", mesh.point_data);
-    document.arrays("CellData", mesh.cell_data);
-    document.arrays("Points", {vtk_array("Points", mesh.points, 3)});
-    document.arrays(cells, topology);
-    document.line("</Piece>");
-    document.line(fmt::format("</{}>", type));
-    document.line(R"(<AppendedData encoding="raw">)");
-
-    std::ofstream file(path, std::ios::binary);
-    file << document.text() << '_' << document.data() << "\n</AppendedData>\n</VTKFile>\n";
-    file.close();
-    if (!file)
-        throw RunError(fmt::format("Cannot write {}; is the disk full, or the folder read-only?", path.string()));
-}
-
-namespace {
 
 void append(std::vector<float>& values, const Vec3& vector) {
     for (const double value : vector) values.push_back(static_cast<float>(value));
 }
 
-void append_box(VtkMesh& mesh, const Vec3& centre, const Mat3& rotation, const Vec3& half_extents) {
+std::int32_t next_point(const XdmfMesh& mesh) {
+    return static_cast<std::int32_t>(mesh.points.size() / 3);
+}
+
+void append_box(XdmfMesh& mesh, const Vec3& centre, const Mat3& rotation, const Vec3& half_extents) {
     // In VTK's order: round the lower face, then round the upper one above it.
+    std::array<std::int32_t, 8> corners{};
+    for (std::int32_t& corner : corners)
+        corner = next_point(mesh) + static_cast<std::int32_t>(&corner - corners.data());
     for (const double y : {-1.0, 1.0})
         for (const Vec2& corner : {Vec2(-1, -1), Vec2(-1, 1), Vec2(1, 1), Vec2(1, -1)})
             append(mesh.points, centre + rotation * half_extents.cwiseProduct(Vec3(corner.x(), y, corner.y())));
-    for (int i = 0; i < 8; ++i) mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
-    mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+    add_cell(mesh, hexahedron, corners);
 }
 
-/// Round the lower face, then round the upper one.
-void append_prism(VtkMesh& mesh, const BodyState& state, const IceLayout::LaidElement& element) {
+/// The points round the lower face, then round the upper one; a fan of cells from the first corner.
+void append_prism(XdmfMesh& mesh, const BodyState& state, const IceLayout::LaidElement& element) {
+    const std::int32_t low = next_point(mesh);
+    const auto corners = static_cast<std::int32_t>(element.corners.size());
+    const std::int32_t high = low + corners;
     for (const double y : {-1.0, 1.0})
         for (const Corner& corner : element.corners)
             append(mesh.points,
                    state.position + state.rotation * Vec3(corner.x, y * element.half_extents.y(), corner.z));
-    for (std::size_t i = 0; i < 2 * element.corners.size(); ++i)
-        mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
-    mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+    // The corners go round so that the lower face is seen from below: VTK's order of a wedge, not of a hexahedron.
+    std::int32_t k = 1;
+    for (; k + 2 < corners; k += 2)
+        add_cell(mesh, hexahedron,
+                 std::array{low, low + k + 2, low + k + 1, low + k, high, high + k + 2, high + k + 1, high + k});
+    if (k + 1 < corners) add_cell(mesh, wedge, std::array{low, low + k, low + k + 1, high, high + k, high + k + 1});
 }
 
 /// The mesh of these points, a vertex at each.
-VtkMesh vertices(std::vector<float> points) {
-    VtkMesh mesh{.kind = VtkCells::points, .points = std::move(points)};
-    for (std::size_t i = 0; i < mesh.points.size() / 3; ++i) {
-        mesh.connectivity.push_back(static_cast<std::int32_t>(i));
-        mesh.offsets.push_back(static_cast<std::int32_t>(i + 1));
-    }
+XdmfMesh vertices(std::vector<float> points) {
+    XdmfMesh mesh{.points = std::move(points)};
+    for (std::int32_t i = 0; i < next_point(mesh); ++i) add_cell(mesh, vertices_of, std::array{i});
     return mesh;
 }
 
@@ -159,32 +86,36 @@ std::vector<float> vectors(const Items& items, Read read) {
 
 }  // namespace
 
-VtkMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken) {
-    const std::size_t elements = frame.elements.size();
-    VtkMesh mesh{.kind = VtkCells::hexahedra};
-    mesh.points.reserve(24 * elements);
-    std::vector<std::int32_t> floe(elements);
-    std::vector<std::uint8_t> is_broken(elements);
-    for (std::size_t i = 0; i < elements; ++i) {
+XdmfMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken) {
+    XdmfMesh mesh;
+    std::vector<std::int32_t> element;
+    std::vector<std::int32_t> floe;
+    std::vector<std::int32_t> piece;
+    std::vector<std::int8_t> is_broken;
+    std::vector<float> utilisation;
+    std::vector<float> velocity;
+    for (std::size_t i = 0; i < frame.elements.size(); ++i) {
         const IceLayout::LaidElement& one = layout.elements[frame.id(i)];
         if (one.square) {
             append_box(mesh, frame.elements[i].position, frame.elements[i].rotation, one.half_extents);
         } else {
-            mesh.kind = VtkCells::solids;
             append_prism(mesh, frame.elements[i], one);
         }
-        floe[i] = one.floe;
-        is_broken[i] = broken[static_cast<std::size_t>(floe[i])];
+        while (std::ssize(element) < mesh.count) {
+            element.push_back(static_cast<std::int32_t>(frame.id(i)));
+            floe.push_back(one.floe);
+            piece.push_back(frame.pieces[i]);
+            is_broken.push_back(static_cast<std::int8_t>(broken[static_cast<std::size_t>(one.floe)]));
+            utilisation.push_back(static_cast<float>(frame.utilisation[i]));
+            append(velocity, frame.elements[i].velocity);
+        }
     }
-    mesh.cell_data = {
-        vtk_array("floe", floe), vtk_array("piece", frame.pieces), vtk_array("broken", is_broken),
-        vtk_array("utilisation", std::vector<float>(frame.utilisation.begin(), frame.utilisation.end())),
-        vtk_array("velocity", vectors(frame.elements, [](const BodyState& one) { return one.velocity; }), 3)};
-    if (!frame.ids.empty()) mesh.cell_data.push_back(vtk_array("element", frame.ids));
+    mesh.cell_data = {{"element", element},         {"floe", floe},           {"piece", piece}, {"broken", is_broken},
+                      {"utilisation", utilisation}, {"velocity", velocity, 3}};
     return mesh;
 }
 
-VtkMesh contacts_part(const Frame& frame) {
+XdmfMesh contacts_part(const Frame& frame) {
     const auto read = [&](auto of) { return vectors(frame.contacts, of); };
     std::vector<std::int32_t> element;
     std::vector<std::int32_t> other;
@@ -192,65 +123,64 @@ VtkMesh contacts_part(const Frame& frame) {
         element.push_back(contact.element);
         other.push_back(contact.other);
     }
-    VtkMesh mesh = vertices(read([](const FrameContact& one) { return one.point; }));
+    XdmfMesh mesh = vertices(read([](const FrameContact& one) { return one.point; }));
     mesh.point_data = {
-        vtk_array("normal", read([](const FrameContact& one) { return one.normal; }), 3),
-        vtk_array("friction", read([](const FrameContact& one) { return one.friction; }), 3),
-        vtk_array("force", read([](const FrameContact& one) -> Vec3 { return one.normal + one.friction; }), 3),
-        vtk_array("element", element), vtk_array("other", other)};
+        XdmfArray{"normal", read([](const FrameContact& one) { return one.normal; }), 3},
+        XdmfArray{"friction", read([](const FrameContact& one) { return one.friction; }), 3},
+        XdmfArray{"force", read([](const FrameContact& one) -> Vec3 { return one.normal + one.friction; }), 3},
+        XdmfArray{"element", element}, XdmfArray{"other", other}};
     return mesh;
 }
 
-VtkMesh load_part(const Frame& frame) {
+XdmfMesh load_part(const Frame& frame) {
     std::vector<float> force;
     for (int i = 0; i < 3; ++i) append(force, frame.load[i] * Vec3::Unit(i));
     append(force, frame.load);
     std::vector<float> points;
     for (int i = 0; i < 4; ++i) append(points, frame.structure.position);
-    VtkMesh mesh = vertices(std::move(points));
-    mesh.point_data = {vtk_array("force", force, 3), vtk_array("component", std::vector<std::int32_t>{0, 1, 2, 3})};
+    XdmfMesh mesh = vertices(std::move(points));
+    mesh.point_data = {XdmfArray{"force", force, 3}, XdmfArray{"component", std::vector<std::int32_t>{0, 1, 2, 3}}};
     return mesh;
 }
 
 namespace {
 
 /// Mooring lines that hold, from fairlead to anchor. Cells have tension and which line it is.
-VtkMesh moorings_part(const Frame& frame, const Moorings& moorings) {
-    VtkMesh mesh{.kind = VtkCells::lines};
+XdmfMesh moorings_part(const Frame& frame, const Moorings& moorings) {
+    XdmfMesh mesh;
     std::vector<float> tension;
     std::vector<std::int32_t> number;
     for (const FrameLine& line : frame.lines) {
+        std::vector<std::int32_t> along;
         for (const Vec3& point : course(moorings, static_cast<std::size_t>(line.line), line.fairlead, line.anchor)) {
+            along.push_back(next_point(mesh));
             append(mesh.points, point);
-            mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
         }
-        mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
+        add_cell(mesh, line_along, along);
         tension.push_back(static_cast<float>(line.tension));
         number.push_back(line.line);
     }
-    mesh.cell_data = {vtk_array("tension", tension), vtk_array("line", number)};
+    mesh.cell_data = {{"tension", tension}, {"line", number}};
     return mesh;
 }
 
 }  // namespace
 
-VtkMesh structure_part(const Shape& shape, const StructurePose& pose) {
+XdmfMesh structure_part(const Shape& shape, const StructurePose& pose) {
     const SurfaceMesh surface = shape.mesh(96);
-    VtkMesh mesh{.kind = VtkCells::polygons};
+    XdmfMesh mesh;
     const Mat3 turn = pose.orientation().toRotationMatrix();
     for (const Vec3& point : surface.points) append(mesh.points, pose.position + turn * point);
-    for (const std::vector<int>& polygon : surface.polygons) {
-        mesh.connectivity.insert(mesh.connectivity.end(), polygon.begin(), polygon.end());
-        mesh.offsets.push_back(static_cast<std::int32_t>(mesh.connectivity.size()));
-    }
+    for (const std::vector<int>& polygon : surface.polygons)
+        add_cell(mesh, polygon_of, std::vector<std::int32_t>(polygon.begin(), polygon.end()));
     return mesh;
 }
 
 namespace {
 
 /// A hexahedron for each sheet of fixed ice.
-VtkMesh ice_sheets_part(const Channel& channel) {
-    VtkMesh mesh{.kind = VtkCells::hexahedra};
+XdmfMesh ice_sheets_part(const Channel& channel) {
+    XdmfMesh mesh;
     for (const IceSheet& sheet : channel.sheets) append_box(mesh, sheet.centre, Mat3::Identity(), sheet.half_extents);
     return mesh;
 }
@@ -265,7 +195,7 @@ constexpr const char* opening = R"PY(# A run of floes as Fig. 5 shows it. Writte
 # y (green) and z (blue), and their sum (white). At contacts: normal force (magenta) and friction (teal) on the ice. All
 # forces to the same scale.
 
-collection = {collection}
+file = {file}
 first_axis, last_axis = {first_axis}, {last_axis}  # x of the structure in the first frame and the last, m
 deck = {deck}  # height of the structure above the water, m
 eye, target = {eye}, {target}  # of the camera while the structure is at x = 0, m
@@ -286,7 +216,7 @@ from paraview.simple import *
 
 paraview.simple._DisableFirstRenderCameraReset()
 folder = os.path.dirname(os.path.abspath(__file__))
-run = PVDReader(registrationName=collection, FileName=os.path.join(folder, collection))
+run = XDMFReader(registrationName=file, FileNames=[os.path.join(folder, file)])
 scene = GetAnimationScene()
 scene.UpdateAnimationUsingDataTimeSteps()
 view = GetActiveViewOrCreate('RenderView')
@@ -322,8 +252,12 @@ def forces(name, source, array, colour, width):
     lines.GlyphTransform.Translate = [0.5, 0, 0]  # lines begin at the point
     return show(lines, colour, LineWidth=width, Ambient=1, Diffuse=0)
 
-ice = show(part('ice'), white, Representation='Surface With Edges', EdgeColor=[0.55, 0.62, 0.68])
-by_kind(ice, 'CELLS', 'broken', {'whole': white, 'broken': warm})
+ice = part('ice')
+by_kind(show(ice, white), 'CELLS', 'broken', {'whole': white, 'broken': warm})
+surface = ExtractSurface(registrationName='surface of the ice', Input=ice)
+show(FeatureEdges(registrationName='edges of elements', Input=surface), [0.55, 0.62, 0.68])
+offsets = GetSettingsProxy('RenderViewSettings')  # lines where they are: ParaView draws them before what is near
+offsets.LineOffsetParameters, offsets.PolygonOffsetParameters = [0, 0], [1, 1]
 show(part('ice_sheets'), sheet)
 show(part('structure'), yellow)
 x_low, x_high, z_low, z_high = water
@@ -389,13 +323,13 @@ std::string quoted(const std::string& text) {
 }
 
 /// The text of NAME.py. The camera is that of View::perspective.
-std::string vtk_state(const VtkStateOf& series, const RecordingSubject& subject) {
+std::string paraview_state(const SeriesState& series, const RecordingSubject& subject) {
     const Camera seen = camera(View::perspective, subject, 0);
     const Channel channel = subject.channel();
     const Shape& shape = subject.scenario.structure.shape;
     const double scale = 1.5 * shape.largest_radius() / (series.largest_force > 0 ? series.largest_force : 1);
-    const std::string name = series.collection.substr(0, series.collection.rfind('.'));
-    return fmt::format(fmt::runtime(opening), fmt::arg("name", name), fmt::arg("collection", quoted(series.collection)),
+    const std::string name = series.file.substr(0, series.file.rfind('.'));
+    return fmt::format(fmt::runtime(opening), fmt::arg("name", name), fmt::arg("file", quoted(series.file)),
                        fmt::arg("first_axis", series.first_axis), fmt::arg("last_axis", series.last_axis),
                        fmt::arg("deck", shape.top()), fmt::arg("eye", python(seen.eye)),
                        fmt::arg("target", python(seen.target)),
@@ -424,8 +358,8 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 
 }  // namespace
 
-void write_vtk_series(const std::filesystem::path& path, const Recording& recording) {
-    VtkSeries series(path, recording.subject(), recording.outcome().breaks);
+void write_xdmf_series(const std::filesystem::path& path, const Recording& recording) {
+    XdmfSeries series(path, recording.subject(), recording.outcome().breaks);
     Frame frame;
     for (int number = 0; number < recording.frames(); ++number) {
         recording.read(number, frame);
@@ -434,34 +368,58 @@ void write_vtk_series(const std::filesystem::path& path, const Recording& record
     series.finish();
 }
 
-VtkSeries::VtkSeries(const std::filesystem::path& path, const RecordingSubject& subject,
-                     const std::vector<BreakEvent>& breaks)
+namespace {
+
+std::filesystem::path numbers_beside(const std::filesystem::path& path) {
+    if (path.extension() != ".xdmf2")
+        throw InputError(
+            fmt::format("A series for ParaView is named NAME.xdmf2; '{}' does not end in .xdmf2.", path.string()));
+    return path.string() + ".h5";
+}
+
+/// The whole of an array as a dataset, compressed.
+template <class Value>
+void write_numbers(hid_t file, const std::string& name, const std::vector<Value>& values) {
+    hdf5::Series<Value> series(file, {name, "", name}, {}, values.size());
+    series.append(values);
+    series.finish();
+}
+
+/// The type as XDMF names it.
+std::string_view type_words(const XdmfValues& values) {
+    constexpr std::array<std::string_view, 3> words{R"(NumberType="Float" Precision="4")",
+                                                    R"(NumberType="Int" Precision="4")",
+                                                    R"(NumberType="Char" Precision="1")"};
+    return words.at(values.index());
+}
+
+/// x, y or z of all points.
+XdmfArray coordinate(const XdmfMesh& mesh, std::size_t axis) {
+    std::vector<float> values;
+    for (std::size_t i = axis; i < mesh.points.size(); i += 3) values.push_back(mesh.points[i]);
+    return {std::string(1, "xyz"[axis]), values};
+}
+
+}  // namespace
+
+XdmfSeries::XdmfSeries(const std::filesystem::path& path, const RecordingSubject& subject,
+                       const std::vector<BreakEvent>& breaks)
     : path_(path),
-      folder_(std::filesystem::path(path).replace_extension()),
+      numbers_(hdf5::create_file(numbers_beside(path))),
       subject_(subject),
       layout_(subject.floes),
       breaks_(breaks),
-      state_{.collection = path.filename().string()} {
-    if (path.extension() != ".pvd")
-        throw InputError(
-            fmt::format("A series for ParaView is named NAME.pvd; '{}' does not end in .pvd.", path.string()));
-    std::error_code error;
-    std::filesystem::create_directories(folder_, error);
-    if (error) throw RunError(fmt::format("Cannot make the folder {}: {}.", folder_.string(), error.message()));
+      sheets_(ice_sheets_part(subject.channel())),
+      state_{.file = path.filename().string()} {}
 
-    const VtkMesh sheets = ice_sheets_part(subject.channel());
-    sheets_ = fmt::format("ice_sheets{}", sheets.extension());
-    write_vtk(folder_ / sheets_, sheets, 0);
-}
-
-void VtkSeries::add(const Frame& frame) {
-    write("ice", 0, ice_part(frame, layout_, broken_floes(breaks_, layout_.floes(), frame.time)), frame.time);
-    write("structure", 1, structure_part(subject_.scenario.structure.shape, frame.structure), frame.time);
-    write("load", 2, load_part(frame), frame.time);
-    write("contacts", 3, contacts_part(frame), frame.time);
-    list("ice_sheets", 4, sheets_, frame.time);
+void XdmfSeries::add(const Frame& frame) {
+    write("ice", ice_part(frame, layout_, broken_floes(breaks_, layout_.floes(), frame.time)), frame.time);
+    write("structure", structure_part(subject_.scenario.structure.shape, frame.structure), frame.time);
+    write("load", load_part(frame), frame.time);
+    write("contacts", contacts_part(frame), frame.time);
+    write("ice_sheets", sheets_, frame.time);
     if (subject_.scenario.moorings.line_count() > 0)
-        write("moorings", 5, moorings_part(frame, subject_.scenario.moorings), frame.time);
+        write("moorings", moorings_part(frame, subject_.scenario.moorings), frame.time);
 
     if (frames_ == 0) state_.first_axis = frame.structure.position.x();
     state_.last_axis = frame.structure.position.x();
@@ -475,24 +433,56 @@ void VtkSeries::add(const Frame& frame) {
     ++frames_;
 }
 
-void VtkSeries::write(const std::string& part, int number, const VtkMesh& mesh, double time) {
-    const std::string file = fmt::format("{}_{:05}{}", part, frames_, mesh.extension());
-    write_vtk(folder_ / file, mesh, time);
-    list(part, number, file, time);
+void XdmfSeries::write(const std::string& part, const XdmfMesh& mesh, double time) {
+    std::string& grids = grids_[part];
+    if (mesh.count == 0) return;  // ParaView's reader falls over a part of nothing
+    grids += fmt::format(R"(<Grid Name="{}"><Time Value="{}"/>)"
+                         R"(<Topology TopologyType="Mixed" NumberOfElements="{}">{}</Topology>)"
+                         R"(<Geometry GeometryType="X_Y_Z">)",
+                         part, time, mesh.count, item(part, {"cells", mesh.cells}));
+    for (std::size_t axis = 0; axis < 3; ++axis) grids += item(part, coordinate(mesh, axis));
+    grids += "</Geometry>" + attributes(part, mesh.point_data, "Node") + attributes(part, mesh.cell_data, "Cell") +
+             "</Grid>\n";
 }
 
-void VtkSeries::list(const std::string& part, int number, const std::string& file, double time) {
-    datasets_ += fmt::format(R"(<DataSet timestep="{}" part="{}" name="{}" file="{}/{}"/>)"
-                             "\n",
-                             time, number, part, html_escaped(folder_.filename().string()), file);
+std::string XdmfSeries::attributes(const std::string& part, const std::vector<XdmfArray>& arrays,
+                                   std::string_view centre) {
+    std::string text;
+    for (const XdmfArray& array : arrays)
+        text += fmt::format(R"(<Attribute Name="{}" AttributeType="{}" Center="{}">{}</Attribute>)", array.name,
+                            array.components == 3 ? "Vector" : "Scalar", centre, item(part, array));
+    return text;
 }
 
-void VtkSeries::finish() {
-    write_text(std::filesystem::path(path_).replace_extension(".py"), vtk_state(state_, subject_));
-    write_text(path_, fmt::format("<?xml version=\"1.0\"?>\n"
-                                  "<VTKFile type=\"Collection\" version=\"1.0\">\n<Collection>\n{}"
-                                  "</Collection>\n</VTKFile>\n",
-                                  datasets_));
+std::string XdmfSeries::item(const std::string& part, const XdmfArray& array) {
+    const std::string key = part + '_' + array.name;
+    Written& last = written_[key];
+    if (last.values == array.values && !last.item.empty()) return last.item;
+    const std::string name = fmt::format("{}_{:05}", key, frames_);
+    const std::size_t values = std::visit(
+        [&](const auto& all) {
+            write_numbers(numbers_.id(), name, all);
+            return all.size();
+        },
+        array.values);
+    const std::string sizes =
+        array.components == 1 ? fmt::to_string(values) : fmt::format("{} {}", values / 3, array.components);
+    last = {array.values, fmt::format(R"(<DataItem Format="HDF" {} Dimensions="{}">{}:/{}</DataItem>)",
+                                      type_words(array.values), sizes, html_escaped(state_.file) + ".h5", name)};
+    return last.item;
+}
+
+void XdmfSeries::finish() {
+    numbers_.close("H5Fclose", numbers_beside(path_).string());
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\">\n<Domain>\n"
+        "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Spatial\">\n";
+    for (const auto& [part, grids] : grids_)
+        if (!grids.empty())
+            text += fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n{}</Grid>\n",
+                                part, grids);
+    write_text(std::filesystem::path(path_).replace_extension(".py"), paraview_state(state_, subject_));
+    write_text(path_, text + "</Grid>\n</Domain>\n</Xdmf>\n");
 }
 
 }  // namespace floes
