@@ -4,9 +4,7 @@
 
 namespace floes {
 
-namespace {
-
-std::string escaped(std::string_view text) {
+std::string xml_escaped(std::string_view text) {
     std::string made;
     for (const char c : text) {
         if (c == '&')
@@ -21,9 +19,11 @@ std::string escaped(std::string_view text) {
     return made;
 }
 
+namespace {
+
 std::string start_of(const FmuVariable& one, const FmuDescription& of) {
     if (one.reference == fmu_reference::arrangement) return fmt::format("{}", of.arrangement);
-    if (one.reference == fmu_reference::case_name) return escaped(of.case_name);
+    if (one.reference == fmu_reference::case_name) return xml_escaped(of.case_name);
     return one.type == FmuType::string ? "" : "0";
 }
 
@@ -35,7 +35,8 @@ std::string_view variability_of(const FmuVariable& one) {
 
 std::string common_attributes(const FmuVariable& one) {
     return fmt::format(R"(name="{}" valueReference="{}" description="{}" causality="{}"{})", one.name, one.reference,
-                       escaped(one.words), fmu_role_words.at(static_cast<std::size_t>(one.role)), variability_of(one));
+                       xml_escaped(one.words), fmu_role_words.at(static_cast<std::size_t>(one.role)),
+                       variability_of(one));
 }
 
 /// Start, of what hosts set, and unit.
@@ -83,7 +84,7 @@ std::string text_2(const FmuDescription& of) {
         "variableNamingConvention=\"flat\">\n"
         "  <CoSimulation modelIdentifier=\"{}\" canHandleVariableCommunicationStepSize=\"false\" "
         "canNotUseMemoryManagementFunctions=\"true\" canGetAndSetFMUstate=\"{}\" canSerializeFMUstate=\"{}\"/>\n",
-        escaped(of.model_name), of.token, of.program, fmu_identifier, of.can_be_saved, of.can_be_saved);
+        xml_escaped(of.model_name), of.token, of.program, fmu_identifier, of.can_be_saved, of.can_be_saved);
     text += units_text();
     text += categories;
     text += experiment(of) + "  <ModelVariables>\n";
@@ -107,7 +108,8 @@ std::string text_3(const FmuDescription& of) {
         "variableNamingConvention=\"flat\">\n"
         "  <CoSimulation modelIdentifier=\"{}\" canHandleVariableCommunicationStepSize=\"false\" "
         "fixedInternalStepSize=\"{}\" canGetAndSetFMUState=\"{}\" canSerializeFMUState=\"{}\"/>\n",
-        escaped(of.model_name), of.token, of.program, fmu_identifier, of.time_step, of.can_be_saved, of.can_be_saved);
+        xml_escaped(of.model_name), of.token, of.program, fmu_identifier, of.time_step, of.can_be_saved,
+        of.can_be_saved);
     text += units_text();
     text += categories;
     text += experiment(of) + "  <ModelVariables>\n";

@@ -456,6 +456,15 @@ TEST_P(Fmu, IsAnArchiveThatImportersTake) {
         EXPECT_TRUE(files.contains(name)) << name;
 }
 
+TEST_P(Fmu, PutsItsNameIntoMarkup) {
+    FmuParts parts;
+    parts.description.model_name = "ice <2 m> & \"wind\"";
+    const auto files = unzipped(fmu_file(parts, GetParam() == 2 ? FmiVersion::two : FmiVersion::three));
+    const std::string name = "ice &lt;2 m> &amp; &quot;wind&quot;";
+    EXPECT_THAT(files.at("documentation/index.html").bytes, HasSubstr("<h1>" + name + "</h1>"));
+    EXPECT_THAT(files.at("modelDescription.xml").bytes, HasSubstr("modelName=\"" + name + "\""));
+}
+
 /// Of every element of that name, its attributes.
 std::vector<std::map<std::string, std::string>> elements(const std::string& text, const std::string& name) {
     std::vector<std::map<std::string, std::string>> found;
