@@ -19,7 +19,6 @@ import pandas as pd
 
 from page_blocks import fill_or_check
 from validation_data import half_width
-from validation_tables import table, with_interval
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -30,7 +29,7 @@ ARRANGEMENTS = 20
 POWERS = {"m": 1, "s": 0.5, "m_s": 0.5, "m_s2": 0, "kPa": 1, "MPa": 1, "N": 3}  # of the scale, by the unit in a key
 OF_THE_RUN = ["run", "stop"]  # tables that are not of the scene
 BY_ITSELF = ["tolerance_mm_s"]  # goes with the ice's thickness without being told
-QUANTITIES = {"mean_N": "mean load, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
+QUANTITIES = {"mean_N": "mean load", "maximum_1s_N": "maxima over 1 s", "broken_percent": "broken floes"}
 
 
 def scaled(key, value, scale):
@@ -132,13 +131,9 @@ def ratio(scale, name):
 
 
 def scales():
-    rows = []
-    for scale in SCALES:
-        own = members(scale)
-        rows.append([f"{scale:g}", *[with_interval(own[name].groupby("arrangement").mean()) for name in QUANTITIES]])
+    """Of the scale that is no power of 4, in words."""
     last = SCALES[-1]
-    rows.append([f"{last:g}, over scale 1", *[ratio(last, name) for name in QUANTITIES]])
-    return table(["scale", *QUANTITIES.values()], rows)
+    return f"At scale {last:g}: " + ", ".join(f"{words} {ratio(last, name)}" for name, words in QUANTITIES.items()) + "."
 
 
 def equal():
