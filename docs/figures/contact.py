@@ -5,8 +5,8 @@ Usage:
     contact.py                    writes the tables
     contact.py --check            writes nothing; fails if a table differs from the data
     contact.py --collect FOLDER   first takes the members of the finished campaigns contact_choices.h5, resolution.h5,
-                                  friction_cone.h5, friction_wall.h5, jam.h5 and jam_loose.h5 in FOLDER, made from
-                                  configs/validation, or of their parts (jam.part1.h5, …)
+                                  friction_cone.h5 and jam.h5 in FOLDER, made from configs/validation, or of their parts
+                                  (jam.part1.h5, …)
 """
 import pathlib
 import sys
@@ -23,24 +23,19 @@ DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "contact"
 COLUMNS = ["split_ratio", "mean_heave", "mean_sweeps"]
 CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution",
-             "friction_cone": "friction_cone", "friction_wall": "friction_wall", "jam": "jam",
-             "jam_loose": "jam_loose"}
+             "friction_cone": "friction_cone", "jam": "jam"}
 QUANTITIES = {"mean_N": "mean, N", "maximum_0.1s_N": "largest over 0.1 s, N", "maximum_1s_N": "over 1 s, N",
               "broken_percent": "broken floes, %"}
 NUMERIC_QUANTITIES = QUANTITIES | {"heave_N": "heave, N"}
 JAM_QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "largest over 1 s, N", "broken_percent": "broken floes, %"}
 CHOICES = {"default": "**default: friction cone, crushing at 145.6 kPa**", "pressure_halved": "crushing at 72.8 kPa",
-           "pressure_x4": "crushing at 582.4 kPa", "pressure_x16": "crushing at 2330 kPa",
-           "edges_act": "crushing, internal edges act", "rigid": "rigid, Γ 0.2",
-           "rigid_edges_act": "rigid, Γ 0.2, internal edges act", "rigid_erp_0": "rigid, Γ 0",
+           "pressure_x16": "crushing at 2330 kPa", "edges_act": "crushing, internal edges act", "rigid": "rigid, Γ 0.2",
            "rigid_erp_0.8": "rigid, Γ 0.8"}
-PAPER = {"paper_physical_contacts": "**physical contacts**", "paper": "the paper's contacts"}
-NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s", "step_0.005": "step 0.005 s",
+NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s",
             "step_0.0025": "step 0.0025 s", "tolerance_10": "tolerance 10 mm/s",
-            "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps", "sweeps_20": "at most 20 sweeps",
+            "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps",
             "elements_0.3": "elements 0.3 m", "elements_0.15": "elements 0.15 m", "elements_0.1": "elements 0.1 m"}
 JAM = {"tolerance_1": "**1 mm/s**", "tolerance_0.2": "0.2 mm/s", "tolerance_0.05": "0.05 mm/s"}
-LOOSE = {"tolerance_1": "**1 mm/s**", "tolerance_2": "2 mm/s", "tolerance_4": "4 mm/s", "tolerance_8": "8 mm/s"}
 FRICTION = {"constant": "**constant**", "ice_rate_and_state": "ice on ice by rate and state",
             "ice_power": "ice on ice by the power 0.35", "hull_power": "hull by the power 0.28"}
 
@@ -105,8 +100,6 @@ def friction(data):
     speeds = sorted(cases[1].unique(), key=float)
     rows = []
     for law, words in FRICTION.items():
-        if law not in set(cases[0]):
-            continue
         cells = [words]
         for speed in speeds:
             one, constant = (data[data.case == f"{name}_{speed}"].set_index("arrangement").mean_N
@@ -118,17 +111,6 @@ def friction(data):
                 cells.append(difference(apart.mean(), half_width(apart)))
         rows.append(cells)
     return table(["friction", *(f"mean, N, {speed} m/s" for speed in speeds)], rows)
-
-
-def single_steps():
-    """Of bench/contact_error.cpp: errors of the load, and sweeps, by tolerance."""
-    rows = pd.read_csv(DATA / "single_steps.csv")
-    tolerances = [0.2, 1, 2, 8]
-    cells = []
-    for scene, of in rows.groupby("scene", sort=False):
-        of = of.set_index("tolerance_mm_s")
-        cells.append([scene, *(f"{of.load_error_percent[t]:.1f} %, {of.sweeps[t]:.0f}" for t in tolerances)])
-    return table(["scene", *(f"**{t:g} mm/s**" if t == 1 else f"{t:g} mm/s" for t in tolerances)], cells)
 
 
 def main(arguments):
@@ -146,17 +128,14 @@ def main(arguments):
     def numerics():
         return beside(resolution, NUMERICS, "computed with", NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
-    def jam(name, words):
-        rows = members(name)
+    def jam():
+        rows = members("jam")
         counts = rows.case.value_counts()
-        return beside(rows, {case: f"{text} ({counts[case]})" for case, text in words.items()},
+        return beside(rows, {case: f"{text} ({counts[case]})" for case, text in JAM.items()},
                       "contacts solved to (arrangements)", JAM_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
-    blocks = {"numerics": numerics, "jam": lambda: jam("jam", JAM), "jam_loose": lambda: jam("jam_loose", LOOSE),
-              "single_steps": single_steps,
-              "choices": lambda: beside(choices, CHOICES, "contacts"), "paper": lambda: beside(choices, PAPER, "contacts"),
-              "friction_cone": lambda: friction(members("friction_cone")),
-              "friction_wall": lambda: friction(members("friction_wall"))}
+    blocks = {"numerics": numerics, "jam": jam, "choices": lambda: beside(choices, CHOICES, "contacts"),
+              "friction_cone": lambda: friction(members("friction_cone"))}
     fill_or_check({DOCS / "convergence.md": blocks}, arguments == ["--check"], "contact.py")
 
 
