@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""The tables of docs/fracture.md.
+"""What docs/fracture.md has of the grid of beams.
 
 Usage:
-    fracture.py                   writes the tables from docs/fracture/*.csv
-    fracture.py --check           writes nothing; fails if a table differs from the data
+    fracture.py                   writes it from docs/fracture/*.csv
+    fracture.py --check           writes nothing; fails if the page differs from the data
     fracture.py --grid            first solves the grid of beams at rest on water, a minute; its own lines, not those of floes
     fracture.py --wide RECORDING  draws the cracks of the wide floe instead, docs/fracture/wide_floe.svg
 """
@@ -15,7 +15,6 @@ import numpy as np
 import pandas as pd
 
 from page_blocks import fill_or_check
-from validation_tables import table
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -26,7 +25,6 @@ LENGTH = (D / K) ** 0.25
 ELEMENTS = [0.3, 0.2, 0.15, 0.1, 0.05]
 PATCH = {"edge": (0.6, 0.66), "interior": (1.0, 0.92)}  # as src/ice/stress_field.cpp has it
 PER_DECADE = {"edge": 4 * 0.529 * (1 + 0.54 * NU), "interior": 4 * 0.275 * (1 + NU)}
-GIVEN_OVER_OWN = 3  # as src/ice/failure.cpp has it
 
 
 def felt(load):
@@ -137,8 +135,8 @@ def patches():
 
 
 def first_cracks():
-    """Load of the first crack at the rim of a half plate, N, by the grid alone, with what contacts add, and with an
-    energy; and how much further a joint turns when it is gone."""
+    """Load of the first crack at the rim of a half plate, N, by the grid alone and with what contacts add; and how much
+    further a joint turns when it is gone."""
     rows = []
     for side in ELEMENTS:
         grid = Grid(side, "edge")
@@ -147,21 +145,16 @@ def first_cracks():
         motion = grid.solve(0.0, -side / 2, without=(i, k, 1))
         without = math.hypot(*grid.moments(motion, i, k, 1)) / D
 
-        def cracked(load, energy):
+        def cracked(load, contact):
             added = PER_DECADE["edge"] / T**2 * math.log10(PATCH["edge"][0] * side / felt(load))
-            with_contact = load * principal(along + max(0, added), across, twist) / STRENGTH
-            smooth = load * principal(along, across, twist) / STRENGTH
-            if energy is None:
-                return load * along / STRENGTH
-            enough = load * turned * math.sqrt(GIVEN_OVER_OWN * D / (2 * energy * side * T)) if energy else math.inf
-            return min(with_contact, max(smooth, enough))
+            return load * (principal(along + max(0, added), across, twist) if contact else along) / STRENGTH
 
         row = {"element_m": side, "turns_further": without / turned}
-        for energy, name in [(None, "moment"), (0, "energy_0"), (0.1, "energy_0.1"), (0.5, "energy_0.5"), (1, "energy_1")]:
+        for contact, name in [(False, "moment"), (True, "stress")]:
             low, high = 0.1, 200.0
             for _ in range(50):
                 middle = (low + high) / 2
-                low, high = (low, middle) if cracked(middle, energy) > 1 else (middle, high)
+                low, high = (low, middle) if cracked(middle, contact) > 1 else (middle, high)
             row[name] = high
         rows.append(row)
     return pd.DataFrame(rows).round(3)
@@ -171,21 +164,17 @@ def data(name):
     return pd.read_csv(DATA / f"{name}.csv")
 
 
-def patch_table():
-    """Over all sizes of elements, by where the contact lies."""
-    rows = []
-    for (where, share), of in data("patches").groupby(["where", "towards_joint"], sort=False):
-        spans = [f"{of[name].min():.2f} to {of[name].max():.2f}" for name in ["patch", "stress_over_formula"]]
-        rows.append([{"edge": "rim", "interior": "inside"}[where], f"{share:g}", spans[0], f"{of.patch_used.iloc[0]:.2f}", spans[1]])
-    return table(["load at", "towards the joint, sides", "b_L needed, sides", "used", "stress / formula"], rows)
+def patch_says():
+    spans = data("patches").groupby("where").stress_over_formula.agg(["min", "max"])
+    rim, inside = ("{:.2f} to {:.2f}".format(*spans.loc[where]) for where in ["edge", "interior"])
+    return f"The stress is {rim} times the formula's at a rim, {inside} times inside."
 
 
-def crack_table():
+def crack_says():
     rows = data("first_cracks")
-    return table(["element, m", "moment, Eq. (3)", "stress", "0.1 J/m²", "0.5 J/m²", "1 J/m²", "turns further"],
-                 [[f"{row.element_m:g}"] + [f"{value:.1f}" for value in row[["moment", "energy_0", "energy_0.1", "energy_0.5",
-                                                                             "energy_1", "turns_further"]]]
-                  for _, row in rows.iterrows()])
+    loads = {name: " to ".join(f"{rows[name].iloc[i]:.1f}" for i in (0, -1)) for name in ["moment", "stress"]}
+    return (f"The first crack forms at {loads['moment']} N by moment, Eq. (3), and at {loads['stress']} N by stress, with elements of\n"
+            f"{rows.element_m.max():g} to {rows.element_m.min():g} m.")
 
 
 def cracks(recording):
@@ -238,7 +227,7 @@ def main():
         return
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "fracture.md": {"patches": patch_table, "first_cracks": crack_table}}, arguments == ["--check"],
+    fill_or_check({DOCS / "fracture.md": {"patches": patch_says, "first_cracks": crack_says}}, arguments == ["--check"],
                   "fracture.py")
 
 
