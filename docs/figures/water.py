@@ -4,8 +4,8 @@
 Usage:
     water.py                    writes the tables
     water.py --check            writes nothing; fails if a table differs from the data
-    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5, boundaries.h5 and shelter.h5 in
-                                FOLDER, as far as they are there
+    water.py --collect FOLDER   first takes the members of the campaigns water_channel.h5 and boundaries.h5 in FOLDER, as far
+                                as they are there
 """
 import pathlib
 import sys
@@ -14,7 +14,7 @@ import pandas as pd
 
 from contact import beside, collected
 from page_blocks import fill_or_check
-from validation_data import change, half_width, interval
+from validation_data import change, interval
 from validation_tables import difference, table, with_interval
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
@@ -22,7 +22,7 @@ DATA = DOCS / "water"
 CASES = {"outline": "**waves and added mass of the outline (the default)**", "waves": "waves of the outline, no added mass",
          "neither": "neither",
          "paper": "the paper's preset: 15 % of critical damping, under water too, no added mass, no shelter"}
-CAMPAIGNS = ["water_channel", "boundaries", "shelter"]
+CAMPAIGNS = ["water_channel", "boundaries"]
 QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "maxima, 1 s, N", "broken_percent": "broken floes, %"}
 WORK = {"ice_friction": "friction, ice on ice", "ice_crushing": "crushing and stopping, ice on ice",
         "hull_friction": "friction on the structure", "hull_crushing": "crushing and stopping on the structure",
@@ -36,11 +36,9 @@ def members(name):
 
 
 BOUNDARIES = {"fixed": "**fixed sheets, half width 1.25 m, 24 floes (the channel of smoke.toml)**",
-              "width_1.5": "1.5 times as wide", "width_2": "2 times as wide", "width_3": "3 times as wide",
-              "length_2": "2 times as long", "length_3": "3 times as long", "far_end_open": "far end open",
-              "sides_open": "sides open", "pressure_5": "sheets press with 5 N/m",
-              "pressure_20": "sheets press with 20 N/m", "pressure_80": "sheets press with 80 N/m",
-              "sides_press_20": "sides press with 20 N/m, far end open"}
+              "width_2": "2 times as wide", "width_3": "3 times as wide", "length_3": "3 times as long",
+              "far_end_open": "far end open", "sides_open": "sides open", "pressure_5": "sheets press with 5 N/m",
+              "pressure_20": "sheets press with 20 N/m", "pressure_80": "sheets press with 80 N/m"}
 
 
 def boundaries():
@@ -50,34 +48,13 @@ def boundaries():
     for case, words in BOUNDARIES.items():
         own = rows[rows.case == case]
         cells = [words, with_interval(own.mean_N.to_numpy())]
-        for quantity in QUANTITIES:
+        for quantity in ["mean_N", "maximum_1s_N"]:
             if case != "fixed":
                 cells.append(difference(*change(rows, quantity, case, "fixed")))
             else:
                 cells.append("" if quantity == "mean_N" else with_interval(own[quantity].to_numpy()))
         lines.append(cells)
-    return table(["channel", "mean, N", "beside fixed", "maxima, 1 s, N, beside fixed", "broken floes, %, beside fixed"], lines)
-
-
-SHELTERED = {"channel": "the channel of smoke.toml", "current": "a current of 0.1 m/s presses ice on the structure",
-             "wind": "a wind of 5 m/s does"}
-
-
-def shelter():
-    """Each condition beside the same one without shelter, in pairs over arrangements."""
-    rows = members("shelter")
-    quantities = ["mean_N", "maximum_1s_N"]
-    lines = []
-    for case, words in SHELTERED.items():
-        own, without = (rows[rows.case == one].set_index("arrangement") for one in (case, f"{case}_open"))
-        common = sorted(set(own.index) & set(without.index))
-        cells = [words]
-        for quantity in quantities:
-            values = own.loc[common, quantity].to_numpy()
-            apart = values - without.loc[common, quantity].to_numpy()
-            cells += [with_interval(values), difference(apart.mean(), half_width(apart))]
-        lines.append(cells)
-    return table(["ice"] + [cell for one in quantities for cell in (QUANTITIES[one], "by shelter")], lines)
+    return table(["channel", "mean, N", "beside fixed", "maxima, 1 s, N, beside fixed"], lines)
 
 
 def work(name):
@@ -109,7 +86,7 @@ def main():
         sys.exit(__doc__)
     fill_or_check({DOCS / "water.md": {"channel": lambda: beside(members("water_channel"), CASES, "water", QUANTITIES),
                                        "work": lambda: work("water_channel"),
-                                       "boundaries": boundaries, "shelter": shelter}},
+                                       "boundaries": boundaries}},
                   arguments == ["--check"], "water.py")
 
 
