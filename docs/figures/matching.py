@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""The tables of docs/matching.md and its picture, from the summaries in docs/matching.
+"""The table of docs/matching.md and its pictures, from the summaries in docs/matching.
 
 Usage:
-    matching.py                     writes the tables
+    matching.py                     writes the table
     matching.py --check             writes nothing; fails if the page differs from the data
     matching.py --collect FOLDER [FLOES]
                                     first matches channel.h5, wave2.h5 and physical.h5 of FOLDER with the program FLOES,
@@ -13,7 +13,6 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import tomllib
 
 from page_blocks import fill_or_check
 from validation_tables import table
@@ -29,20 +28,6 @@ MATCHINGS = {
     "tank": ("the tank test", ["physical"], "tank"),
 }
 PICTURES = {"ten_runs": "pairs.png", "tank": "tank_pairs.png"}
-# Of the tank test: what is not known of the largest load, and what a further measurement would say, each beside a record
-# that was averaged over 1 s. Name of a reading: what the page calls it, averaging time, change of each target, and what
-# else would be measured, as it is expected.
-READINGS = {
-    "single": ("single steps of 0.02 s", "", {}, None),
-    "0.1": ("0.1 s", "_0.1s", {}, None),
-    "0.5": ("0.5 s", "_0.5s", {}, None),
-    "1": ("1 s", "_1s", {}, None),
-    "2": ("2 s", "_2s", {}, None),
-    "open_water": ("whether open water is in the 38.8 N", "_1s", {"uncertainty": 0.03}, None),
-    "heave": ("the mean heave load", "_1s", {}, "mean_heave"),
-    "spectrum": ("the SD over 1 s", "_1s", {}, "sd_load_1s"),
-    "ten": ("all of it in ten runs", "_1s", {"runs": 10}, None),
-}
 TRUTH = {"structure.keel_radius_m": 0.43, "contact.ice_structure_friction": 0.2}  # behind the targets of the channel
 
 
@@ -63,54 +48,12 @@ def collect(folder, floes):
             (DATA / f"{name}.json").write_text(done.stdout)
             if name in PICTURES:
                 picture(page, DATA / PICTURES[name])
-    collect_readings(folder, floes)
-
-
-def matched(floes, campaign, targets, *more):
-    with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
-        for target in targets:
-            file.write("[[target]]\n" + "".join(f"{key} = {json.dumps(value)}\n" for key, value in target.items()))
-        file.flush()
-        command = [floes, "match", campaign, "--targets", file.name, "--format", "json", *more]
-        return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)["match"]
-
-
-def collect_readings(folder, floes):
-    """Each target may be off by 10 % of what is measured, the share of cracked floes by its own discrepancy."""
-    mean, largest, cracked = tomllib.loads((ROOT / "configs/targets_tank.toml").read_text())["target"]
-    campaign = folder / "physical.h5"
-    found = {}
-    for name, (_, averaging, changes, measured) in READINGS.items():
-        own = {"quantity": f"maximum_load{averaging}", "discrepancy_percent": mean["discrepancy_percent"]}
-        targets = [mean | changes, largest | own | changes, cracked | changes]
-        if measured:
-            [expected] = matched(floes, campaign, targets, "--predict", f"E60:{measured}")["predicted"]
-            targets.append(mean | {"quantity": measured, "value": expected["weighted"], "uncertainty": 0.0})
-        found[name] = matched(floes, campaign, targets)
-    (DATA / "tank_readings.json").write_text(json.dumps(found, indent=1) + "\n")
-
-
-def percent(share):
-    return f"{100 * share:.0f}" if share >= 0.1 else f"{100 * share:.1f}"
 
 
 def left():
-    rows = []
-    for name, (words, _, _) in MATCHINGS.items():
-        found = told(name)
-        truth = max((target["implausibility"] for target in found.get("point", [])), default=None)
-        rows.append([words, f"{percent(found['left'])} %", "–" if truth is None else f"{truth:.1f}"])
-    return table(["measured", "not ruled out", "implausibility of the truth"], rows)
-
-
-def readings():
-    found = json.loads((DATA / "tank_readings.json").read_text())
-    rows = []
-    for name, one in found.items():
-        mean, largest, _ = one["targets"][:3]
-        rows.append([READINGS[name][0], *(f"{percent(share)} %" for share in
-                                          (one["left"], mean["rules_out"], largest["rules_out"]))])
-    return table(["record averaged over; 1 s, and if one knew", "not ruled out", "mean rules out", "largest load"], rows)
+    shares = {name: f"{100 * told(name)['left']:.0f} %" for name in MATCHINGS}
+    return (f"Not ruled out are {shares['one_run']} of the ranges by one run, {shares['one_run_two_waves']} after two waves, and "
+            f"{shares['ten_runs']} by the mean of ten\nruns; by the tank test of the next section {shares['tank']}.")
 
 
 def design():
@@ -134,7 +77,7 @@ def picture(page, png):
                     f"--screenshot={png}", page.as_uri()], check=True, capture_output=True)
 
 
-BLOCKS = {"left": left, "design": design, "readings": readings}
+BLOCKS = {"left": left, "design": design}
 
 
 def main(arguments):

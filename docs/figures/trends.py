@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""The tables of docs/trends.md, from docs/trends.
+"""The table of docs/trends.md, from docs/trends.
 
 Usage:
-    trends.py                          writes the tables
-    trends.py --check                  writes nothing; fails if a table differs from the data
+    trends.py                          writes the table
+    trends.py --check                  writes nothing; fails if it differs from the data
     trends.py --collect FOLDER FLOES   first takes the members of arch_gap.h5 and compressed_field.h5 in FOLDER, made from
                                        configs/validation, as far as they are there, and draws docs/trends/*.png
 """
@@ -17,8 +17,8 @@ from scipy import stats
 
 from contact import collected
 from page_blocks import fill_or_check
-from validation_data import change, half_width, interval
-from validation_tables import bracketed, table, with_interval
+from validation_data import change
+from validation_tables import bracketed, table
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "trends"
@@ -28,18 +28,6 @@ WORK = ["ice_crushing", "ice_friction", "hull_crushing", "hull_friction", "lifti
 COLUMNS = {"arch_gap": ["floes_astern", "ice_flux"], "compressed_field": ["mean_concentration"] + [f"work_{one}" for one in WORK]}
 SIDES = ["side_0.08", "side_0.10", "side_0.125", "side_0.15", "side_0.20", "side_0.25", "side_0.33"]
 BASE = "side_0.25"
-GAPS = {"closeness_20": "32 % comes to the gap (concentration times width over gap)", "closeness_30": "48 %", "closeness_45": "72 %",
-        BASE: "**96 %, as above**", "twice_as_wide": "96 %, channel twice as wide, half as close", "speed_0.05": "half the speed",
-        "speed_0.2": "twice the speed, half the time step", "friction_0.1": "friction 0.1, on the barrier too",
-        "friction_0.6": "friction 0.6, on the barrier too",
-        "two_sizes_25": "25 % of the area of this side, 75 % of half of it", "two_sizes_50": "50 and 50 %",
-        "two_sizes_75": "75 and 25 %"}
-FIELDS = {"base": "**side 0.3 m, 30 mm thick, 3 m long, 0.1 m/s, friction 0.3**", "thickness_0.015": "half as thick",
-          "thickness_0.06": "twice as thick", "side_0.2": "two thirds of the side", "side_0.45": "1.5 times the side",
-          "length_6": "twice as long", "speed_0.05": "half the speed", "speed_0.2": "twice the speed",
-          "friction_0.1": "ice-ice friction 0.1", "pressure_x4": "edges crush at four times the pressure",
-          "late": "**the first row, compressed on to 131 to 156 %**", "late_thickness_0.015": "half as thick",
-          "late_thickness_0.06": "twice as thick", "late_side_0.45": "1.5 times the side"}
 
 
 def members(name):
@@ -52,34 +40,6 @@ def members(name):
     return rows
 
 
-def share(hits, n):
-    """Clopper and Pearson's 95 % interval of a share, in percent."""
-    low = stats.beta.ppf(0.025, hits, n - hits + 1) if hits else 0.0
-    high = stats.beta.ppf(0.975, hits + 1, n - hits) if hits < n else 1.0
-    return f"{100 * hits / n:.0f} [{100 * low:.0f}, {100 * high:.0f}]"
-
-
-def arched(rows, case):
-    own = rows[rows.case == case]
-    return [f"{int(own.arched.sum())} of {len(own)}", share(int(own.arched.sum()), len(own)),
-            with_interval(own.passes.to_numpy())]
-
-
-def gaps():
-    rows = members("arch_gap")
-    return table(["side / gap", "arched", "%", "falls through, % of what comes"],
-                 [[case.removeprefix("side_"), *arched(rows, case)] for case in SIDES])
-
-
-def others():
-    rows = members("arch_gap")
-    lines = []
-    for case, words in GAPS.items():
-        beside = "" if case == BASE else "{:+.0f} ± {:.0f}".format(*change(rows, "passes", case, BASE))
-        lines.append([words, *arched(rows, case)[::2], beside])
-    return table(["side / gap 0.25", "arched", "falls through, %", "beside the bold row"], lines)
-
-
 def base_of(case):
     return "late" if case.startswith("late") else "base"
 
@@ -88,17 +48,6 @@ def ratio(rows, case):
     """Geometric mean over that of the base, with its 95 % interval."""
     mean, half = change(rows, "log_N", case, base_of(case))
     return tuple(np.exp([mean, mean - half, mean + half]))
-
-
-def fields():
-    rows = members("compressed_field")
-    lines = []
-    for case, words in FIELDS.items():
-        logs = rows[rows.case == case].log_N
-        middle, half = logs.mean(), half_width(logs)
-        lines.append([words, bracketed(*np.exp([middle, middle - half, middle + half])),
-                      "" if case == base_of(case) else bracketed(*ratio(rows, case))])
-    return table(["field", "load, geometric mean, N", "over the bold row"], lines)
 
 
 def exponent(quantity, cases):
@@ -122,7 +71,7 @@ def verdicts():
     rows = members("arch_gap")
 
     def counts(*cases):
-        return ", ".join(arched(rows, case)[0] for case in cases)
+        return ", ".join(f"{some(case)[0]} of {sum(some(case))}" for case in cases)
 
     def some(case):
         own = rows[rows.case == case].arched
@@ -189,8 +138,7 @@ def main():
         collect(pathlib.Path(arguments[1]), arguments[2])
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "trends.md": {"verdicts": verdicts, "gaps": gaps, "others": others, "fields": fields}},
-                  arguments == ["--check"], "trends.py")
+    fill_or_check({DOCS / "trends.md": {"verdicts": verdicts}}, arguments == ["--check"], "trends.py")
 
 
 if __name__ == "__main__":
