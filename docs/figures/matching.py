@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""The table of docs/matching.md and its pictures, from the summaries in docs/matching.
+"""The table of docs/matching.md and its picture, from the summaries in docs/matching.
 
 Usage:
     matching.py                     writes the table
     matching.py --check             writes nothing; fails if the page differs from the data
     matching.py --collect FOLDER [FLOES]
                                     first matches channel.h5, wave2.h5 and physical.h5 of FOLDER with the program FLOES,
-                                    and takes the pictures (needs chromium)
+                                    and takes the picture (needs chromium)
 """
 import json
 import pathlib
@@ -27,7 +27,6 @@ MATCHINGS = {
     "ten_runs": ("mean of ten runs, two waves", ["channel", "wave2"], "channel_ten"),
     "tank": ("the tank test", ["physical"], "tank"),
 }
-PICTURES = {"ten_runs": "pairs.png", "tank": "tank_pairs.png"}
 TRUTH = {"structure.keel_radius_m": 0.43, "contact.ice_structure_friction": 0.2}  # behind the targets of the channel
 
 
@@ -46,8 +45,8 @@ def collect(folder, floes):
                 command += [word for key, value in TRUTH.items() for word in ("--at", f"{key}={value}")]
             done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
             (DATA / f"{name}.json").write_text(done.stdout)
-            if name in PICTURES:
-                picture(page, DATA / PICTURES[name])
+            if name == "ten_runs":
+                picture(page, DATA / "pairs.png")
 
 
 def left():
