@@ -9,12 +9,13 @@ Usage:
 """
 import pathlib
 import sys
+import textwrap
 
 import pandas as pd
 
 from contact import beside, collected
 from page_blocks import fill_or_check
-from validation_data import change, interval
+from validation_data import change
 from validation_tables import difference, table, with_interval
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
@@ -59,19 +60,11 @@ def boundaries():
 
 def work(name):
     rows = members(name)
-    cases = ["outline"]
-    own = {case: rows[rows.case == case] for case in cases}
-    sums = {case: sum(one[f"work_{key}"].mean() for key in WORK) for case, one in own.items()}
-    lines = []
-    for key, words in WORK.items():
-        cells = [words]
-        for case, one in own.items():
-            mean, low, high = interval(one[f"work_{key}"].to_numpy())
-            cells += [f"{mean:.2f} ± {high - mean:.2f}", f"{100 * mean / sums[case]:.1f}"]
-        lines.append(cells)
-    lines.append(["together; mean load"] + [cell for case, one in own.items()
-                                            for cell in (f"{sums[case]:.2f}; {one['mean_N'].mean():.2f}", "100")])
-    return table(["work over the distance towed"] + [cell for case in cases for cell in ("N", "%")], lines)
+    own = rows[rows.case == "outline"]
+    means = {words: own[f"work_{key}"].mean() for key, words in WORK.items()}
+    total = sum(means.values())
+    shares = "; ".join(f"{words} {100 * mean / total:.1f} %" for words, mean in sorted(means.items(), key=lambda one: -one[1]))
+    return textwrap.fill(f"Of {total:.1f} N, where the mean load is {own.mean_N.mean():.1f} N: {shares}.", 125)
 
 
 def main():
