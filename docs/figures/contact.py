@@ -27,7 +27,7 @@ CAMPAIGNS = {"contact_choices": "choices", "resolution": "resolution",
 QUANTITIES = {"mean_N": "mean, N", "maximum_0.1s_N": "largest over 0.1 s, N", "maximum_1s_N": "over 1 s, N",
               "broken_percent": "broken floes, %"}
 NUMERIC_QUANTITIES = QUANTITIES | {"heave_N": "heave, N"}
-JAM_QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "largest over 1 s, N", "broken_percent": "broken floes, %"}
+LONG_QUANTITIES = {"mean_N": "mean, N", "maximum_1s_N": "largest over 1 s, N", "broken_percent": "broken floes, %"}
 CHOICES = {"default": "**default: friction cone, crushing at 145.6 kPa**", "pressure_halved": "crushing at 72.8 kPa",
            "pressure_x16": "crushing at 2330 kPa", "edges_act": "crushing, internal edges act", "rigid": "rigid, Γ 0.2",
            "rigid_erp_0.8": "rigid, Γ 0.8"}
@@ -132,7 +132,7 @@ def main(arguments):
         rows = members("jam")
         counts = rows.case.value_counts()
         return beside(rows, {case: f"{text} ({counts[case]})" for case, text in JAM.items()},
-                      "contacts solved to (arrangements)", JAM_QUANTITIES, {"mean_sweeps": "sweeps a step"})
+                      "contacts solved to (arrangements)", LONG_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
     blocks = {"numerics": numerics, "jam": jam, "choices": lambda: beside(choices, CHOICES, "contacts"),
               "friction_cone": lambda: friction(members("friction_cone"))}

@@ -11,7 +11,7 @@ import sys
 
 import pandas as pd
 
-from contact import beside, collected
+from contact import LONG_QUANTITIES, beside, collected
 from page_blocks import fill_or_check
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
@@ -27,8 +27,11 @@ def main():
         collected(pathlib.Path(arguments[1]) / "joints_channel.h5", {"case": "joint.name"}).to_csv(DATA, index=False)
     elif arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    fill_or_check({DOCS / "fracture.md": {"channel": lambda: beside(pd.read_csv(DATA), JOINTS, "joints", step_by_step=True)}},
-                  arguments == ["--check"], "ice.py")
+
+    def channel():
+        return beside(pd.read_csv(DATA), JOINTS, "joints", LONG_QUANTITIES, step_by_step=True)
+
+    fill_or_check({DOCS / "fracture.md": {"channel": channel}}, arguments == ["--check"], "ice.py")
 
 
 if __name__ == "__main__":
