@@ -24,11 +24,8 @@ EXPERIMENT = {"mean_load": 38.8, "maximum_load": 102.7, "failure_ratio": 0.22}
 FITTED_TO = {"fit_paper": PAPER.loc["E60", "mean_load"]}
 WINDOW_START = 120  # s; where the steady window of the scattered fields begins
 
-LABELS = {"mean_load": "mean load, N", "sd_load": "SD, N", "segment_1_maximum": "maximum 0-50 s, N",
-          "segment_2_maximum": "maximum 50-100 s, N", "segment_3_maximum": "maximum 100-150 s, N",
-          "mean_maximum": "mean of the maxima, N", "sd_maximum": "SD of the maxima, N",
-          "mean_maximum_1s": "mean of the maxima over 1 s, N", "maximum_load": "largest load, N",
-          "failure_ratio": "broken floes, %"}
+LABELS = {"mean_load": "mean load, N", "sd_load": "SD, N", "mean_maximum": "mean of the maxima, N",
+          "mean_maximum_1s": "mean of the maxima over 1 s, N", "failure_ratio": "broken floes, %"}
 
 
 def members(name):

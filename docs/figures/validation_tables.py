@@ -11,7 +11,6 @@ from validation_data import (EXPERIMENT, FITTED_TO, LABELS, MODULI, PAPER, SUMMA
                              across, as_far_off, common_scatter, half_width, interval, is_maximum, members, of_tank,
                              pairs, paper, pooled, variations, windows)
 
-FITTED_WALL = "r_0.445"  # the case of tank_walls with the wall that is fitted
 STARTS_SHOWN = [80, WINDOW_START]  # s
 SHOWN = ["mean_load", "sd_load", "mean_maximum", "failure_ratio"]  # of the paper's Table 3
 COMPARED = ["mean_load", "mean_maximum", "failure_ratio", "mean_maximum_1s"]
