@@ -6,6 +6,7 @@
 #include <time.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -13,10 +14,14 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "campaign_file/pieces.hpp"
 #include "campaign_file/publish.hpp"
+#include "run/hands.hpp"
 #include "run/link.hpp"
 #include "run/plan.hpp"
 #include "run/run_campaign.hpp"
@@ -72,8 +77,8 @@ MemberFunction sleeper(std::chrono::duration<double> duration, std::size_t steps
 }
 
 /// What the simulated run gives for the same members, without the launch, which is over when the clock begins.
-Forecast forecast_of(const Campaign& campaign, double duration, double record_bytes, int cores, int ranks,
-                     int writers) {
+Forecast forecast_of(const Campaign& campaign, double duration, double record_bytes, int cores, int ranks, int writers,
+                     int processors = static_cast<int>(std::thread::hardware_concurrency())) {
     PlannedMembers planned = expected_members(campaign);
     set_record_bytes(planned, record_bytes);  // noise packs worse than loads do
     for (SimulatedMember& member : planned.members) member.run_time = duration;
@@ -81,9 +86,53 @@ Forecast forecast_of(const Campaign& campaign, double duration, double record_by
     costs.start_up = 0;
     costs.start_up_per_rank = 0;
     Machine machine = machine_of(cores, ranks);
-    machine.processors = static_cast<int>(std::thread::hardware_concurrency());
+    machine.processors = processors;
     machine.writers = writers;
     return simulate(planned.members, machine, costs);
+}
+
+/// What publishing by so many hands costs, s of processor time, one after another in this process: the orders, all
+/// pieces and the dearest, the file that refers to them, and all digests.
+nlohmann::ordered_json costs_of_hands(const Campaign& campaign, const JournalContents& contents,
+                                      const std::filesystem::path& file, int hands) {
+    const double begin = processor_time(CLOCK_THREAD_CPUTIME_ID);
+    std::vector<Bytes> orders;
+    FoundSizes most{};
+    for (const PieceOrder& order : piece_orders(campaign, contents, file, hands)) {
+        most = order.most;
+        orders.push_back(encode(order));
+    }
+    const double ordered = processor_time(CLOCK_THREAD_CPUTIME_ID) - begin;
+    make_piece_folder(file);
+    std::vector<FilePiece> pieces;
+    double all = 0;
+    double dearest = 0;
+    for (const Bytes& order : orders) {
+        const PieceMade made = make_piece(campaign, decode_piece_order(order));
+        if (!made.trouble.empty()) throw std::runtime_error(made.trouble);
+        pieces.push_back(made.piece);
+        all += made.processor_time;
+        dearest = std::max(dearest, made.processor_time);
+    }
+    double digesting = 0;
+    double texts = 0;
+    const double before = processor_time(CLOCK_THREAD_CPUTIME_ID);
+    publish_over_pieces(file, campaign, pieces, most, contents.sessions, {},
+                        [&](const std::filesystem::path& over, const std::vector<std::string>& datasets) {
+                            const double from = processor_time(CLOCK_THREAD_CPUTIME_ID);
+                            std::vector<std::vector<std::string>> shares(static_cast<std::size_t>(hands));
+                            for (std::size_t k = 0; k < datasets.size(); ++k)
+                                shares[k % shares.size()].push_back(datasets[k]);
+                            DatasetDigests digests;
+                            for (const auto& share : shares) digests.merge(digests_over_pieces(over, pieces, share));
+                            digesting = processor_time(CLOCK_THREAD_CPUTIME_ID) - from;
+                            digests_over_pieces(over, pieces, std::array{std::string("/provenance/host")});
+                            texts = processor_time(CLOCK_THREAD_CPUTIME_ID) - from - digesting;
+                            return digests;
+                        });
+    const double index = processor_time(CLOCK_THREAD_CPUTIME_ID) - before - digesting - texts;
+    return {{"orders", ordered}, {"pieces", all},        {"dearest_piece", dearest},
+            {"index", index},    {"digests", digesting}, {"digest_of_texts", texts}};
 }
 
 /// What a message costs this rank, s of processor time: `send` one to, `receive` one from another rank. Ranks 0 and 1
@@ -170,6 +219,11 @@ int main(int count, char** arguments) {
             line["members_per_s"] = members / (wall - line["publish_s"].get<double>());
             line["predicted_members_per_s"] = members / forecast.last_member;
             line["file_bytes"] = std::filesystem::file_size(file);
+            if (forecast.writers > 1) {
+                line["file_processor_s"] = costs_of_hands(campaign, contents, file, forecast.writers);
+                line["predicted_file_processor_s"] =
+                    forecast_of(campaign, duration, record_bytes, cores, link->size(), writers, 1).file_time;
+            }
             return done;
         });
     }

@@ -27,6 +27,7 @@ SETTINGS = [
     (1, 1, 400, 0, LARGE), (2, 1, 400, 0, LARGE), (8, 1, 400, 100, LARGE),
     (8, 8, 20000, 0, SMALL), (32, 4, 9600, 10, SMALL), (64, 4, 3840, 100, SMALL), (64, 16, 3840, 100, SMALL),
     (64, 4, 1280, 300, LARGE),
+    (4, 4, 20000, 0, SMALL), (16, 16, 20000, 0, SMALL), (4, 4, 800, 0, LARGE), (8, 8, 800, 0, LARGE), (16, 16, 800, 0, LARGE),
 ]
 
 
@@ -76,12 +77,17 @@ def costs(results, sync):
         same = [other for other in results if (other["members"], other["steps"]) == (one["members"], one["steps"])]
         return min(other["publish_processor_s"] for other in same)
 
-    def reading(one):
-        """Of the pieces of the journal."""
-        return one["read_processor_s"] * one["in_parts"] / one["members"]
-
     def thread(one):
-        return one["message_thread_processor_s"] - publishing(one) - reading(one)
+        if one["writers"] > 1:  # all of which publish, beside their message threads
+            return one["message_thread_processor_s"] - one["file_processor_s"]["orders"] - one["file_processor_s"]["index"]
+        return one["message_thread_processor_s"] - publishing(one)
+
+    def of_hands(writers, part):
+        return least(writers, SMALL, lambda one: one["file_processor_s"][part], writers=writers)
+
+    def digests_a_piece():
+        # Each writer opens all pieces: so many squared times; the values are digested once.
+        return (of_hands(16, "digests") - of_hands(4, "digests")) / (16 * 16 - 4 * 4)
 
     large = next(one["record_bytes"] for one in results if one["steps"] == LARGE)
     own = least(1, SMALL, lambda one: thread(one) / one["members"])
@@ -99,6 +105,9 @@ def costs(results, sync):
     report = of_workers(8, SMALL, "message_thread")
     report_large = of_workers(2, LARGE, "message_thread")
 
+    file = (of_hands(16, "pieces") - of_hands(4, "pieces")) / 12  # of the same members
+    index = (of_hands(16, "index") - of_hands(4, "index")) / 12
+
     def launch(ranks):
         return min(one["whole_s"] - one["inside_s"] for one in results if one["ranks"] == ranks)
 
@@ -113,6 +122,11 @@ def costs(results, sync):
         "own_member": own, "kept": kept - other / 4,
         "receive_per_byte": max(receive, 0), "keep_per_byte": keep, "sync": sync, "publish_per_member": publish_small - small * publish_byte,
         "publish_per_byte": publish_byte, "read_per_member": read_small - small * read_byte, "read_per_byte": read_byte,
+        "order_per_member": of_hands(4, "orders") / 20000,
+        "publish": file, "index": of_hands(4, "index") - file - 4 * index, "index_per_piece": index,
+        "digest_per_piece": digests_a_piece(),
+        "digest_per_member": (of_hands(4, "digests") - 4 * 4 * digests_a_piece()) / 20000,
+        "digest_texts": (of_hands(4, "digest_of_texts") - 4 * digests_a_piece()) / 20000,
         "member": member, "member_per_byte": (of_workers(2, LARGE, "crew") - member) / large,
         "report": report, "report_per_byte": max(report_large - report, 0) / large,
     }
@@ -130,6 +144,20 @@ def table(results):
         rate = max(one["members_per_s"] for one in same)
         print(f"| {ranks} | {writers} | {milliseconds} | {same[0]['record_bytes'] / 1e3:.0f} | {members} | {real:.2f} | {plan:.2f} "
               f"| {plan / real:.2f} | {rate:.0f} |")
+
+
+def table_of_files(results):
+    """Of campaign files by many hands."""
+    print("| writers | record, kB | members | processor time, s | plan, s | plan / real |")
+    print("|---|---|---|---|---|---|")
+    for ranks, writers, members, milliseconds, steps in SETTINGS:
+        if writers == 1 or milliseconds:
+            continue
+        same = [one for one in results if (one["ranks"], one["writers"], one["members"], one["steps"])
+                == (ranks, writers, members, steps) and not one["member_s"]]
+        real = min(sum(one["file_processor_s"][part] for part in ("orders", "pieces", "index", "digests")) for one in same)
+        plan = same[0]["predicted_file_processor_s"]
+        print(f"| {writers} | {same[0]['record_bytes'] / 1e3:.0f} | {members} | {real:.2f} | {plan:.2f} | {plan / real:.2f} |")
 
 
 def main():
@@ -150,6 +178,8 @@ def main():
         print(f".{name} = {value:.2g},")
     print()
     table(results)
+    print()
+    table_of_files(results)
 
 
 if __name__ == "__main__":

@@ -145,31 +145,54 @@ Scale make_scale(hid_t file, const ArrayAxis& axis, const CampaignContent& conte
     return hdf5::write_scale(file, Label{std::string(axis.key), "1", std::string(axis.unlike)}, numbers);
 }
 
-template <class Use>
-void for_each_done(const CampaignContent& content, const Use& use) {
-    for (const std::optional<std::size_t>& record : content.records)
-        if (record && content.members.notes()[*record].done()) use(content.members.notes()[*record]);
-}
-
 }  // namespace
 
 CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& all_members)
     : campaign(of),
-      members(all_members),
+      members(&all_members),
+      count(of.arrangements),
       records(match_records(of, all_members.notes())),
       attempts(last_attempts(of, all_members.notes())),
       rows(of),
-      places(of) {}
+      places(of) {
+    for (std::size_t row = 0; row < records.size(); ++row)
+        if (records[row] && note(row).done()) add_found(found_, note(row));
+}
+
+CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& its_members, PieceRows piece)
+    : campaign(of),
+      members(&its_members),
+      first(piece.first),
+      count(static_cast<int>(piece.records.size() / of.cases.size())),
+      records(std::move(piece.records)),
+      attempts(std::move(piece.attempts)),
+      rows(of),
+      places(of),
+      is_piece_(true) {
+    for (std::size_t row = 0; row < records.size(); ++row)
+        if (records[row] && note(row).done()) add_found(found_, note(row));
+    for (std::size_t k = 0; k < found_axes.size(); ++k)
+        if (found_axes[k]->kind != AxisKind::listed) found_[k] = piece.most[k];
+}
+
+CampaignContent::CampaignContent(const Campaign& of, std::span<const FilePiece> its_pieces, const FoundSizes& most)
+    : campaign(of), pieces(its_pieces), count(of.arrangements), rows(of), places(of), found_(most) {
+    for (std::size_t k = 0; k < found_axes.size(); ++k) {
+        if (found_axes[k]->kind != AxisKind::listed) continue;
+        found_[k] = 0;
+        for (const FilePiece& piece : pieces) found_[k] += piece.found[k];
+    }
+}
+
+void add_found(FoundSizes& sizes, const MemberNote& note) {
+    for (std::size_t k = 0; k < found_axes.size(); ++k) {
+        const auto own = static_cast<std::size_t>(note.found[k]);
+        sizes[k] = found_axes[k]->kind == AxisKind::listed ? sizes[k] + own : std::max(sizes[k], own);
+    }
+}
 
 std::size_t CampaignContent::found(const ArrayAxis& axis) const {
-    std::size_t most = 0;
-    std::size_t all = 0;
-    for_each_done(*this, [&](const MemberNote& note) {
-        const auto own = static_cast<std::size_t>(found_along(note, axis));
-        most = std::max(most, own);
-        all += own;
-    });
-    return axis.kind == AxisKind::listed ? all : most;
+    return found_.at(static_cast<std::size_t>(std::ranges::find(found_axes, &axis) - found_axes.begin()));
 }
 
 bool CampaignContent::has(const ArrayOutput& array) const {
@@ -183,10 +206,12 @@ bool CampaignContent::has(const ArrayOutput& array) const {
 
 CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
     : member(hdf5::write_index_scale(file, "member", "member: arrangement number times cases plus case",
-                                     content.records.size())),
+                                     content.member_rows(), content.first_row())),
       case_(hdf5::write_index_scale(file, "case", "case, a row of /cases", content.campaign.cases.size())),
-      arrangement(hdf5::write_index_scale(file, "arrangement", "arrangement, a row of /arrangements",
-                                          static_cast<std::size_t>(content.rows.arrangements().count()))),
+      arrangement(
+          hdf5::write_index_scale(file, "arrangement", "arrangement, a row of /arrangements",
+                                  static_cast<std::size_t>(content.count * content.rows.arrangements().groups()),
+                                  static_cast<std::size_t>(content.first * content.rows.arrangements().groups()))),
       profile_point(hdf5::write_index_scale(file, "profile_point", "point of the structure's profile, from below",
                                             content.largest([](const Scenario& s) {
                                                 return std::max<std::size_t>(1, s.structure.shape.profile().size());
@@ -196,6 +221,14 @@ CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
         for (const ArrayAxis* axis : array.axes)
             if (axis != nullptr && !axes_.contains(axis)) axes_.emplace(axis, make_scale(file, *axis, content));
     }
+    const std::size_t cases = content.campaign.cases.size();
+    const auto groups = static_cast<std::size_t>(content.rows.arrangements().groups());
+    const auto of = [](const FilePiece& piece) { return static_cast<std::size_t>(piece.count); };
+    content.lies_in_pieces(member, [&](const FilePiece& piece) { return of(piece) * cases; });
+    content.lies_in_pieces(arrangement, [&](const FilePiece& piece) { return of(piece) * groups; });
+    for (std::size_t k = 0; k < found_axes.size(); ++k)
+        if (found_axes[k]->kind == AxisKind::listed && axes_.contains(found_axes[k]))
+            content.lies_in_pieces(axes_.at(found_axes[k]), [k](const FilePiece& piece) { return piece.found[k]; });
 }
 
 namespace {
@@ -347,12 +380,12 @@ void add_arrangement_numbers(hid_t group, const CampaignContent& content, const 
     // Members come in the order of their arrangements, so each row begins where its number is first seen.
     struct Numbers {
         hdf5::Column<std::int32_t> column;
-        int rows = 0;
+        int rows;
         void finish() { column.finish(); }
     };
     const ArrangementRows& rows = content.rows.arrangements();
-    auto numbers =
-        std::make_shared<Numbers>(Numbers{{group, {"number", "1", "arrangement number"}, {scales.arrangement}}});
+    auto numbers = std::make_shared<Numbers>(
+        Numbers{{group, {"number", "1", "arrangement number"}, {scales.arrangement}}, content.first * rows.groups()});
     tables.add(numbers, [&rows](Numbers& all, const FiledMember& member) {
         for (const int last = rows.number(member.row.arrangement) * rows.groups() + rows.groups(); all.rows < last;
              ++all.rows)
@@ -367,7 +400,10 @@ using hdf5::Scale;
 
 // Not the root's scale: a scale refers to what it is attached to, and comparing two files follows the reference.
 void add_members(hid_t group, const CampaignContent& content, MemberTables& tables) {
-    const Scale member = hdf5::write_index_scale(group, "member", "member", content.records.size());
+    Scale member = hdf5::write_index_scale(group, "member", "member", content.member_rows(), content.first_row());
+    content.lies_in_pieces(member, [&](const FilePiece& piece) {
+        return static_cast<std::size_t>(piece.count) * content.campaign.cases.size();
+    });
     const hdf5::Dimensions one{member};
     const auto reals = [&](const char* name, const char* unit, const char* long_name, auto of) {
         tables.add_numbers<double>(group, {name, unit, long_name}, one, undefined, [of](const FiledMember& m) {
@@ -383,7 +419,7 @@ void add_members(hid_t group, const CampaignContent& content, MemberTables& tabl
     tables.add_texts(group, {"host", "1", "host that computed the member"}, one,
                      [](const FiledMember& m) { return m.record != nullptr ? m.record->host : ""; });
     tables.add_numbers<std::int32_t>(group, {"attempts", "1", "attempts at the member"}, one, std::nullopt,
-                                     [&content](const FiledMember& m) { return content.attempts[m.number]; });
+                                     [&content](const FiledMember& m) { return content.attempts[m.place]; });
 }
 
 void write_sessions(hid_t group, std::span<const Session> sessions) {
@@ -436,14 +472,27 @@ void add_provenance(hid_t file, const CampaignContent& content, std::span<const 
     write_sessions(id, sessions);
 }
 
+namespace {}  // namespace
+
+std::string checksums_name(std::string_view path) {
+    std::string name(path);
+    std::ranges::replace(name, '/', '_');
+    return name;
+}
+
 namespace {
 
 /// An array that lies in a row for each member.
 class MemberArray {
   public:
+    /// `checksums`: where those of its rows are kept beside them, in a piece; nullptr elsewhere.
     MemberArray(hid_t group, const ArrayOutput& array, const CampaignContent& content, const hdf5::Label& label,
-                const hdf5::Scale& member, const hdf5::Dimensions& axes)
-        : array_(array), number_(array_number(array.path)), places_(content.places) {
+                const hdf5::Scale& member, const hdf5::Dimensions& axes, std::shared_ptr<const hdf5::Handle> checksums)
+        : array_(array),
+          number_(array_number(array.path)),
+          places_(content.places),
+          member_(member),
+          checksums_(std::move(checksums)) {
         for (const hdf5::Scale& one : axes) sizes_.push_back(one.size());
         if (array.chunks == ArrayChunks::of_its_own) {
             rows_.emplace(group, label, member, axes);
@@ -457,14 +506,21 @@ class MemberArray {
     void write(const FiledMember& member) {
         const PackedArray packed = member.row.done() ? member.record->array(number_) : PackedArray{};
         if (rows_ && packed.empty()) return;
-        if (rows_ && packed.sizes == sizes_) return rows_->write(member.number, packed.numbers);
+        if (rows_ && packed.sizes == sizes_) return rows_->write(member.place, packed.numbers);
         const std::vector<double> row = places_.row(array_, member.row.case_index, unpack(packed), sizes_);
-        if (rows_) return rows_->write(member.number, row);
+        if (rows_) return rows_->write(member.place, row);
         column_->add(row);
     }
 
     void finish() {
         if (rows_) rows_->finish();
+        if (rows_ && checksums_) {
+            const std::vector<std::uint32_t>& all = rows_->checksums();
+            hdf5::write_values(
+                checksums_->id(),
+                {checksums_name(array_.path), "1", fmt::format("Adler-32 of each row of /{}", array_.path)}, {member_},
+                std::vector<std::int32_t>(all.begin(), all.end()));
+        }
         if (column_) column_->finish();
     }
 
@@ -472,6 +528,8 @@ class MemberArray {
     const ArrayOutput& array_;
     std::size_t number_;
     const ArrayPlaces& places_;
+    const hdf5::Scale& member_;
+    std::shared_ptr<const hdf5::Handle> checksums_;
     std::vector<std::size_t> sizes_;
     std::optional<hdf5::Rows> rows_;
     std::optional<hdf5::Column<double>> column_;
@@ -491,7 +549,7 @@ class ArrangementArray {
             sizes_.push_back(one.size());
             width_ *= one.size();
         }
-        begin(0);
+        begin(content.first * rows_.groups());
     }
 
     void write(const FiledMember& member) {
@@ -566,8 +624,8 @@ class ListOwners {
 
     void write(const FiledMember& member, const CampaignContent& content) {
         if (!member.row.done()) return;
-        const MemberNote& note = content.members.notes()[*content.records[member.number]];
-        for (int k = 0; k < found_along(note, axis_); ++k) column_.add(static_cast<std::int32_t>(member.number));
+        for (int k = 0; k < found_along(content.note(member.place), axis_); ++k)
+            column_.add(static_cast<std::int32_t>(member.number));
     }
 
     void finish() { column_.finish(); }
@@ -596,7 +654,7 @@ void add_listed(hid_t group, const ArrayOutput& array, const hdf5::Label& label,
 }  // namespace
 
 void add_arrays(hid_t group, std::string_view name, const CampaignContent& content, const CampaignScales& scales,
-                MemberTables& tables) {
+                MemberTables& tables, const std::shared_ptr<const hdf5::Handle>& checksums) {
     std::set<const ArrayAxis*> owned;
     for (const ArrayOutput& array : array_outputs) {
         if (array.group() != name || !content.has(array)) continue;
@@ -615,7 +673,7 @@ void add_arrays(hid_t group, std::string_view name, const CampaignContent& conte
             tables.add(std::make_shared<ArrangementArray>(group, array, content, label, scales.arrangement, axes),
                        [](ArrangementArray& one, const FiledMember& member) { one.write(member); });
         } else {
-            tables.add(std::make_shared<MemberArray>(group, array, content, label, scales.member, axes),
+            tables.add(std::make_shared<MemberArray>(group, array, content, label, scales.member, axes, checksums),
                        [](MemberArray& one, const FiledMember& member) { one.write(member); });
         }
     }

@@ -3,17 +3,21 @@
 // together need, and the datasets that take one member after another. For this module only.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "campaign/campaign.hpp"
 #include "campaign_file/campaign_table.hpp"
+#include "campaign_file/pieces.hpp"
 #include "core/units.hpp"
 #include "hdf5/columns.hpp"
 #include "hdf5/dataset.hpp"
@@ -62,6 +66,7 @@ class ArrayPlaces {
 /// A member on its way into the file.
 struct FiledMember {
     std::size_t number = 0;
+    std::size_t place = 0;                 ///< row of the file
     const MemberRecord* record = nullptr;  ///< nullptr where there is none
     const MemberRow& row;
 
@@ -113,18 +118,39 @@ class MemberTables {
 // What the parts of a campaign file are made of, and the functions that write them. For this module only.
 
 struct CampaignContent {
+    /// Of a whole campaign.
     CampaignContent(const Campaign& of, const StoredMembers& all_members);
+    /// Of a piece.
+    CampaignContent(const Campaign& of, const StoredMembers& its_members, PieceRows piece);
+    /// Of a file whose rows lie in these pieces, which have all arrangements in order. `most`: as PieceRows has it.
+    CampaignContent(const Campaign& of, std::span<const FilePiece> its_pieces, const FoundSizes& most);
 
     const Campaign& campaign;
-    const StoredMembers& members;
-    std::vector<std::optional<std::size_t>> records;  ///< by member: number of its record; none where there is none
-    std::vector<int> attempts;                        ///< by member
+    const StoredMembers* members = nullptr;           ///< none where the rows lie in pieces
+    std::span<const FilePiece> pieces;                ///< none of a file with its own rows
+    int first = 0;                                    ///< arrangement of the first row
+    int count = 0;                                    ///< of the arrangements in rows
+    std::vector<std::optional<std::size_t>> records;  ///< by row: number of its record; none where there is none
+    std::vector<int> attempts;                        ///< by row
     MemberRows rows;
     ArrayPlaces places;
 
     const CampaignCases& table() const { return rows.cases(); }
+    bool is_piece() const { return is_piece_; }
+    /// Of members.
+    std::size_t first_row() const { return static_cast<std::size_t>(first) * campaign.cases.size(); }
+    std::size_t member_rows() const { return static_cast<std::size_t>(count) * campaign.cases.size(); }
+    /// The note of the member in that row, which has a record.
+    const MemberNote& note(std::size_t row) const { return members->notes()[*records[row]]; }
     /// For an axis that members find: how far it goes in the file.
     std::size_t found(const ArrayAxis& axis) const;
+    /// Where the rows lie along that axis, by the rows of each piece.
+    template <class Rows>
+    void lies_in_pieces(hdf5::Scale& scale, const Rows& rows_of) const {
+        std::vector<hdf5::RowSource> sources;
+        for (const FilePiece& piece : pieces) sources.push_back({piece.file, rows_of(piece)});
+        scale.lies_in(std::move(sources));
+    }
     /// Whether the file has the array: none of its axes is without places.
     bool has(const ArrayOutput& array) const;
     /// The largest of a count over the cases' scenarios.
@@ -135,6 +161,10 @@ struct CampaignContent {
             value = std::max(value, static_cast<std::size_t>(function(one.scenario)));
         return value;
     }
+
+  private:
+    bool is_piece_ = false;
+    FoundSizes found_{};
 };
 
 /// The dimensions at the root: only there do netCDF readers find them from every group.
@@ -157,9 +187,13 @@ class CampaignScales {
 
 /// Quantities and states, a row for each member.
 void add_members(hid_t group, const CampaignScales& scales, MemberTables& tables);
-/// Those arrays of members that lie in the group of that name.
+/// Those arrays of members that lie in the group of that name. `checksums`: the group that takes those of rows, in a
+/// piece; else nullptr.
 void add_arrays(hid_t group, std::string_view name, const CampaignContent& content, const CampaignScales& scales,
-                MemberTables& tables);
+                MemberTables& tables, const std::shared_ptr<const hdf5::Handle>& checksums);
+/// The group of a piece that has the checksums of rows, and what they are called there.
+inline constexpr const char* checksums_group = "row_checksums";
+std::string checksums_name(std::string_view path);
 /// The number of each arrangement.
 void add_arrangement_numbers(hid_t group, const CampaignContent& content, const CampaignScales& scales,
                              MemberTables& tables);

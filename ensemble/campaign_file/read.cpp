@@ -18,6 +18,7 @@ namespace floes {
 
 struct CampaignFile::Opened {
     hdf5::Handle file;
+    std::vector<hdf5::Handle> pieces;  ///< open as long as the file is
     Campaign campaign;
 };
 
@@ -39,8 +40,9 @@ Campaign read_configured(hid_t file, const std::filesystem::path& path) {
 CampaignFile::CampaignFile(const std::filesystem::path& path) : path_(path) {
     const hdf5::QuietErrors quiet;
     hdf5::Handle file = open_campaign(path);
+    std::vector<hdf5::Handle> pieces = open_pieces(path, pieces_of(file.id()));
     Campaign campaign = read_configured(file.id(), path);
-    opened_ = std::make_unique<const Opened>(std::move(file), std::move(campaign));
+    opened_ = std::make_unique<const Opened>(std::move(file), std::move(pieces), std::move(campaign));
 }
 
 CampaignFile::~CampaignFile() = default;

@@ -173,7 +173,8 @@ void add_plan(CommandLine& line) {
                 "Number of ranks, one for all settings or one for each; default: one for every 64 cores")
         .comma_separated()
         .within(1, 1'000'000);
-    verb.option("--writers", options->writers, "Number of ranks that keep results; default: one for every 64 ranks")
+    verb.option("--writers", options->writers,
+                "Number of ranks that keep results and write the file; default: as floes run has it")
         .within(1, 1'000'000);
     verb.flag("--no-file", options->no_file, "Of a run that leaves the campaign file to a later --resume");
     verb.option("--from", options->from, "Take run times from this campaign file (CAMPAIGN.h5), finished or running");

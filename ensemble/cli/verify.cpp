@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "campaign_file/pieces.hpp"
 #include "campaign_file/read.hpp"
 #include "cli/commands.hpp"
 #include "findings/cases.hpp"
@@ -97,18 +98,62 @@ std::string campaign_remedy(const std::filesystem::path& path) {
         beside.state == FileState::good ? ", which is whole" : ", and computes again what is damaged there");
 }
 
+/// Those that the file refers to; none where it is no campaign file, or so damaged that the check of it says more.
+std::vector<FilePiece> pieces_in(const std::filesystem::path& path) {
+    const hdf5::QuietErrors quiet;
+    try {
+        const hdf5::Handle file = hdf5::open_for_reading(path);
+        return hdf5::is_of_kind(file.id(), campaign_kind) ? pieces_of(file.id()) : std::vector<FilePiece>();
+    } catch (const RunError&) {
+        return {};
+    }
+}
+
+/// Opens them; of what cannot be opened it says so.
+std::vector<hdf5::Handle> opened_pieces(const std::filesystem::path& path, std::span<const FilePiece> pieces,
+                                        FileVerdict& verdict) {
+    try {
+        return open_pieces(path, pieces);
+    } catch (const std::runtime_error& error) {
+        verdict.state = FileState::damaged;
+        verdict.kind = "campaign file";
+        verdict.faults.emplace_back(error.what());
+        verdict.remedy = campaign_remedy(path);
+        return {};
+    }
+}
+
+void verify_pieces(const std::filesystem::path& path, std::span<const FilePiece> pieces, FileVerdict& verdict) {
+    constexpr std::array filetypes{piece_kind.filetype};
+    for (const FilePiece& piece : pieces) {
+        const hdf5::FileCheck check = hdf5::check_file(path_of_piece(path, piece), filetypes);
+        if (check.good()) continue;
+        verdict.state = FileState::damaged;
+        verdict.remedy = campaign_remedy(path);
+        for (const std::string& fault : {check.fault, check.between})
+            if (!fault.empty()) verdict.faults.push_back(fmt::format("Its piece {}: {}.", piece.file, fault));
+        for (const hdf5::DamagedDataset& one : check.damaged)
+            verdict.faults.push_back(fmt::format("Its piece {}: {}.", piece.file, one.fault));
+    }
+}
+
 void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
-    constexpr std::array filetypes{campaign_kind.filetype, recording_kind.filetype};
+    constexpr std::array filetypes{campaign_kind.filetype, recording_kind.filetype, piece_kind.filetype};
+    const std::vector<FilePiece> pieces = pieces_in(path);
+    const std::vector<hdf5::Handle> opened = opened_pieces(path, pieces, verdict);
+    if (verdict.state == FileState::damaged) return;
     const hdf5::FileCheck check = hdf5::check_file(path, filetypes);
     const bool is_recording = check.filetype == recording_kind.filetype;
     if (check.filetype == campaign_kind.filetype || is_recording)
         verdict.kind = is_recording ? "recording" : "campaign file";
+    if (check.filetype == piece_kind.filetype) verdict.kind = "piece of a campaign file";
     if (verdict.kind.empty() && check.fault.empty()) {
         verdict.state = FileState::not_of_floes;
         verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a recording of floes.");
         return;
     }
     verdict.counts = counted(static_cast<std::int64_t>(check.datasets), "dataset");
+    if (!pieces.empty()) verdict.counts += fmt::format(" in {}", counted(std::ssize(pieces), "piece"));
     verdict.digest = check.contents;
     if (!check.has_digests && check.fault.empty())
         verdict.notes.push_back(fmt::format(
@@ -116,6 +161,7 @@ void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
             check.version));
     if (const std::vector<std::string> added = check.added.words(); !added.empty())
         verdict.notes.push_back(fmt::format("Added by other programs, and not checked: {}.", name_list(added)));
+    verify_pieces(path, pieces, verdict);
     if (check.good()) return;
     verdict.state = FileState::damaged;
     if (!check.fault.empty()) verdict.faults.push_back(fmt::format("The file: {}.", check.fault));

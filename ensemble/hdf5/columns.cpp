@@ -24,10 +24,21 @@ Handle access_without_cache(const std::string& name) {
 }
 
 template <class Value>
-Handle create_column(hid_t parent, const Label& label, std::span<const hsize_t> sizes, std::optional<Value> missing) {
+Handle create_column(hid_t parent, const Label& label, const Dimensions& dimensions, std::optional<Value> missing) {
+    const std::vector<hsize_t> sizes = sizes_of(dimensions);
+    const Scale& rows = dimensions.front();
     return create_numbers<Value>(parent, label, sizes, missing,
-                                 checked_properties(sizes, sizeof(Value), label.name, chunk_size),
+                                 rows.sources().empty()
+                                     ? checked_properties(sizes, sizeof(Value), label.name, chunk_size)
+                                     : virtual_properties(parent, label.name, sizes, rows),
                                  access_without_cache(label.name).id());
+}
+
+Handle create_texts(hid_t parent, const Label& label, const Handle& type, const Scale& rows) {
+    const hsize_t size = rows.size();
+    return create_dataset(parent, label, type.id(), simple_space(std::span(&size, 1)),
+                          rows.sources().empty() ? creation_properties(H5P_DATASET_CREATE)
+                                                 : virtual_properties(parent, label.name, std::span(&size, 1), rows));
 }
 
 void require_all(hsize_t written, hsize_t rows, const std::string& name) {
@@ -42,7 +53,7 @@ Column<Value>::Column(hid_t parent, const Label& label, const Dimensions& dimens
       sizes_(sizes_of(dimensions)),
       width_(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{})),
       rows_at_once_(rows_in_a_chunk(sizes_, sizeof(Value), chunk_size)),
-      dataset_(create_column<Value>(parent, label, sizes_, missing)),
+      dataset_(create_column<Value>(parent, label, dimensions, missing)),
       space_(simple_space(sizes_)) {
     attach(dataset_, dimensions, 0, name_);
 }
@@ -91,8 +102,7 @@ TextColumn::TextColumn(hid_t parent, const Label& label, const Dimensions& dimen
     : name_(label.name),
       rows_(sizes_of(dimensions).at(0)),
       type_(text_type()),
-      dataset_(create_dataset(parent, label, type_.id(), simple_space(std::span(&rows_, 1)),
-                              creation_properties(H5P_DATASET_CREATE))),
+      dataset_(create_texts(parent, label, type_, dimensions.front())),
       space_(simple_space(std::span(&rows_, 1))) {
     attach(dataset_, dimensions, 0, name_);
 }
@@ -130,7 +140,10 @@ std::vector<hsize_t> sizes_of(const Scale& rows, const Dimensions& columns) {
     return sizes;
 }
 
-Handle create_rows(hid_t parent, const Label& label, std::span<const hsize_t> sizes) {
+Handle create_rows(hid_t parent, const Label& label, std::span<const hsize_t> sizes, const Scale& rows) {
+    if (!rows.sources().empty())
+        return create_numbers<double>(parent, label, sizes, undefined,
+                                      virtual_properties(parent, label.name, sizes, rows));
     std::vector<hsize_t> chunk{1};
     for (const hsize_t size : sizes.subspan(1)) chunk.push_back(std::max<hsize_t>(size, 1));
     return create_numbers<double>(parent, label, sizes, undefined,
@@ -150,7 +163,7 @@ Rows::Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions
     : name_(label.name),
       sizes_(sizes_of(rows, columns)),
       width_(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{})),
-      dataset_(create_rows(parent, label, sizes_)),
+      dataset_(create_rows(parent, label, sizes_, rows)),
       space_(simple_space(sizes_)),
       checksums_(width_ > 0 ? rows.size() : 0, checksum(filled_up({}, width_))) {
     Dimensions all{rows};

@@ -1,6 +1,7 @@
 #pragma once
 // Datasets row by row: written with at most one chunk in memory, packed or as they grow, and read with checks. Only for
-// sources of modules with HDF5 files of their own.
+// sources of modules with HDF5 files of their own. Where the scale of their rows has sources, columns, text columns and
+// rows are only declared: nothing is added to them and they are not finished.
 
 #include <cstdint>
 #include <optional>
@@ -127,6 +128,8 @@ class Rows {
     void write(std::size_t row, const PackedNumbers& values);
     /// Writes the digest of the table. Call it after the last row.
     void finish();
+    /// The checksum() of each row, of which the digest is made.
+    const std::vector<std::uint32_t>& checksums() const { return checksums_; }
 
   private:
     std::string name_;

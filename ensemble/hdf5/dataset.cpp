@@ -58,6 +58,35 @@ Handle checked_properties(std::span<const hsize_t> sizes, std::size_t value_byte
     return properties;
 }
 
+namespace {
+
+/// HDF5 takes "%" in the names of sources for a pattern.
+std::string without_patterns(const std::string& name) {
+    std::string plain;
+    for (const char letter : name) plain += letter == '%' ? std::string("%%") : std::string(1, letter);
+    return plain;
+}
+
+}  // namespace
+
+Handle virtual_properties(hid_t parent, const std::string& name, std::span<const hsize_t> sizes, const Scale& rows) {
+    Handle properties = creation_properties(H5P_DATASET_CREATE);
+    if (std::ranges::find(sizes, hsize_t{0}) != sizes.end()) return properties;
+    const std::string group = path_in_file(parent);
+    const std::string path = without_patterns(fmt::format("{}/{}", group == "/" ? "" : group, name));
+    const Handle here = simple_space(sizes);
+    hsize_t first = 0;
+    for (const RowSource& source : rows.sources()) {
+        if (source.rows == 0) continue;
+        const Handle there = select_rows(here, sizes, first, source.rows, name);
+        check(
+            H5Pset_virtual(properties.id(), here.id(), without_patterns(source.file).c_str(), path.c_str(), there.id()),
+            "H5Pset_virtual", name);
+        first += source.rows;
+    }
+    return properties;
+}
+
 Handle create_dataset(hid_t parent, const Label& label, hid_t type, const Handle& space, const Handle& properties,
                       hid_t access) {
     Handle dataset(H5Dcreate2(parent, label.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), access),
@@ -300,9 +329,9 @@ Flags flags_of(std::span<const char* const> words, std::optional<std::int8_t> mi
     return flags;
 }
 
-Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count) {
+Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count, std::size_t first) {
     std::vector<std::int32_t> indices(count);
-    std::iota(indices.begin(), indices.end(), 0);
+    std::iota(indices.begin(), indices.end(), static_cast<std::int32_t>(first));
     return write_scale(parent, Label{name, "1", long_name}, indices);
 }
 

@@ -47,6 +47,12 @@ struct Flags {
     std::optional<std::int8_t> missing = {};  ///< stands for a missing value
 };
 
+/// The rows that another file has of a dimension.
+struct RowSource {
+    std::string file;  ///< relative to the folder of the file that refers to it
+    hsize_t rows = 0;
+};
+
 /// A dimension, named by the dataset that lists its coordinates.
 class Scale {
   public:
@@ -54,9 +60,14 @@ class Scale {
     hid_t id() const { return dataset_.id(); }
     hsize_t size() const { return size_; }
 
+    /// Where the rows of datasets along it lie, one source after another, under the same path; none: in this file.
+    const std::vector<RowSource>& sources() const { return sources_; }
+    void lies_in(std::vector<RowSource> sources) { sources_ = std::move(sources); }
+
   private:
     Handle dataset_;
     hsize_t size_;
+    std::vector<RowSource> sources_;
 };
 
 using Dimensions = std::vector<std::reference_wrapper<const Scale>>;
@@ -95,6 +106,9 @@ Handle creation_properties(hid_t kind);
 /// chunks without dimensions or with one of size 0.
 Handle checked_properties(std::span<const hsize_t> sizes, std::size_t value_bytes, const std::string& name,
                           hsize_t most_in_a_chunk = cached_chunk_bytes);
+
+/// The same for a dataset whose rows lie in the sources of that scale (HDF5's virtual layout).
+Handle virtual_properties(hid_t parent, const std::string& name, std::span<const hsize_t> sizes, const Scale& rows);
 
 /// Rows in a chunk of at most this many bytes, at least one, for a dataset of these sizes.
 hsize_t rows_in_a_chunk(std::span<const hsize_t> sizes, std::size_t value_bytes, hsize_t most_in_a_chunk);
@@ -141,8 +155,9 @@ Scale write_scale(hid_t parent, const Label& label, std::span<const std::int32_t
 Scale write_scale(hid_t parent, const Label& label, std::span<const double> coordinates);
 Scale write_scale(hid_t parent, const Label& label, std::span<const std::string> coordinates);
 
-/// Writes a dimension scale 0, 1, …, count - 1.
-Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count);
+/// Writes a dimension scale of `count` numbers from `first` on.
+Scale write_index_scale(hid_t parent, const char* name, const char* long_name, std::size_t count,
+                        std::size_t first = 0);
 
 /// Writes values in row-major order over the dimensions. For doubles, NaN is the missing value.
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const double> values);

@@ -45,15 +45,8 @@ void append_fletcher32(Bytes& chunk) {
 namespace {
 
 constexpr hsize_t piece_bytes = hsize_t{1} << 22;  // read at once
+constexpr hsize_t texts_digested_at_once = hsize_t{1} << 16;
 constexpr std::string_view kind_words[]{"values", "rows"};
-
-std::string path_in_file(hid_t dataset) {
-    const auto length = check(H5Iget_name(dataset, nullptr, 0), "H5Iget_name", "a dataset");
-    std::string path(static_cast<std::size_t>(length) + 1, '\0');
-    H5Iget_name(dataset, path.data(), path.size());
-    path.resize(static_cast<std::size_t>(length));
-    return path;
-}
 
 std::string type_word(hid_t dataset) {
     const Handle type(H5Dget_type(dataset), H5Tclose, "H5Dget_type", "a dataset");
@@ -96,6 +89,14 @@ void for_pieces(const Handle& dataset, const std::string& name, const StoredShap
 
 }  // namespace
 
+std::string path_in_file(hid_t object) {
+    const auto length = check(H5Iget_name(object, nullptr, 0), "H5Iget_name", "an object");
+    std::string path(static_cast<std::size_t>(length) + 1, '\0');
+    H5Iget_name(object, path.data(), path.size());
+    path.resize(static_cast<std::size_t>(length));
+    return path;
+}
+
 void DatasetDigest::add(std::span<const std::string> texts) {
     for (const std::string& text : texts) digest_.add_text(text);
 }
@@ -112,9 +113,12 @@ StoredDigest DatasetDigest::finish(hid_t dataset) {
     return {kind_, digest_.hex()};
 }
 
+std::string digest_text(const StoredDigest& digest) {
+    return fmt::format("{} {}", kind_words[static_cast<std::size_t>(digest.kind)], digest.hex);
+}
+
 void write_digest(hid_t dataset, const StoredDigest& digest) {
-    write_attribute(dataset, digest_attribute,
-                    fmt::format("{} {}", kind_words[static_cast<std::size_t>(digest.kind)], digest.hex));
+    write_attribute(dataset, digest_attribute, digest_text(digest));
 }
 
 std::optional<StoredDigest> read_digest(hid_t dataset) {
@@ -127,13 +131,35 @@ std::optional<StoredDigest> read_digest(hid_t dataset) {
     refuse_damaged(dataset, fmt::format("{} has a digest of an unknown kind", path_in_file(dataset)));
 }
 
+namespace {
+
+/// A column of many members has more texts than memory should hold.
+void add_texts(const Handle& dataset, const std::string& name, const StoredShape& shape, DatasetDigest& digest) {
+    if (shape.sizes.size() != 1) return digest.add(texts_of(dataset, name));
+    const Handle type = text_type();
+    const Handle space = stored_space(dataset, name);
+    for (hsize_t row = 0; row < shape.rows(); row += texts_digested_at_once) {
+        const hsize_t count = std::min(texts_digested_at_once, shape.rows() - row);
+        const Handle memory = select_rows(space, shape.sizes, row, count, name);
+        std::vector<char*> pointers(count, nullptr);
+        check_read(H5Dread(dataset.id(), type.id(), memory.id(), space.id(), H5P_DEFAULT, pointers.data()),
+                   dataset.id(), name);
+        std::vector<std::string> texts;
+        for (const char* text : pointers) texts.emplace_back(text != nullptr ? text : "");
+        H5Dvlen_reclaim(type.id(), memory.id(), H5P_DEFAULT, pointers.data());
+        digest.add(texts);
+    }
+}
+
+}  // namespace
+
 StoredDigest digest_of(const Handle& dataset, DigestKind kind) {
     const hid_t id = dataset.id();
     const std::string name = path_in_file(id);
     const StoredShape shape = shape_of(dataset, name, Portion::row);
     DatasetDigest digest(kind);
     if (shape.is_text) {
-        digest.add(texts_of(dataset, name));
+        add_texts(dataset, name, shape, digest);
     } else if (kind == DigestKind::rows) {
         if (shape.value_bytes != sizeof(double))
             refuse_damaged(id, fmt::format("the values of {} are no doubles", name));

@@ -65,6 +65,11 @@ class DatasetDigest {
     StreamingDigest digest_;
 };
 
+/// The path of a group or dataset in its file.
+std::string path_in_file(hid_t object);
+
+/// As the attribute has it: "values" or "rows", and the digits.
+std::string digest_text(const StoredDigest& digest);
 void write_digest(hid_t dataset, const StoredDigest& digest);
 
 /// The stored digest; none if the dataset is of an older layout or was added by another program.

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -44,6 +45,10 @@ std::span<const std::byte> page(std::span<const std::byte> bytes, std::uint64_t 
     return rest.first(std::min<std::size_t>(rest.size(), page_bytes));
 }
 
+[[noreturn]] void refuse_digests(const std::filesystem::path& path) {
+    throw DamagedFile(path.string(), "the digests of its pages are not those that were written");
+}
+
 }  // namespace
 
 void append_page_digests(const std::filesystem::path& path) {
@@ -63,7 +68,7 @@ void append_page_digests(const std::filesystem::path& path) {
     write_all(file, path, table.bytes());
 }
 
-std::optional<CheckedPages> CheckedPages::open(const std::filesystem::path& path) {
+std::optional<CheckedPages> CheckedPages::begin(const std::filesystem::path& path) {
     OpenFile file = open_file(path, O_RDONLY);
     const std::uint64_t all = file_size(file, path);
     Bytes foot(foot_bytes);
@@ -72,30 +77,51 @@ std::optional<CheckedPages> CheckedPages::open(const std::filesystem::path& path
     ByteReader in(std::span<const std::byte>(foot).subspan(magic.size()));
     const std::uint32_t bytes_each = in.u32();
     const std::uint64_t size = in.u64();
-    const std::uint64_t digest = in.u64();
     const bool fits = bytes_each == page_bytes && size <= all - foot_bytes &&
                       pages_in(size) == (all - foot_bytes - size) / sizeof(std::uint32_t) &&
                       (all - foot_bytes - size) % sizeof(std::uint32_t) == 0;
-    Bytes table(fits ? all - size : 0);
-    if (!fits || !read_at(file, path, size, table) ||
-        digest_of(std::span<const std::byte>(table).first(table.size() - sizeof digest)) != digest)
-        throw DamagedFile(path.string(), "the digests of its pages are not those that were written");
-    ByteReader digests_in(table);
-    std::vector<std::uint32_t> digests(pages_in(size));
-    for (std::uint32_t& one : digests) one = digests_in.u32();
-    return CheckedPages(std::move(file), path, size, std::move(digests));
+    if (!fits) refuse_digests(path);
+    return CheckedPages(std::move(file), path, size, true);
 }
 
-CheckedPages::CheckedPages(OpenFile file, std::filesystem::path path, std::uint64_t size,
-                           std::vector<std::uint32_t> digests)
+std::optional<CheckedPages> CheckedPages::open(const std::filesystem::path& path) {
+    std::optional<CheckedPages> pages = begin(path);
+    if (pages) pages->read_digests();
+    return pages;
+}
+
+CheckedPages CheckedPages::open_source(const std::filesystem::path& path) {
+    if (std::optional<CheckedPages> pages = begin(path)) return std::move(*pages);
+    OpenFile file = open_file(path, O_RDONLY);
+    const std::uint64_t size = file_size(file, path);
+    return {std::move(file), path, size, false};
+}
+
+CheckedPages::CheckedPages(OpenFile file, std::filesystem::path path, std::uint64_t size, bool has_digests)
     : file_(std::move(file)),
       path_(std::move(path)),
+      place_(place_of(file_, path_)),
       size_(size),
-      digests_(std::move(digests)),
-      good_(digests_.size(), false) {}
+      compares_(has_digests) {}
+
+void CheckedPages::read_digests() {
+    if (!compares_ || !digests_.empty()) return;
+    Bytes table(file_size(file_, path_) - size_);
+    std::uint64_t digest = 0;
+    if (!read_at(file_, path_, size_, table)) refuse_digests(path_);
+    const std::span<const std::byte> bytes(table);
+    ByteReader last(bytes.last(sizeof digest));
+    digest = last.u64();
+    if (digest_of(bytes.first(bytes.size() - sizeof digest)) != digest) refuse_digests(path_);
+    ByteReader in(table);
+    digests_.resize(pages_in(size_));
+    for (std::uint32_t& one : digests_) one = in.u32();
+    good_.assign(digests_.size(), false);
+}
 
 bool CheckedPages::read(std::uint64_t at, std::span<std::byte> to) {
     if (to.empty()) return true;
+    read_digests();
     const std::uint64_t first = at / page_bytes;
     const std::uint64_t begin = first * page_bytes;
     if (at > size_ || to.size() > size_ - at) {
@@ -108,7 +134,7 @@ bool CheckedPages::read(std::uint64_t at, std::span<std::byte> to) {
         return false;
     }
     std::ranges::copy(std::span(pages_).subspan(at - begin, to.size()), to.begin());
-    for (std::uint64_t k = 0; k < pages_in(pages_.size()); ++k) {
+    for (std::uint64_t k = 0; compares_ && k < pages_in(pages_.size()); ++k) {
         if (good_[first + k]) continue;
         good_[first + k] = page_digest(page(pages_, k)) == digests_[first + k];
         if (good_[first + k]) continue;
@@ -169,20 +195,29 @@ Value caught(const Action& action, Value otherwise) {
     }
 }
 
-/// What HDF5 passes from the file access properties to open().
+/// What HDF5 passes from the file access properties to open(). It passes none of them on to the sources of a virtual
+/// dataset.
 struct Opening {
     std::optional<CheckedPages>* pages;
 };
 
-H5FD_t* open(const char*, unsigned, hid_t access, haddr_t) {
+H5FD_t* open(const char* path, unsigned, hid_t access, haddr_t) {
     return caught(
-        [access]() -> H5FD_t* {
+        [&]() -> H5FD_t* {
+            const QuietErrors quiet;
             const auto* opening = static_cast<const Opening*>(H5Pget_driver_info(access));
-            if (opening == nullptr || !*opening->pages) return nullptr;
+            if (opening == nullptr) return std::make_unique<OpenFile>(CheckedPages::open_source(path)).release();
+            if (!*opening->pages) return nullptr;
             std::optional<CheckedPages> pages = std::exchange(*opening->pages, std::nullopt);
             return std::make_unique<OpenFile>(std::move(*pages)).release();
         },
         static_cast<H5FD_t*>(nullptr));
+}
+
+/// 0 for the same file, which HDF5 then has open once.
+int compare(const H5FD_t* one, const H5FD_t* other) {
+    if (mine(one).pages.is_same_as(mine(other).pages)) return 0;
+    return std::less<>()(one, other) ? -1 : 1;
 }
 
 herr_t close(H5FD_t* file) {
@@ -243,6 +278,7 @@ H5FD_class_t driver_class() {
     of.fapl_size = sizeof(Opening);
     of.open = open;
     of.close = close;
+    of.cmp = compare;
     of.get_eoa = get_eoa;
     of.set_eoa = set_eoa;
     of.get_eof = get_eof;

@@ -16,6 +16,7 @@
 
 #include "core/bytes.hpp"
 #include "hdf5/handle.hpp"
+#include "store/file_calls.hpp"
 #include "store/system.hpp"
 
 namespace floes::hdf5 {
@@ -28,6 +29,12 @@ class CheckedPages {
   public:
     /// None if the file has no digests of pages. Throws DamagedFile if the digests themselves are damaged.
     static std::optional<CheckedPages> open(const std::filesystem::path& path);
+    /// The same of a file that another refers to, which may be opened for each dataset again: its digests are read with
+    /// the first page, and of one without digests nothing is compared.
+    static CheckedPages open_source(const std::filesystem::path& path);
+
+    /// Whether both are of the same file.
+    bool is_same_as(const CheckedPages& other) const { return place_ == other.place_; }
 
     /// Bytes of all pages, which are the file as HDF5 sees it.
     std::uint64_t size() const { return size_; }
@@ -40,13 +47,17 @@ class CheckedPages {
     std::string first_fault();
 
   private:
-    CheckedPages(OpenFile file, std::filesystem::path path, std::uint64_t size, std::vector<std::uint32_t> digests);
+    CheckedPages(OpenFile file, std::filesystem::path path, std::uint64_t size, bool has_digests);
+    static std::optional<CheckedPages> begin(const std::filesystem::path& path);
+    void read_digests();
 
     OpenFile file_;
     std::filesystem::path path_;
+    FilePlace place_;
     std::uint64_t size_;
-    std::vector<std::uint32_t> digests_;
-    std::vector<bool> good_;  ///< pages that were found good before
+    bool compares_;                       ///< it has digests
+    std::vector<std::uint32_t> digests_;  ///< none before they are read
+    std::vector<bool> good_;              ///< pages that were found good before
     Bytes pages_;
     std::string fault_;
 };

@@ -47,8 +47,26 @@ bool count(StoredShape& shape) {
     return true;
 }
 
+/// Whether its rows lie in other files, by sources that have as many values as it.
+std::optional<bool> is_covered(const Handle& dataset, const StoredShape& shape) {
+    const Handle properties(H5Dget_create_plist(dataset.id()), H5Pclose, "H5Dget_create_plist", "a dataset");
+    if (H5Pget_layout(properties.id()) != H5D_VIRTUAL) return std::nullopt;
+    std::size_t sources = 0;
+    if (H5Pget_virtual_count(properties.id(), &sources) < 0) return false;
+    hsize_t covered = 0;
+    for (std::size_t k = 0; k < sources; ++k) {
+        const hid_t space = H5Pget_virtual_vspace(properties.id(), k);
+        if (space < 0) return false;
+        const hssize_t points = H5Sget_select_npoints(space);
+        H5Sclose(space);
+        if (points < 0 || __builtin_add_overflow(covered, static_cast<hsize_t>(points), &covered)) return false;
+    }
+    return covered == shape.count;
+}
+
 bool is_possible(const Handle& dataset, StoredShape& shape, Portion portion) {
     if (shape.value_bytes == 0 || !count(shape)) return false;
+    if (const std::optional<bool> covered = is_covered(dataset, shape)) return *covered;
     const hsize_t chunk = chunk_bytes(dataset, shape);
     const hsize_t stored = H5Dget_storage_size(dataset.id());
     const hsize_t bytes = shape.count * shape.value_bytes;
@@ -352,7 +370,8 @@ Handle open_for_reading(const std::filesystem::path& path) {
     } else {
         try_out(path);
     }
-    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());
+    // Behind a link: there lies what a virtual dataset refers to.
+    const hid_t file = H5Fopen(target_of(path).c_str(), H5F_ACC_RDONLY, access.id());
     if (file < 0) throw DamagedFile(path.string(), fmt::format("HDF5 cannot open it ({})", last_reason()));
     return Handle(file, H5Fclose, "H5Fopen", path.string());
 }

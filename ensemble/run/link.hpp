@@ -62,6 +62,8 @@ enum class Tag : int {
     part = 5,      ///< ranks are lost: when told to leave, wait for no other rank; see Link::abandon()
     post = 6,      ///< before the campaign, in runs with several writers: who keeps this rank's records
     close = 7,     ///< to a writer: all members have come; sync and close your journal, and say so
+    publish = 8,   ///< to a writer: publish this piece of the campaign file
+    digest = 9,    ///< to a writer: digest these datasets of the campaign file
     // worker -> master
     hello = 11,         ///< the campaign's fingerprint as read by the worker, and its cores
     answer = 12,        ///< finished members, to the rank that keeps the records
@@ -70,6 +72,8 @@ enum class Tag : int {
     trouble = 15,       ///< the worker cannot continue; a sentence
     kept = 16,          ///< a writer has members in its journal
     closed = 17,        ///< a writer's journal is on the disk and closed
+    published = 18,     ///< a writer's piece is on the disk, or cannot be written
+    digested = 19,      ///< the digests, or why there are none
     // both directions
     alive = 21,  ///< a sign of life; of a worker, how far its members have come
 };

@@ -9,7 +9,11 @@ namespace {
 constexpr std::size_t assignment_bytes = 4 + 4 + 1;
 constexpr std::size_t progress_bytes = 4 + 2 * 8;
 constexpr std::size_t least_answer_bytes = 4 + 8;
-constexpr std::size_t least_kept_bytes = 3 * 4 + 8 + 8;
+constexpr std::size_t note_bytes = 8 + 4 + 4 + 4 * found_axes.size() + 1;
+constexpr std::size_t place_bytes = 4 + 8 + 8;
+constexpr std::size_t least_kept_bytes = 2 * 4 + note_bytes + place_bytes + 8;
+constexpr std::size_t least_piece_member_bytes = 4 + 1;
+constexpr std::size_t text_bytes = 8;  // of an empty one
 
 /// What `read` takes of a whole message.
 template <class Read>
@@ -18,6 +22,59 @@ auto whole(const Bytes& bytes, const Read& read) {
     auto message = read(reader);
     if (reader.left() != 0) throw RunError("a message is longer than what it says; another version of floes sent it");
     return message;
+}
+
+void put(ByteWriter& writer, const MemberNote& note) {
+    writer.f64(note.wall_time);
+    writer.i32(note.arrangement);
+    writer.i32(note.attempt);
+    for (const int one : note.found) writer.i32(one);
+    writer.u8(note.done() ? 1 : 0);
+}
+
+MemberNote take_note(ByteReader& reader) {
+    MemberNote note;
+    note.wall_time = reader.f64();
+    note.arrangement = reader.i32();
+    note.attempt = reader.i32();
+    for (int& one : note.found) one = reader.i32();
+    note.status = reader.u8() == 1 ? MemberStatus::done : MemberStatus::failed;
+    return note;
+}
+
+void put(ByteWriter& writer, const JournalContents::Place& place) {
+    writer.i32(place.piece);
+    writer.u64(place.offset);
+    writer.u64(place.size);
+}
+
+JournalContents::Place take_place(ByteReader& reader) {
+    JournalContents::Place place;
+    place.piece = reader.i32();
+    place.offset = reader.u64();
+    place.size = reader.u64();
+    return place;
+}
+
+void put(ByteWriter& writer, const FoundSizes& sizes) {
+    for (const std::size_t one : sizes) writer.u64(one);
+}
+
+FoundSizes take_sizes(ByteReader& reader) {
+    FoundSizes sizes{};
+    for (std::size_t& one : sizes) one = reader.u64();
+    return sizes;
+}
+
+void put(ByteWriter& writer, const std::vector<std::string>& texts) {
+    writer.u64(texts.size());
+    for (const std::string& text : texts) writer.text(text);
+}
+
+std::vector<std::string> take_texts(ByteReader& reader) {
+    std::vector<std::string> texts(reader.count(text_bytes));
+    for (std::string& text : texts) text = reader.text();
+    return texts;
 }
 
 }  // namespace
@@ -44,8 +101,8 @@ Bytes encode(const std::vector<Kept>& kept) {
     for (const Kept& one : kept) {
         writer.i32(one.worker);
         writer.i32(one.number);
-        writer.i32(one.attempt);
-        writer.f64(one.wall_time);
+        put(writer, one.note);
+        put(writer, one.place);
         writer.blob(one.record ? encode(*one.record) : Bytes{});
     }
     return writer.take();
@@ -123,8 +180,8 @@ std::vector<Kept> decode_kept(const Bytes& bytes) {
             Kept& one = kept.emplace_back();
             one.worker = reader.i32();
             one.number = reader.i32();
-            one.attempt = reader.i32();
-            one.wall_time = reader.f64();
+            one.note = take_note(reader);
+            one.place = take_place(reader);
             if (const Bytes record = reader.blob(); !record.empty()) one.record = decode_member_record(record);
         }
         return kept;
@@ -166,6 +223,113 @@ std::vector<Answer> decode_answers(const Bytes& bytes) {
             answers.push_back({number, decode_member_record(reader.blob())});
         }
         return answers;
+    });
+}
+
+Bytes encode(const PieceOrder& order) {
+    ByteWriter writer;
+    writer.text(order.campaign_file);
+    writer.text(order.journal);
+    writer.text(order.name);
+    writer.i32(order.arrangements);
+    writer.i32(order.first);
+    put(writer, order.most);
+    writer.u64(order.members.size());
+    for (const PieceOrder::Member& one : order.members) {
+        writer.i32(one.attempts);
+        writer.u8(one.has_record ? 1 : 0);
+        if (!one.has_record) continue;
+        put(writer, one.note);
+        put(writer, one.place);
+    }
+    return writer.take();
+}
+
+PieceOrder decode_piece_order(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        PieceOrder order;
+        order.campaign_file = reader.text();
+        order.journal = reader.text();
+        order.name = reader.text();
+        order.arrangements = reader.i32();
+        order.first = reader.i32();
+        order.most = take_sizes(reader);
+        order.members.resize(reader.count(least_piece_member_bytes));
+        for (PieceOrder::Member& one : order.members) {
+            one.attempts = reader.i32();
+            one.has_record = reader.u8() == 1;
+            if (!one.has_record) continue;
+            one.note = take_note(reader);
+            one.place = take_place(reader);
+        }
+        return order;
+    });
+}
+
+Bytes encode(const DigestOrder& order) {
+    ByteWriter writer;
+    writer.text(order.file);
+    put(writer, order.pieces);
+    put(writer, order.datasets);
+    return writer.take();
+}
+
+DigestOrder decode_digest_order(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        DigestOrder order;
+        order.file = reader.text();
+        order.pieces = take_texts(reader);
+        order.datasets = take_texts(reader);
+        return order;
+    });
+}
+
+Bytes encode(const PieceMade& made) {
+    ByteWriter writer;
+    writer.text(made.trouble);
+    writer.f64(made.processor_time);
+    writer.text(made.piece.file);
+    writer.text(made.piece.digest);
+    writer.i32(made.piece.first);
+    writer.i32(made.piece.count);
+    put(writer, made.piece.found);
+    return writer.take();
+}
+
+PieceMade decode_piece_made(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        PieceMade made;
+        made.trouble = reader.text();
+        made.processor_time = reader.f64();
+        made.piece.file = reader.text();
+        made.piece.digest = reader.text();
+        made.piece.first = reader.i32();
+        made.piece.count = reader.i32();
+        made.piece.found = take_sizes(reader);
+        return made;
+    });
+}
+
+Bytes encode(const DigestsMade& made) {
+    ByteWriter writer;
+    writer.text(made.trouble);
+    writer.u64(made.digests.size());
+    for (const auto& [path, digest] : made.digests) {
+        writer.text(path);
+        writer.text(digest);
+    }
+    return writer.take();
+}
+
+DigestsMade decode_digests_made(const Bytes& bytes) {
+    return whole(bytes, [](ByteReader& reader) {
+        DigestsMade made;
+        made.trouble = reader.text();
+        for (std::size_t left = reader.count(2 * text_bytes); left > 0; --left) {
+            std::string path = reader.text();
+            made.digests[std::move(path)] = reader.text();
+        }
+        return made;
     });
 }
 

@@ -33,8 +33,14 @@ struct DriverCosts {
     double publish_per_byte = 0;  ///< for each byte of its records
     double publish_interval = 0;  ///< minimum time between two publications
     double publish_share = 0;     ///< largest share of the time during the run
-    double read_per_member = 0;   ///< read the journals of other writers before that
+    double read_per_member = 0;   ///< where one core writes it later: read the journals of other writers before that
     double read_per_byte = 0;
+    double order_per_member = 0;  ///< where all writers publish a piece: tell each which records are in it
+    double index = 0;             ///< write the campaign file that refers to pieces, more than one with rows of its own
+    double index_per_piece = 0;   ///< refer to a piece in it
+    double digest_per_piece = 0;  ///< open a piece to digest what is in all
+    double digest_per_member = 0;  ///< digest its values in all datasets, which the writers share out
+    double digest_texts = 0;       ///< those of the dearest dataset, which one writer digests
 
     double memory_per_member = 0;  ///< bytes: the plan of what is to do, the notes of what is done, publishing
 
@@ -105,7 +111,7 @@ struct Forecast {
     double efficiency = 0;     ///< run_time / (cores x wall_time)
     double master_load = 0;    ///< fraction of the time from start-up to the last answer in which the master works
     double writer_load = 0;    ///< the same of the busiest other writer
-    double file_time = 0;      ///< s in which one core writes the campaign file, at the end or later
+    double file_time = 0;      ///< s in which the writers publish the campaign file at the end, or one core later
     double journal_bytes = 0;  ///< of all records
     double file_bytes = 0;
 };

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign_file/pieces.hpp"
 #include "core/error.hpp"
 #include "run/parts.hpp"
 #include "run/saved_members.hpp"
@@ -49,6 +51,7 @@ Journal open(const Campaign& campaign, const Recorder::Places& places) {
     Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing, places.system);
     if (places.existing == Existing::replace) {
         remove_file(places.campaign_file, places.system);
+        if (&places.system == &this_system()) remove_pieces(places.campaign_file);
         remove_saved(
             places.campaign_file, [](const MemberIdentity&) { return false; }, places.system);
     }
@@ -121,11 +124,12 @@ void Recorder::keep(const MemberRecord& record) {
     timer_.kept();
 }
 
-void Recorder::kept_in_piece(int number, const std::optional<MemberRecord>& record) {
-    const MemberIdentity member = tally_.identity_of(number);
+void Recorder::kept_in_piece(const Kept& kept, int piece) {
+    const MemberIdentity member = tally_.identity_of(kept.number);
     keeper_.journal().done_in_piece(member);
-    tally_.kept(member, MemberStatus::done, record ? &*record : nullptr);
-    has_pieces_ = true;
+    tally_.kept(member, MemberStatus::done, kept.record ? &*kept.record : nullptr);
+    InPiece& one = in_pieces_.emplace_back(kept.number, kept.note, kept.place);
+    one.place.piece = piece;
 }
 
 std::string Recorder::tend(Time now) {
@@ -137,7 +141,7 @@ std::string Recorder::tend(Time now) {
     }
     std::string trouble;
     // Many writers fill more than one process can publish meanwhile.
-    if (places_.with_file && !has_pieces_ && timer_.publishing_is_due(now)) {
+    if (places_.with_file && in_pieces_.empty() && timer_.publishing_is_due(now)) {
         try {
             publish_now();
         } catch (const RunError& error) {
@@ -164,8 +168,25 @@ void Recorder::look_at_other_parts() {
     if (parts.rule() && parts.rule()->met()) together_ = parts.rule();
 }
 
-int Recorder::take_in_pieces() {
-    if (!has_pieces_) return 0;
+bool Recorder::has_all_pieces() const {
+    std::map<int, std::uint64_t> ends;
+    for (const InPiece& one : in_pieces_) {
+        std::uint64_t& end = ends[one.place.piece];
+        end = std::max(end, one.place.offset + one.place.size);
+    }
+    return std::ranges::all_of(ends, [&](const auto& piece) {
+        FileFacts facts;
+        const fs::path path = piece_path(journal_path(places_.campaign_file), piece.first);
+        return places_.system.facts(path, facts) == 0 && facts.size >= piece.second;
+    });
+}
+
+int Recorder::take_in_pieces(bool lost_a_writer) {
+    if (!lost_a_writer && has_all_pieces()) {
+        for (const InPiece& one : in_pieces_)
+            keeper_.journal().take_in(tally_.identity_of(one.number), one.note, one.place);
+        return 0;
+    }
     keeper_.journal().take_in_pieces();
     const StoredMembers members = journal().members();
     const auto kept = match_records(campaign_, members.notes());
@@ -187,10 +208,10 @@ void Recorder::give_up() noexcept {
     }
 }
 
-void Recorder::finish(const std::string& outcome) {
+void Recorder::finish(const std::string& outcome, const Hands& by_hands) {
     sync();
     keeper_.journal().end_session(outcome);
-    if (places_.with_file) publish_now();
+    if (places_.with_file && !(by_hands && by_hands())) publish_now();
     if (outcome.starts_with("complete"))
         remove_saved(
             places_.campaign_file, [](const MemberIdentity&) { return false; }, places_.system);

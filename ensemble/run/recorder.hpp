@@ -2,7 +2,9 @@
 // Keeps the results of a campaign, and says when heartbeat and campaign file are written.
 
 #include <chrono>
+#include <deque>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -10,6 +12,7 @@
 
 #include "campaign_file/publish.hpp"
 #include "run/inventory.hpp"
+#include "run/messages.hpp"
 #include "run/writer.hpp"
 
 namespace floes {
@@ -88,8 +91,8 @@ class Recorder {
     /// Keeps a result. It reaches the disk within a second.
     void keep(const MemberRecord& record);
 
-    /// Notes a result that another writer keeps. `record`: for the stop rule, if there is one.
-    void kept_in_piece(int number, const std::optional<MemberRecord>& record);
+    /// Notes a result that another writer keeps, in that piece of the journal.
+    void kept_in_piece(const Kept& kept, int piece);
 
     /// On return, everything noted and kept so far survives the end of this process, whatever its cause.
     void hand_over() { keeper_.hand_over(); }
@@ -105,19 +108,27 @@ class Recorder {
     /// Syncs the journal to the disk now.
     void sync() { keeper_.sync(); }
 
-    /// To be called when the other writers have closed their journals: takes in what they kept. Returns the number of
-    /// members of this session that are in no journal, since a writer was lost with its machine.
-    int take_in_pieces();
+    /// To be called when the other writers have closed their journals: takes in what they kept. With `lost_a_writer` it
+    /// is read in their journals, not taken as they told it; returns the number of members of this session that are in
+    /// no journal, since a writer was lost with its machine.
+    int take_in_pieces(bool lost_a_writer);
 
     /// Ends the session as far as possible after an error. Otherwise the running members would count as lost with their
     /// process.
     void give_up() noexcept;
 
+    /// Publishes the campaign file in place of one rank alone; false where it cannot.
+    using Hands = std::function<bool()>;
+
     /// Ends the session and publishes, if there is to be a file. Throws RunError if that fails.
-    void finish(const std::string& outcome);
+    void finish(const std::string& outcome, const Hands& by_hands = {});
+
+    const Places& places() const { return places_; }
 
   private:
     void publish_now();
+    /// The other writers' journals are as long as they have told.
+    bool has_all_pieces() const;
     void write_metrics_now(Time now, bool at_work) const;
     void remove_saved_of_done() const;
     void look_at_other_parts();
@@ -128,8 +139,14 @@ class Recorder {
     Tally tally_;
     UpkeepTimer timer_;
     std::optional<PrecisionStop> together_;
-    Time next_look_{};         ///< at other parts
-    bool has_pieces_ = false;  ///< that this session appends to
+    Time next_look_{};  ///< at other parts
+
+    struct InPiece {
+        int number = 0;
+        MemberNote note;
+        JournalContents::Place place;
+    };
+    std::deque<InPiece> in_pieces_;  ///< what other writers have told of in this session
 };
 
 }  // namespace floes

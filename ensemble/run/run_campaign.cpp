@@ -25,6 +25,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "run/crew.hpp"
+#include "run/hands.hpp"
 #include "run/messages.hpp"
 #include "run/plan.hpp"
 #include "run/saved_members.hpp"
@@ -257,6 +258,13 @@ class Master {
         progress_.show_last(state());
     }
 
+    /// Publishes the campaign file by all writers, after run(); false where there is only one, or one was lost, and of
+    /// a simulated system, to which HDF5 cannot write. Throws RunError where the file cannot be written.
+    bool publish_by_hands() {
+        if (groups_.writers().empty() || lost_a_writer_ || &system_ != &this_system()) return false;
+        return hands_.publish(recorder_.tally().published(), recorder_.journal(), recorder_.places().campaign_file);
+    }
+
     /// RankWatch::part(), to be called when everything is on the disk.
     void part() { ranks_.part(); }
 
@@ -305,7 +313,12 @@ class Master {
                 }
                 return;
             case Tag::kept:
-                for (const Kept& kept : decode_kept(message.bytes)) finished_in_piece(kept);
+                for (const Kept& kept : decode_kept(message.bytes)) finished_in_piece(kept, message.from);
+                return;
+            case Tag::published:
+            case Tag::digested:
+                hands_.answered(message.from, message.bytes);
+                pause_.something_happened();
                 return;
             case Tag::farewell:
                 handle(WorkerLeft{message.bytes.empty() ? message.from : decode_status(message.bytes)});
@@ -335,11 +348,12 @@ class Master {
         end_when_precise();
     }
 
-    void finished_in_piece(const Kept& kept) {
-        note_pace(kept.number, kept.wall_time);
+    void finished_in_piece(const Kept& kept, int writer) {
+        note_pace(kept.number, kept.note.wall_time);
         tell_time_left();
-        handle(MemberFinished{kept.worker, kept.number, kept.attempt, AttemptEnd::done, kept.wall_time}, nullptr,
-               &kept);
+        const KeptBy by{kept, groups_.piece_of(writer)};
+        handle(MemberFinished{kept.worker, kept.number, kept.note.attempt, AttemptEnd::done, kept.note.wall_time},
+               nullptr, &by);
         end_when_precise();
     }
 
@@ -404,6 +418,7 @@ class Master {
     /// Without its writer a group can bring its members nowhere.
     void lose(int rank) {
         handle(WorkerLost{rank});
+        hands_.lost(rank);
         if (open_pieces_.erase(rank) == 0) return;
         lost_a_writer_ = true;
         const std::vector<int> group = groups_.group_of(rank);
@@ -419,17 +434,25 @@ class Master {
     /// Everybody has left: nothing more comes into the pieces.
     void close_pieces() {
         for (const int writer : open_pieces_) link_.send(writer, Tag::close, {});
-        while (!open_pieces_.empty()) {
-            while (const auto message = link_.poll()) {
-                ranks_.heard(message->from);
-                receive(*message);
-            }
-            watch_ranks(system_.now());
-            if (!open_pieces_.empty()) system_.sleep(pause_.next());
-        }
+        while (!open_pieces_.empty()) listen();
     }
 
-    void handle(const Event& event, MemberRecord* record = nullptr, const Kept* in_piece = nullptr) {
+    /// Takes what has come from ranks that compute no more, and sleeps.
+    void listen() {
+        while (const auto message = link_.poll()) {
+            ranks_.heard(message->from);
+            receive(*message);
+        }
+        watch_ranks(system_.now());
+        system_.sleep(pause_.next());
+    }
+
+    struct KeptBy {
+        const Kept& kept;
+        int piece;  ///< of the journal
+    };
+
+    void handle(const Event& event, MemberRecord* record = nullptr, const KeptBy* in_piece = nullptr) {
         for (const Command& command : scheduler_.handle(event)) {
             if (const auto* assign = std::get_if<Assign>(&command)) {
                 handed_out_[assign->worker].push_back({assign->number, assign->attempt, assign->apart});
@@ -454,9 +477,9 @@ class Master {
         recorder_.keep(record);
     }
 
-    void keep(const Kept& in_piece) {
-        failures_.erase(in_piece.number);
-        recorder_.kept_in_piece(in_piece.number, in_piece.record);
+    void keep(const KeptBy& in_piece) {
+        failures_.erase(in_piece.kept.number);
+        recorder_.kept_in_piece(in_piece.kept, in_piece.piece);
     }
 
     void note_failure(const Retry& retry, const MemberRecord& record) {
@@ -540,6 +563,7 @@ class Master {
     double pace_;                // s per unit of cost, of the slowest member so far; 0: unknown
     std::set<int> open_pieces_;  // writers that have not closed theirs
     bool lost_a_writer_ = false;
+    Hands hands_{link_, campaign_, groups_, [this] { listen(); }};
     std::string stop_reason_;
     bool dismissed_ = false;  // the crew of this rank
     bool left_ = false;
@@ -617,10 +641,12 @@ std::string imprecise_sentence(const Campaign& campaign, PrecisionStop precision
 
 /// Prints the final messages and returns the exit status.
 int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
-             const Master& master) {
+             Master& master) {
+    const auto by_hands = [&] { return master.publish_by_hands(); };
     const std::string stopped_by = master.stopped_by();
     const Tally& tally = recorder.tally();
-    const int lost = options.places.with_file || master.lost_a_writer() ? recorder.take_in_pieces() : 0;
+    const bool taken_in = options.places.with_file || master.lost_a_writer();
+    const int lost = taken_in ? recorder.take_in_pieces(master.lost_a_writer()) : 0;
     const bool resumed = recorder.journal().sessions().size() > 1;
     const std::string file = options.places.campaign_file.string();
     const int total = tally.precise() ? member_count(tally.published()) : tally.found().total;
@@ -646,11 +672,11 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
         if (resumed) progress.say(harvest(tally));
         progress.say(fmt::format("stopped by {} with {} of {} done and on the disk; to resume: {}", stopped_by,
                                  tally.done() + tally.failed(), counted(total, "member"), options.resume_command));
-        recorder.finish("stopped");
+        recorder.finish("stopped", by_hands);
         return exit_stopped;
     }
     if (resumed) progress.say(harvest(tally));
-    recorder.finish(tally.failed() > 0 ? "complete, members failed" : "complete");
+    recorder.finish(tally.failed() > 0 ? "complete, members failed" : "complete", by_hands);
     if (const auto& precision = tally.precision(); precision && !tally.precise())
         progress.say(imprecise_sentence(campaign, *precision));
     if (tally.failed() > 0) {

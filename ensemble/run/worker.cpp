@@ -15,6 +15,7 @@
 #include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "core/error.hpp"
+#include "run/hands.hpp"
 #include "run/messages.hpp"
 #include "run/signals.hpp"
 #include "run/writer.hpp"
@@ -45,6 +46,7 @@ class Worker {
     Worker(Link& link, const Campaign& campaign, const Post& post, const CrewSetup& setup,
            const SilenceLimits& patience, const StopSignals& signals)
         : link_(link),
+          campaign_(campaign),
           keeper_of_records_(post.writer),
           patience_(patience),
           signals_(signals),
@@ -89,6 +91,10 @@ class Worker {
         }
         send_answers();
         if (writer_) writer_->tend();
+        if (auto done = hand_.take()) {
+            link_.send(master_rank, done->first, std::move(done->second));
+            something = true;
+        }
         if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
         if (dismissed_ && !said_farewell_ && crew_.held() == 0) {
             // Behind its answers. A writer sent what it has to the master.
@@ -140,6 +146,15 @@ class Worker {
                 expect_writer(message).sync();
                 writer_.reset();
                 link_.send(master_rank, Tag::closed, {});
+                return;
+            case Tag::publish:
+                hand_.begin(Tag::published, [this, order = decode_piece_order(message.bytes)] {
+                    return encode(make_piece(campaign_, order));
+                });
+                return;
+            case Tag::digest:
+                hand_.begin(Tag::digested,
+                            [order = decode_digest_order(message.bytes)] { return encode(make_digests(order)); });
                 return;
             case Tag::leave:
                 if (ranks_are_missing_) {
@@ -201,6 +216,8 @@ class Worker {
     }
 
     Link& link_;
+    const Campaign& campaign_;
+    Hand hand_;
     int keeper_of_records_;         // rank
     std::optional<Writer> writer_;  // if it is this one, and not the master
     const SilenceLimits& patience_;

@@ -42,10 +42,17 @@ void Keeper::sync() {
 
 namespace {
 
-constexpr int usual_ranks_of_each = 64;
+constexpr int most_ranks_of_one = 64;
+constexpr int least_ranks_of_each = 4;
+constexpr int most_usual_writers = 256;  // each of which the campaign file refers to
 
 int ceiling(int number, int divisor) {
     return (number + divisor - 1) / divisor;
+}
+
+int usual_ranks_of_each(int ranks) {
+    if (ranks <= most_ranks_of_one) return ranks;
+    return std::max(least_ranks_of_each, ceiling(ranks, most_usual_writers));
 }
 
 /// What a stop rule needs of a record.
@@ -59,7 +66,7 @@ MemberRecord without_histories(MemberRecord record) {
 
 Groups::Groups(int ranks, int writers)
     : ranks_(ranks),
-      ranks_of_each_(ceiling(ranks, writers > 0 ? std::min(writers, ranks) : ceiling(ranks, usual_ranks_of_each))) {
+      ranks_of_each_(writers > 0 ? ceiling(ranks, std::min(writers, ranks)) : usual_ranks_of_each(ranks)) {
     FLOES_EXPECTS(ranks >= 1 && writers >= 0);
 }
 
@@ -84,10 +91,11 @@ void Writer::keep(int worker, std::vector<Answer> answers) {
     for (Answer& answer : answers) {
         keeper_.keep(answer.record);
         Kept& kept = kept_.emplace_back();
+        const JournalContents& contents = keeper_.journal().contents();
         kept.worker = worker;
         kept.number = answer.number;
-        kept.attempt = answer.record.attempt;
-        kept.wall_time = answer.record.result.wall_time;
+        kept.note = contents.members[contents.members.size() - 1];
+        kept.place = contents.places.back();
         if (has_stop_rule_) kept.record = without_histories(std::move(answer.record));
     }
 }

@@ -52,12 +52,13 @@ class Keeper {
 };
 
 // Which ranks keep records. In a large run one rank cannot move the bytes of all: groups of neighbouring ranks have a
-// writer each, which appends the members of its group to a piece of the journal and tells the master of them. The
-// master is the writer of its own group.
+// writer each, which appends the members of its group to a piece of the journal and tells the master of them, and at
+// the end publishes a piece of the campaign file. The master is the writer of its own group.
 
 class Groups {
   public:
-    /// `writers`: at most so many; 0: one for every 64 ranks, which keeps each below a tenth of its time.
+    /// `writers`: at most so many; 0: one up to 64 ranks, then one for every four, at most 256: so the campaign file
+    /// takes seconds.
     explicit Groups(int ranks, int writers = 0);
 
     int writer_of(int rank) const { return rank - rank % ranks_of_each_; }

@@ -79,6 +79,11 @@ void sync_data(const OpenFile& file, const std::filesystem::path& path) {
     expect("fdatasync", path, result);
 }
 
+FilePlace place_of(const OpenFile& file, const std::filesystem::path& path) {
+    const FileFacts facts = facts_of(file, path);
+    return {facts.device, facts.number};
+}
+
 bool is_named(const OpenFile& file, const std::filesystem::path& path) {
     const FileFacts here = facts_of(file, path);
     FileFacts there;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <utility>
 
 #include "store/system.hpp"
 
@@ -26,6 +27,9 @@ void write_all(const OpenFile& file, const std::filesystem::path& path, std::spa
 void truncate_file(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size);
 /// fdatasync(2): on return contents and size are on the disk. If it fails, nobody reads what is not.
 void sync_data(const OpenFile& file, const std::filesystem::path& path);
+/// Device and number: equal for two open files of one file.
+using FilePlace = std::pair<std::uint64_t, std::uint64_t>;
+FilePlace place_of(const OpenFile& file, const std::filesystem::path& path);
 /// True while `path` still refers to this file.
 bool is_named(const OpenFile& file, const std::filesystem::path& path);
 /// fsync(2) of the folder that holds `path`: on return the name is on the disk.

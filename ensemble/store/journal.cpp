@@ -605,6 +605,14 @@ void Journal::take_in_pieces() {
     sync_pieces(path_, contents_, file_.system());
 }
 
+void Journal::take_in(const MemberIdentity& member, const MemberNote& note, const JournalContents::Place& place) {
+    auto known = std::ranges::find(contents_.pieces, place.piece, &JournalContents::Piece::number);
+    if (known == contents_.pieces.end()) known = contents_.pieces.insert(known, {place.piece, 0});
+    known->good_bytes = std::max(known->good_bytes, place.offset + place.size);
+    contents_.members.add(member.first, note);
+    contents_.places.push_back(place);
+}
+
 void Journal::started(const MemberIdentity& member, int attempt) {
     ByteWriter payload;
     payload.text(member.first);

@@ -150,6 +150,9 @@ class Journal {
     /// Takes in what was appended to pieces since the journal was opened or this was called, and syncs them: a writer
     /// that was lost may not have.
     void take_in_pieces();
+    /// The same by what their writers have told, without reading them: the member's record is at `place` in a piece
+    /// that is on the disk.
+    void take_in(const MemberIdentity& member, const MemberNote& note, const JournalContents::Place& place);
     /// Notes that an attempt at the member begins. Needs no sync(): a lost note only costs one more attempt.
     void started(const MemberIdentity& member, int attempt);
     /// Passes everything appended so far to the operating system by one write(), so that it survives the end of this
@@ -165,6 +168,7 @@ class Journal {
 
     /// All members. Their records are in the file alone, and can be read once they were handed over.
     StoredMembers members() const;
+    const JournalContents& contents() const { return contents_; }
     const std::vector<Session>& sessions() const { return contents_.sessions; }
     const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
     /// Attempts that were lost with earlier sessions are counted as lost() here.

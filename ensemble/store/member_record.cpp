@@ -212,13 +212,16 @@ int found_along(const MemberNote& note, const ArrayAxis& axis) {
 }
 
 void MemberNotes::add(const MemberRecord& record) {
-    const int key = keys_.try_emplace(record.case_key, static_cast<int>(keys_.size())).first->second;
-    notes_.push_back({.wall_time = record.result.wall_time,
-                      .key = key,
-                      .arrangement = record.arrangement,
-                      .attempt = record.attempt,
-                      .found = found_in(record),
-                      .status = record.result.status});
+    add(record.case_key, {.wall_time = record.result.wall_time,
+                          .arrangement = record.arrangement,
+                          .attempt = record.attempt,
+                          .found = found_in(record),
+                          .status = record.result.status});
+}
+
+void MemberNotes::add(const std::string& key, MemberNote note) {
+    note.key = keys_.try_emplace(key, static_cast<int>(keys_.size())).first->second;
+    notes_.push_back(note);
 }
 
 void MemberNotes::add(const MemberNotes& others) {

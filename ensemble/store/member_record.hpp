@@ -94,6 +94,8 @@ int found_along(const MemberNote& note, const ArrayAxis& axis);
 class MemberNotes {
   public:
     void add(const MemberRecord& record);
+    /// `note` whatever its number of the key.
+    void add(const std::string& key, MemberNote note);
     void add(const MemberNotes& others);
 
     std::size_t size() const { return notes_.size(); }

@@ -36,6 +36,7 @@ class Stored:
             self.attributes = self.attributes_of("/")
             self._check_kind()
             self.layout = self._checked_layout()
+            self._check_pieces()
         except BaseException:
             self.close()
             raise
@@ -164,6 +165,29 @@ class Stored:
                           + (f"; new are {', '.join(unknown)}" if unknown else "") + ". group(NAME) reads any group.",
                           NewerLayoutWarning, stacklevel=5)
         return major, minor
+
+
+    def _check_pieces(self) -> None:
+        """Where the rows of the file lie in pieces: HDF5 gives NaN for those of a piece that is not there."""
+        if not self.has("provenance/piece"):
+            return
+        names, digests = self.read("provenance/piece"), self.read("provenance/piece_digest")
+        first, count = self.read("provenance/piece_first"), self.read("provenance/piece_count")
+        for k, name in enumerate(names):
+            piece = self.path.resolve().parent / name
+            rows = f"arrangements {first[k]} to {first[k] + count[k] - 1}"
+            if not piece.exists():
+                raise CampaignError(f"{self.path} is made of {len(names)} pieces, and {piece} with {rows} is not there. "
+                                    f"Keep the file and the folder {piece.parent.name} together. {_cure(self.path)}")
+            try:
+                with h5py.File(piece, "r") as opened:
+                    found = opened.attrs["contents_digest"]
+            except BAD as error:
+                raise CampaignError(f"{piece}, a piece of {self.path} with {rows}, is damaged ({error}). "
+                                    f"{_cure(self.path)}") from error
+            if found != digests[k]:
+                raise CampaignError(f"{piece} is not the piece with {rows} that {self.path} was made with. "
+                                    f"{_cure(self.path)}")
 
 
 def _same_times(coordinates: dict[str, xarray.DataArray]) -> list[str]:

@@ -52,12 +52,14 @@ def rows_of(columns):
 
 
 class Readers(unittest.TestCase):
+    how = []
+
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.path = pathlib.Path(cls.folder.name, "full.h5")
         cls.empty_path = pathlib.Path(cls.folder.name, "empty.h5")
-        subprocess.run([WRITER, cls.path], check=True)
+        subprocess.run([WRITER, cls.path, *cls.how], check=True)
         subprocess.run([WRITER, cls.empty_path, "none"], check=True)
 
     @classmethod
@@ -75,7 +77,7 @@ class Readers(unittest.TestCase):
             "pieces": {"piece": 16},
             "exceedance": {"member": 12, "level": 3},
             "averaged": {"member": 12, "averaging_time": 3, "segment": 3, "peak": 3},
-            "provenance": {"member": 12, "session": 2},
+            "provenance": {"member": 12, "session": 2, **({"piece": 3} if self.how else {})},
             **CALIBRATION,
         }
         for engine in ENGINES:
@@ -132,8 +134,9 @@ class Readers(unittest.TestCase):
             self.assertAlmostEqual(surge[3, 20], 400 * numpy.sin(0.1 * 20))
             self.assertFalse(numpy.isnan(surge[0]).any())
             self.assertEqual(numpy.isnan(surge[2]).sum(), 10)
-            self.assertEqual(surge.chunks, (1, 110))
-            self.assertTrue(surge.shuffle and surge.compression == "gzip")
+            if not surge.is_virtual:
+                self.assertEqual(surge.chunks, (1, 110))
+                self.assertTrue(surge.shuffle and surge.compression == "gzip")
             self.assertEqual(list(file["arrangements/pose"][2, 1]), [6.0 + 1 + 0.1, 0.3 * 6 - 1, 0.01])
             self.assertTrue(numpy.isnan(file["arrangements/pose"][1, 4:]).all())
             self.assertEqual(list(file["arrangements/number"][:]), [0, 0, 1, 1, 2, 2, 3, 3])
@@ -249,11 +252,43 @@ class Readers(unittest.TestCase):
             for name in [*file.attrs, *file["provenance"].attrs]:
                 self.assertIn(f"`{name}`", text, "an attribute is not described")
             version = ".".join(str(part) for part in file.attrs["version"])
-        others = ("/part", "/parts/", "/responses/")  # a held structure of one part has none of these
+        if "/provenance/piece" in stored:
+            self.assertLessEqual(stored.items(), described_on(text).items())
+            return
+        # a held structure of one part has none of these, and a file with rows of its own no pieces
+        others = ("/part", "/parts/", "/responses/", "/provenance/piece")
         of_others = {name for name in described_on(text) if name == others[0] or name.startswith(others[1:])}
-        self.assertEqual(len(of_others), 12)
+        self.assertEqual(len(of_others), 16)
         self.assertEqual({name: what for name, what in described_on(text).items() if name not in of_others}, stored)
         self.assertIn(f"layout version {version}", text)
+
+
+class ReadersOverPieces(Readers):
+    """The same of a file whose rows lie in pieces."""
+
+    how = ["pieces"]
+
+    def test_h5py_says_where_the_rows_lie_and_gives_nan_for_those_of_a_lost_piece(self):
+        with h5py.File(self.path) as file:
+            loads = file["members/mean_load"]
+            self.assertEqual([source.file_name for source in loads.virtual_sources()],
+                             [f"full.pieces/1-{k}.h5" for k in (1, 2, 3)])
+            whole = loads[:]
+        piece, aside = self.path.with_suffix(".pieces") / "1-2.h5", self.path.with_suffix(".aside")
+        piece.rename(aside)
+        try:
+            with h5py.File(self.path) as file:
+                lost = file["members/mean_load"][:]
+            self.assertTrue(numpy.isnan(lost[3:6]).all())
+            numpy.testing.assert_array_equal(numpy.delete(lost, [3, 4, 5]), numpy.delete(whole, [3, 4, 5]))
+        finally:
+            aside.rename(piece)
+
+    def test_pieces_can_be_read_alone(self):
+        with h5py.File(self.path) as file, h5py.File(self.path.with_suffix(".pieces") / "1-3.h5") as piece:
+            self.assertEqual(list(piece["member"][:]), list(range(6, 12)))
+            numpy.testing.assert_array_equal(piece["members/mean_load"][:], file["members/mean_load"][6:])
+            self.assertTrue((piece["breaks/member"][:] >= 6).all())
 
 
 if __name__ == "__main__":

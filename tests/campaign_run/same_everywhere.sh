@@ -18,15 +18,41 @@ for number in 2 3; do
     same alone.h5 "writers$number.h5"
     [ "$(find . -name "writers$number.journal.*" | wc -l)" -eq $((number - 1)) ] || fail "not $number writers"
     said writers "8 of 8 done, 0 failed"
+    # Each has published a piece; every verb reads the file, also where both have been moved.
+    [ "$(find "writers$number.pieces" -name "1-*.h5" | wc -l)" -eq "$number" ] || fail "not $number pieces"
+    mkdir moved && cp -r "writers$number.h5" "writers$number.pieces" moved
+    expect 0 pieces "$FLOES" verify "moved/writers$number.h5" "moved/writers$number.pieces/1-1.h5"
+    said pieces "datasets in $number pieces, digest $("$FLOES" verify alone.h5 | sed "s/.*digest //")"
+    for verb in summarize status report replay; do
+        given=("moved/writers$number.h5")
+        [ "$verb" != report ] || given+=(-o "report$number.html")
+        [ "$verb" != replay ] || given+=(3 -o "replay$number.html")
+        expect 0 "$verb" "$FLOES" "$verb" "${given[@]}"
+    done
+    rm "moved/writers$number.pieces/1-2.h5"
+    expect 2 lacking "$FLOES" summarize "moved/writers$number.h5"
+    said lacking "writers$number.pieces/1-2.h5 with arrangement"
+    expect 1 lacking "$FLOES" verify "moved/writers$number.h5"
+    said lacking "writers$number.pieces/1-2.h5 with arrangement"
+    rm -r moved
     # Its journals are one: they are resumed, verified and merged by the name of the first.
     expect 0 again "$FLOES" run campaign.toml -o "writers$number.h5" --resume
     said again "8 members reused, 0 computed"
+    [ ! -e "writers$number.pieces" ] || fail "a file with rows of its own left pieces"
     same alone.h5 "writers$number.h5"
     expect 0 verify "$FLOES" verify "writers$number.journal"
     said verify "good, journal, 8 members"
     expect 0 merge "$FLOES" merge "writers$number.h5" -o "merged$number.h5"
     same alone.h5 "merged$number.h5"
 done
+
+# A campaign in pieces grows, by other writers: the old pieces stay until the new file stands.
+expect 0 small "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml -o grown.h5 --writers 3 --set campaign.arrangements=2
+[ "$(find grown.pieces -name "1-*.h5" | wc -l)" -eq 2 ] || fail "more pieces than arrangements"
+expect 0 grown "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml -o grown.h5 --writers 2 --resume
+said grown "4 members reused, 4 computed"
+[ "$(find grown.pieces -type f | sort | xargs)" = "grown.pieces/2-1.h5 grown.pieces/2-2.h5" ] || fail "other pieces"
+same alone.h5 grown.h5
 
 # The many cores need not wait for the file.
 expect 0 no_file "${MPIRUN[@]}" -n 3 "$FLOES" run campaign.toml -o late.h5 --writers 2 --no-file

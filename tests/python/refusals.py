@@ -6,7 +6,8 @@ import warnings
 
 import h5py
 import numpy
-from campaigns import FOLDER, FULL, SMOKE
+import pandas
+from campaigns import FOLDER, FULL, SMOKE, WRITER, run
 
 import floes_reader
 
@@ -45,6 +46,23 @@ class Refusals(unittest.TestCase):
         self.refused("is an HDF5 file, but no campaign of floes.")
         self.changed(lambda file: file.attrs.modify("filetype", "floes record"))
         self.refused("is a file of the kind 'floes record', but no campaign of floes.")
+
+    def test_pieces_that_are_not_as_they_were(self):
+        path = FOLDER / "over.h5"
+        run(WRITER, path, "pieces")
+        with floes_reader.open(path) as over, floes_reader.open(FULL) as one:
+            pandas.testing.assert_frame_equal(over.summary(), one.summary())
+            numpy.testing.assert_array_equal(over.group("history").surge_load, one.group("history").surge_load)
+        piece = FOLDER / "over.pieces" / "1-3.h5"
+        content = piece.read_bytes()
+        piece.write_bytes(content[:-40_000])
+        self.refused("over.pieces/1-3.h5, a piece of", path=path)
+        shutil.copy(FOLDER / "over.pieces" / "1-2.h5", piece)
+        self.refused("is not the piece with arrangements 2 to 3", path=path)
+        piece.unlink()
+        self.refused("over.pieces/1-3.h5 with arrangements 2 to 3 is not there", path=path)
+        piece.write_bytes(content)
+        floes_reader.open(path).close()
 
     def test_a_newer_major_layout(self):
         self.changed(lambda file: file.attrs.modify("version", numpy.array([2, 0], "i4")))

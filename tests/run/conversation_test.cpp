@@ -6,11 +6,14 @@
 
 #include <atomic>
 #include <csignal>
+#include <thread>
 
 #include "campaign/campaign.hpp"
 #include "campaign/write.hpp"
+#include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "run/fakes.hpp"
+#include "run/hands.hpp"
 #include "run/messages.hpp"
 #include "run/worker.hpp"
 #include "support/fake_link.hpp"
@@ -218,7 +221,7 @@ TEST(WriterConversation, TellsTheMasterOfWhatIsInItsJournal) {
         ASSERT_EQ(kept.size(), 2u);
         EXPECT_EQ(kept[1].worker, 3);
         EXPECT_EQ(kept[1].number, 5);
-        EXPECT_EQ(kept[1].attempt, 1);
+        EXPECT_EQ(kept[1].note.attempt, 1);
         EXPECT_FALSE(kept[1].record);
         EXPECT_EQ(kept_so_far(), 2u);
     });
@@ -276,38 +279,98 @@ TEST(WriterConversation, ComplainsWhenItsJournalCannotBeOpened) {
     link.finish();
 }
 
-/// What a writer does with a record, without its rank.
-void keep_in_piece(const std::filesystem::path& campaign_file, const MemberRecord& record) {
-    Journal piece = open_journal(piece_path(journal_path(campaign_file), 1), "", Existing::resume);
-    piece.append(record);
-    piece.sync();
+/// A master with one other writer, which has kept member 1 and closed its journal.
+class MasterOfAWriter : public testing::Test {
+  protected:
+    MasterOfAWriter() : run_(folder_ / "a.h5", two_members()) {
+        run_.writers = 2;
+        link_.expect(1, Tag::post, [this](const Bytes& bytes) {
+            EXPECT_EQ(decode_post(bytes).writer, 1);
+            EXPECT_EQ(decode_post(bytes).journal, piece_.string());
+            open_journal(piece_, "", Existing::refuse);
+        });
+        link_.expect(1, Tag::campaign);
+        link_.deliver(1, Tag::hello, hello_of(run_.campaign));
+        link_.expect(1, Tag::assign, [this](const Bytes&) {
+            Journal piece = open_journal(piece_, "", Existing::resume);
+            piece.append(record_of(run_.campaign, 1));
+            piece.sync();
+            kept_.worker = kept_.number = 1;
+            kept_.note = piece.contents().members[0];
+            kept_.place = piece.contents().places[0];
+        });
+        link_.deliver_made(1, Tag::kept, [this] {
+            Kept of_another_attempt = kept_;
+            of_another_attempt.note.attempt = 7;
+            return encode(std::vector{of_another_attempt});
+        });
+        link_.deliver_made(1, Tag::kept, [this] { return encode(std::vector{kept_}); });
+        link_.expect(1, Tag::dismiss);
+        link_.deliver(1, Tag::farewell);
+        link_.expect(1, Tag::close);
+        link_.deliver(1, Tag::closed);
+    }
+
+    /// The campaign file has the members of a run alone.
+    void expect_the_file() {
+        EXPECT_EQ(read_journal(journal_path(run_.file)).sessions.at(0).computed, 2);
+        fake::Run alone(folder_ / "alone.h5", two_members());
+        ASSERT_EQ(alone(fake::compute), 0);
+        EXPECT_EQ(run_.results(), alone.results());
+        for (const RowStatus state : read_states(run_.file)) EXPECT_EQ(state, RowStatus::done);
+    }
+
+    TemporaryFolder folder_;
+    std::filesystem::path piece_ = folder_ / "a.journal.1";
+    fake::Run run_;
+    FakeLink link_{0, 2};
+    Kept kept_;
+    PieceOrder order_;
+};
+
+TEST_F(MasterOfAWriter, BelievesItAndLetsItPublishItsPiece) {
+    link_.expect(1, Tag::publish, [&](const Bytes& bytes) {
+        order_ = decode_piece_order(bytes);
+        EXPECT_EQ(order_.first, 1);
+        EXPECT_EQ(order_.members.size(), 1u);
+        EXPECT_EQ(order_.members[0].place.piece, 1);
+    });
+    link_.deliver_made(1, Tag::published, [&] {
+        const auto own = folder_ / "a.pieces/1-1.h5";  // of the master's thread: HDF5 is used by one at a time
+        while (!std::filesystem::exists(own)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return encode(make_piece(run_.campaign, order_));
+    });
+    link_.expect(1, Tag::digest, [](const Bytes& bytes) {
+        EXPECT_EQ(decode_digest_order(bytes).pieces.size(), 2u);
+        EXPECT_FALSE(decode_digest_order(bytes).datasets.empty());
+    });
+    link_.deliver(1, Tag::digested, encode(DigestsMade{}));  // what it leaves the master computes
+    EXPECT_EQ(run_.on(link_, fake::compute, Existing::refuse, 1), 0);
+    link_.finish();
+    expect_the_file();
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "a.pieces/1-2.h5"));
 }
 
-TEST(MasterConversation, BelievesAWriterAndPublishesWhatItKept) {
-    const TemporaryFolder folder;
-    fake::Run run(folder / "a.h5", two_members());
-    run.writers = 2;
-    FakeLink link(0, 2);
-    link.expect(1, Tag::post, [&](const Bytes& bytes) {
-        EXPECT_EQ(decode_post(bytes).writer, 1);
-        EXPECT_EQ(decode_post(bytes).journal, (folder / "a.journal.1").string());
-        open_journal(folder / "a.journal.1", "", Existing::refuse);
-    });
-    link.expect(1, Tag::campaign);
-    link.deliver(1, Tag::hello, hello_of(run.campaign));
-    link.expect(1, Tag::assign, [&](const Bytes&) { keep_in_piece(run.file, record_of(run.campaign, 1)); });
-    link.deliver(1, Tag::kept, encode(std::vector<Kept>{{1, 1, 7, 0.5, {}}}));  // of another attempt
-    link.deliver(1, Tag::kept, encode(std::vector<Kept>{{1, 1, 1, 0.5, {}}}));
-    link.expect(1, Tag::dismiss);
-    link.deliver(1, Tag::farewell);
-    link.expect(1, Tag::close);
-    link.deliver(1, Tag::closed);
-    EXPECT_EQ(run.on(link, fake::compute, Existing::refuse, 1), 0);
-    link.finish();
-    EXPECT_EQ(read_journal(journal_path(run.file)).sessions.at(0).computed, 2);
-    fake::Run alone(folder / "alone.h5", two_members());
-    ASSERT_EQ(alone(fake::compute), 0);
-    EXPECT_EQ(run.results(), alone.results());
+TEST_F(MasterOfAWriter, PublishesAloneWhenItIsLostMeanwhile) {
+    run_.patience = {.sign_of_life = 0.02, .with_a_worker = 2.5};
+    link_.expect(1, Tag::publish);  // and never a word again
+    link_.expect(1, Tag::part);
+    EXPECT_EQ(run_.on(link_, fake::compute, Existing::refuse, 1), 0);
+    link_.finish();
+    expect_the_file();
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.pieces"));
+}
+
+TEST_F(MasterOfAWriter, PassesOnWhyItCannotWriteItsPiece) {
+    link_.expect(1, Tag::publish);
+    PieceMade made;
+    made.trouble = "a.pieces/1-2.h5 cannot be written: the disk is full.";
+    link_.deliver(1, Tag::published, encode(made));
+    EXPECT_THROW(run_.on(link_, fake::compute, Existing::refuse, 1), RunError);
+    EXPECT_FALSE(std::filesystem::exists(run_.file));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.pieces/1-1.h5")) << "the journal needs the room";
+    EXPECT_EQ(run_(fake::compute, Existing::resume), 0);
+    expect_the_file();
 }
 
 TEST(MasterConversation, DoesNotCallCompleteWhatIsInNoJournal) {
@@ -320,7 +383,10 @@ TEST(MasterConversation, DoesNotCallCompleteWhatIsInNoJournal) {
     link.expect(1, Tag::campaign);
     link.deliver(1, Tag::hello, hello_of(run.campaign));
     link.expect(1, Tag::assign);
-    link.deliver(1, Tag::kept, encode(std::vector<Kept>{{1, 1, 1, 0.5, {}}}));  // and then lost it
+    Kept kept;
+    kept.worker = kept.number = 1;
+    kept.place = {.offset = 1000, .size = 1000};
+    link.deliver(1, Tag::kept, encode(std::vector{kept}));  // and then lost it
     link.expect(1, Tag::dismiss);
     link.deliver(1, Tag::farewell);
     link.expect(1, Tag::close);

@@ -7,6 +7,7 @@ namespace groups_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::SizeIs;
 
 TEST(Groups, HaveTheMasterAsTheirOnlyWriterInSmallRuns) {
     for (const int ranks : {1, 2, 64}) {
@@ -16,9 +17,12 @@ TEST(Groups, HaveTheMasterAsTheirOnlyWriterInSmallRuns) {
     }
 }
 
-TEST(Groups, HaveAWriterForEvery64Ranks) {
-    EXPECT_THAT(Groups(65).writers(), ElementsAre(33));
-    EXPECT_THAT(Groups(1563).writers().size(), 24u);
+TEST(Groups, HaveAWriterForEveryFourRanksInLargeRunsAndAtMost256) {
+    EXPECT_THAT(Groups(65).writers(), SizeIs(16));
+    EXPECT_EQ(Groups(65).writer_of(64), 64);
+    EXPECT_THAT(Groups(125).writers(), SizeIs(31));
+    EXPECT_THAT(Groups(1563).writers(), SizeIs(223));
+    EXPECT_THAT(Groups(15625).writers(), SizeIs(252));
 }
 
 TEST(Groups, AreAsManyAsAskedForAndAtMostOneForEachRank) {

@@ -133,12 +133,32 @@ TEST(Simulate, TheFileOfManyWritersIsWrittenAtTheEndOrLater) {
     Machine machine = machine_of(4, 4);
     machine.writers = 4;
     const auto members = equal_members(400, 1.0);
+    const auto without = simulate(members, machine, costs, false);
+    EXPECT_NEAR(without.file_time, 1.0 + 400 * 1e-3 + 300 * 1e-2, 1e-9) << "one core, which reads what others kept";
     const auto with = simulate(members, machine, costs);
     EXPECT_NEAR(with.last_member, 100.0, 1e-9) << "it publishes in between";
-    EXPECT_NEAR(with.file_time, 1.0 + 400 * 1e-3 + 300 * 1e-2, 1e-9);
-    const auto without = simulate(members, machine, costs, false);
-    EXPECT_NEAR(without.file_time, with.file_time, 1e-9);
+    EXPECT_NEAR(with.file_time, 2 * 1.0 + 400 / 4 * 1e-3, 1e-9) << "pieces, then the file that refers to them";
     EXPECT_NEAR(with.wall_time - without.wall_time, with.file_time, 1e-9);
+}
+
+TEST(Simulate, WritersShareTheFileButNotWhatIsOfAllPieces) {
+    DriverCosts costs;
+    costs.publish_per_byte = 1e-6;
+    costs.order_per_member = 1e-3;
+    costs.index_per_piece = 0.1;
+    costs.digest_per_piece = 0.2;
+    costs.digest_per_member = 1e-2;
+    const std::vector<SimulatedMember> members(400, {1.0, 1, 1e5, 1e5});
+    Machine machine = machine_of(8, 8);
+    for (const int writers : {4, 8}) {
+        machine.writers = writers;
+        machine.processors = 0;
+        const double own = 400 * 1e-3 + 0.1 * writers;
+        const double shared = 400 * 0.1 / writers + 0.2 * writers + 400 * 1e-2 / writers;
+        EXPECT_NEAR(simulate(members, machine, costs).file_time, own + shared, 1e-9);
+        machine.processors = 2;
+        EXPECT_NEAR(simulate(members, machine, costs).file_time, own + shared * writers / 2, 1e-9);
+    }
 }
 
 TEST(Simulate, BytesCostTheCoresTime) {

@@ -74,6 +74,21 @@ TEST(JournalPieces, AreTakenInWhileTheyGrow) {
     EXPECT_EQ(journal.members().notes().size(), 6u);
 }
 
+TEST(JournalPieces, AreTakenInAsTheirWritersTell) {
+    const InPieces made;
+    Journal journal = open_journal(made.path, "", Existing::resume);
+    Journal fresh = open_journal(piece_path(made.path, 11), "", Existing::resume);
+    fresh.append(small_record(4));
+    fresh.hand_over();
+    JournalContents::Place place = fresh.contents().places.at(0);
+    place.piece = 11;
+    journal.take_in(identity(small_record(4)), fresh.contents().members[0], place);
+    EXPECT_EQ(journal.members().notes().size(), 5u);
+    EXPECT_EQ(encode(journal.members().read(4)), encode(small_record(4)));
+    journal.take_in_pieces();  // has it already
+    EXPECT_EQ(journal.members().notes().size(), 5u);
+}
+
 // The note may be lost with the master, the record with a node: the record decides.
 TEST(JournalPieces, DecideWhatIsDone) {
     const InPieces made;

@@ -31,6 +31,10 @@ class FakeLink final : public Link {
     void deliver(int from, Tag tag, std::vector<std::byte> bytes = {}) {
         script_.push_back({true, {from, tag, std::move(bytes)}, {}});
     }
+    /// The same of bytes that `make` gives when it is time.
+    void deliver_made(int from, Tag tag, std::function<std::vector<std::byte>()> make) {
+        script_.push_back({true, {from, tag, {}}, {}, std::move(make)});
+    }
     /// `look` sees the bytes that were sent.
     void expect(int to, Tag tag, Look look = {}) { script_.push_back({false, {to, tag, {}}, std::move(look)}); }
     void finish() const { EXPECT_TRUE(script_.empty()) << script_.size() << " steps of the script did not happen"; }
@@ -62,6 +66,7 @@ class FakeLink final : public Link {
         }
         if (script_.empty() || !script_.front().deliver) return std::nullopt;
         Message message = std::move(script_.front().message);
+        if (script_.front().make) message.bytes = script_.front().make();
         advance();
         return message;
     }
@@ -73,6 +78,7 @@ class FakeLink final : public Link {
         bool deliver;
         Message message;  // `from` is the receiver of what is expected
         Look look;
+        std::function<std::vector<std::byte>()> make = {};
     };
 
     void advance() {

@@ -1,5 +1,6 @@
-// synthetic_file FILE.h5 [none | N]: publishes a made-up campaign, of which the readers are tested; "none": without
-// members and calibration; N: of so many arrangements of three cases, with loads and histories alone.
+// synthetic_file FILE.h5 [none | pieces | N]: publishes a made-up campaign, of which the readers are tested; "none":
+// without members and calibration; "pieces": with its rows in three pieces; N: of so many arrangements of three cases,
+// with loads and histories alone.
 
 #include <cstdio>
 #include <cstdlib>
@@ -8,6 +9,7 @@
 
 #include "campaign_file/publish.hpp"
 #include "core/random.hpp"
+#include "support/in_pieces.hpp"
 #include "support/synthetic.hpp"
 
 namespace {
@@ -50,7 +52,10 @@ int main(int argc, char** argv) {
             calibrations.clear();
         }
         const std::vector<floes::Session> sessions{floes::synthetic::session(0), floes::describe_session(1, 2, {})};
-        floes::publish(argv[1], campaign, records, sessions, calibrations);
+        if (word == "pieces")
+            floes::publish_in_pieces(argv[1], campaign, records, 3, sessions, calibrations);
+        else
+            floes::publish(argv[1], campaign, records, sessions, calibrations);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
