@@ -164,7 +164,9 @@ TEST(Digests, OfATextThatHasAnotherValueOfEveryKey) {
                                                 "wind.drag",
                                                 "wind.air_density_kg_m3",
                                                 "field.ahead_m",
-                                                "field.behind_m"};
+                                                "field.behind_m",
+                                                "field.level_held",
+                                                "field.level_pushed"};
     const std::set<std::string_view> tables_came_later{"sizes", "spread", "brine",   "shapes",
                                                        "hull",  "path",   "moorings"};
     for (std::size_t i = 0; i < keys.size(); ++i) {
