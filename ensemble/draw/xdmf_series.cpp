@@ -413,6 +413,7 @@ XdmfSeries::XdmfSeries(const std::filesystem::path& path, const RecordingSubject
       state_{.file = path.filename().string()} {}
 
 void XdmfSeries::add(const Frame& frame) {
+    // First what every frame has: ParaView takes its times from the first part.
     write("ice", ice_part(frame, layout_, broken_floes(breaks_, layout_.floes(), frame.time)), frame.time);
     write("structure", structure_part(subject_.scenario.structure.shape, frame.structure), frame.time);
     write("load", load_part(frame), frame.time);
@@ -434,8 +435,10 @@ void XdmfSeries::add(const Frame& frame) {
 }
 
 void XdmfSeries::write(const std::string& part, const XdmfMesh& mesh, double time) {
-    std::string& grids = grids_[part];
+    auto at = std::ranges::find(grids_, part, &std::pair<std::string, std::string>::first);
+    if (at == grids_.end()) at = grids_.insert(at, {part, ""});
     if (mesh.count == 0) return;  // ParaView's reader falls over a part of nothing
+    std::string& grids = at->second;
     grids += fmt::format(R"(<Grid Name="{}"><Time Value="{}"/>)"
                          R"(<Topology TopologyType="Mixed" NumberOfElements="{}">{}</Topology>)"
                          R"(<Geometry GeometryType="X_Y_Z">)",

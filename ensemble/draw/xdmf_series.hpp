@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -102,8 +103,8 @@ class XdmfSeries {
     IceLayout layout_;
     const std::vector<BreakEvent>& breaks_;
     XdmfMesh sheets_;
-    std::map<std::string, std::string> grids_;  ///< of each part, in XML
-    std::map<std::string, Written> written_;    ///< the last of each array
+    std::vector<std::pair<std::string, std::string>> grids_;  ///< parts as they come, and their grids in XML
+    std::map<std::string, Written> written_;                  ///< the last of each array
     int frames_ = 0;
     SeriesState state_;
 };

@@ -159,7 +159,7 @@ def main(floes, config):
         folder = Path(folder)
         subprocess.run([floes, "run", config, "-o", folder / "c.h5", "--set", "campaign.arrangements=1"], check=True,
                        capture_output=True)
-        subprocess.run([floes, "replay", folder / "c.h5", "--case", "E60", "--from", "4", "--every", "1", "-o",
+        subprocess.run([floes, "replay", folder / "c.h5", "--case", "E60", "--every", "1", "-o",
                         folder / "recording.h5", "-o", folder / "series.xdmf2"], check=True, capture_output=True)
         # Without -noreset the display starts anew whenever its last window closes, and may not be there for the next.
         pvpython = ["xvfb-run", "-a", "-s", "-noreset", "pvpython"]
