@@ -5,8 +5,8 @@
 
 First the scenes of the default, each stepped on again and again from one moment, with the share of each part of the
 program by `perf`; then steps, members and peers of the paper's preset, A B A B ...; two threads against two processes.
-Prints the tables of docs/performance.md; all single times go to results.json in the folder of the programs. --docs puts
-the tables into that file, between their marks.
+Prints the tables; all single times go to results.json in the folder of the programs. --docs puts that of the default
+into docs/performance.md, between its marks.
 """
 
 import argparse
@@ -25,10 +25,7 @@ LATE = [f"TowStep/{solver}/late" for solver in ("stock", "lanes", "direct")] + [
 EARLY = [f"TowStep/{solver}/early" for solver in ("stock", "lanes", "direct")]
 MEMBERS = [f"Member/{solver}" for solver in ("stock", "lanes", "direct")]
 STEPS = 100  # of a scene in a round
-
-
-def marks(name):
-    return f"<!-- {name}: ./floes bench -->", "<!-- end -->"
+MARKS = "<!-- default: ./floes bench -->", "<!-- end -->"
 
 
 def turns(program, names, rounds, steps):
@@ -45,7 +42,6 @@ def parser(about):
     made = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
     made.add_argument("folder")
     made.add_argument("--rounds", type=int, default=7, help="of steps; members take a third of them")
-    made.add_argument("--docs")
     return made
 
 
@@ -115,7 +111,9 @@ def put_between_marks(path, text, marks):
 
 
 def main():
-    options = parser(__doc__).parse_args()
+    options = parser(__doc__)
+    options.add_argument("--docs")
+    options = options.parse_args()
     tables = {}
 
     load = os.getloadavg()[0]
@@ -136,8 +134,8 @@ def main():
 
     for name, text in tables.items():
         print(text)
-        if options.docs:
-            put_between_marks(options.docs, text, marks(name))
+        if options.docs and name == "default":
+            put_between_marks(options.docs, text, MARKS)
     with open(os.path.join(options.folder, "results.json"), "w", encoding="utf-8") as file:
         json.dump({"default": answers, "shares": shares, "cpu_ms": times, "threads_over_processes": together}, file,
                   indent=1)

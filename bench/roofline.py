@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Which bound the sweeps meet, and the cost of an element over the number of floes. Two minutes on a quiet machine.
 
-    bench/roofline.py build/release/bench [--rounds 3] [--docs docs/performance.md]
+    bench/roofline.py build/release/bench [--rounds 3]
 
---docs puts that of sizes into that file, between its marks. Medians over the rounds.
+Medians over the rounds.
 """
 
 import json
@@ -74,10 +74,8 @@ def main():
     options = options.parse_args()
     tables = {"bounds": bounds_table(roofline(os.path.join(options.folder, "floes_roofline"), options.rounds)),
               "sizes": sizes_table(os.path.join(options.folder, "floes_bench"), options.rounds)}
-    for name, text in tables.items():
+    for text in tables.values():
         print(text)
-        if options.docs and name == "sizes":
-            paired.put_between_marks(options.docs, "\n" + text, (f"<!-- {name} -->", "<!-- end -->"))
 
 
 if __name__ == "__main__":

@@ -1,13 +1,11 @@
 #!/usr/bin/python3
-"""Does a load foretell a larger one, from histories of campaign files (docs/decisions.md)? And the coverage of docs/year.md.
+"""Does a load foretell a larger one, from histories of campaign files (docs/decisions.md)?
 
 Of each member, every 5 s of its window: the mean load of the last 1, 5 and 10 s, and the largest 1 s average of the 15 s
 that begin 0, 2, 5 and 10 s later. Their rank correlation (Spearman) is over all members of a case together, as a score
 that decides which run is to be continued would be; its 95 % interval is by bootstrap over members (1000, percentiles).
 
 Usage:
-    foretell.py                          writes the table of the coverage
-    foretell.py --check                  writes nothing; fails if it differs from the data
     foretell.py --collect NAME FILE      takes the correlations of a campaign file's cases into docs/year/foretell.csv
     foretell.py --show FILE ...          only prints those of the campaign files
 """
@@ -18,11 +16,7 @@ import h5py
 import numpy as np
 import pandas as pd
 
-from page_blocks import fill_or_check
-from validation_tables import table
-
-DOCS = pathlib.Path(__file__).resolve().parent.parent
-DATA = DOCS / "year" / "foretell.csv"
+DATA = pathlib.Path(__file__).resolve().parent.parent / "year" / "foretell.csv"
 PAST = [1, 5, 10]      # s
 LATER = [0, 2, 5, 10]  # s
 AHEAD = 15             # s
@@ -90,28 +84,13 @@ def main(words):
         for path in words[1:]:
             print(correlations(path, pathlib.Path(path).stem).to_string(index=False, float_format="{:.3f}".format))
         return
-    if words[:1] == ["--collect"] and len(words) == 3:
-        new = correlations(words[2], words[1])
-        if DATA.exists():
-            old = pd.read_csv(DATA)
-            new = pd.concat([old[old.campaign != words[1]], new])
-        new.to_csv(DATA, index=False, float_format="%.4f")
-    elif words not in ([], ["--check"]):
+    if words[:1] != ["--collect"] or len(words) != 3:
         sys.exit(__doc__)
-    fill_or_check({DOCS / "year.md": {"coverage": coverage_table}}, words == ["--check"],
-                  pathlib.Path(__file__).name)
-
-
-def coverage_table():
-    """Rows of tests/coverage/year_coverage_test.cpp, kept in docs/year/coverage.txt: of 50 members, a line for both levels."""
-    lines = (DATA.parent / "coverage.txt").read_text().splitlines()
-    rows = {}
-    for line in lines:
-        if line.startswith("| year"):
-            regimes, members, _, within, _, centre, width = [cell.strip() for cell in line.strip("|").split("|")][1:]
-            if members == "50":
-                rows.setdefault(regimes, []).append(f"{within} ({centre}, {float(width):.0f})")
-    return table(["regimes of 600 h and 60 h a year", "10^-2", "10^-4"], [[name, *cells] for name, cells in rows.items()])
+    new = correlations(words[2], words[1])
+    if DATA.exists():
+        old = pd.read_csv(DATA)
+        new = pd.concat([old[old.campaign != words[1]], new])
+    new.to_csv(DATA, index=False, float_format="%.4f")
 
 
 if __name__ == "__main__":

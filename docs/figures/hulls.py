@@ -1,18 +1,14 @@
 #!/usr/bin/python3
-"""The pictures of docs/structures.md, docs/hulls/platform.stl, and what the hull's cost is.
+"""The pictures of docs/structures.md, and docs/hulls/platform.stl.
 
 Usage: hulls.py FLOES             (some minutes)
-       hulls.py FLOES --cost [N]  (prints the time of steps with hulls of 50 pieces over that with the cone, N pairs)
        hulls.py FLOES --pieces    (writes configs/validation/hull_pieces.toml)
 """
 import math
 import pathlib
-import statistics
 import subprocess
 import sys
 import tempfile
-
-import h5py
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent / "hulls"
 PIECES = FOLDER.parent.parent / "configs" / "validation" / "hull_pieces.toml"
@@ -97,26 +93,6 @@ def platform():
     (FOLDER / "platform.stl").write_text(text)
 
 
-def sectors(sides, valley=1.0):
-    """The default cone as two rings of so many wedges; `valley`: of a star, the radius between its points over theirs.
-    Wedges become one piece of each ring, kites of a star remain."""
-    def corner(radius, half):
-        angle = math.pi * half / sides
-        radius *= 1.0 if half % 2 else valley
-        return [radius * math.cos(angle), radius * math.sin(angle)]
-
-    rows = []
-    for layer, (low, high) in enumerate((((-0.443, 0.445), (0.0, 0.614)), ((0.0, 0.614), (0.122, 0.736)))):
-        for side in range(sides):
-            for height, radius in (low, high):
-                rows.append([layer * sides + side, 0, 0.0, height, 0.0])
-                for half in range(2 * side, 2 * side + 3):
-                    if valley < 1.0 or half % 2 == 0:
-                        x, z = corner(radius, half)
-                        rows.append([layer * sides + side, 0, x, height, z])
-    return f'shape = "file"\nparts = "hull"\npieces = {rows}'
-
-
 CUTS = """# The same flare and the same straight cone as a body of revolution and in pieces, cut at the waterline into rings of 25
 # sides or each ring into 25 wedges: docs/structures.md. Made by docs/figures/hulls.py. 12 arrangements each.
 
@@ -179,40 +155,11 @@ def pieces():
     PIECES.write_text(text)
 
 
-LONG = SCENE.replace("floes = 40", "floes = 80").replace("window_s = 14.0", "window_s = 30.0")
-SHORT = LONG.replace("steady_start_s = 8.0", "steady_start_s = 1.0").replace("window_s = 30.0", "window_s = 2.0")
-
-
-def cost(floes, rounds):
-    hulls = {"cone": 'shape = "profile"', "wedges": sectors(25), "star": sectors(25, 0.97)}
-    steps = {name: [] for name in hulls}
-    starts = {name: [] for name in hulls}
-
-    def processor_time(folder, name, scene, number):
-        output = run(floes, folder, f"{name}{number}", scene.format(start=1.3, hull=hulls[name]), "--threads", "1",
-                     "--set", f"campaign.seed={3 + number}", "--overwrite")
-        with h5py.File(output) as file:
-            return float(file["provenance/cpu_time"][0])
-
-    with tempfile.TemporaryDirectory() as folder:
-        for number in range(rounds):
-            for name in hulls:
-                first = processor_time(pathlib.Path(folder), name, SHORT, number)
-                steps[name].append(processor_time(pathlib.Path(folder), name, LONG, number) - first)
-                starts[name].append(first)
-    for name, found in steps.items():
-        ratios = [a / b for a, b in zip(found, steps["cone"])]
-        print(name, " ".join(f"{one:.2f}" for one in found), "s, over the cone:",
-              " ".join(f"{one:.2f}" for one in ratios), f"median {statistics.median(ratios):.3f}, sum over sum "
-              f"{sum(found) / sum(steps['cone']):.3f}; the first 3 s with all that goes before: "
-              f"{statistics.median(starts[name]):.2f} s")
-
-
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3, 4):
+    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--pieces"]):
         sys.exit(__doc__)
-    if len(sys.argv) > 2:
-        pieces() if sys.argv[2] == "--pieces" else cost(sys.argv[1], int([*sys.argv, 5][3]))
+    if len(sys.argv) == 3:
+        pieces()
     else:
         platform()
         pictures(sys.argv[1])

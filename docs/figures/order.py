@@ -3,8 +3,7 @@
 
 Usage:
     order.py                            writes tables and picture
-    order.py --check                    writes nothing; fails if the page differs from the summaries, or if the measure of
-                                        bursts does not find those of made-up series
+    order.py --check                    writes nothing; fails if the page differs from the summaries
     order.py --collect order.h5 wall_far_end.h5 [--program FLOES]
                                         first takes the summaries of the finished campaigns with the program FLOES
                                         (default ./floes)
@@ -12,7 +11,6 @@ Usage:
 import argparse
 import pathlib
 
-import order_bursts
 import order_tables
 from order_data import SUMMARIES, collect, collect_walls
 from page_blocks import fill_or_check
@@ -26,7 +24,6 @@ def main():
     parser.add_argument("--collect", type=pathlib.Path, nargs=2, metavar="FILE.h5", help="take the summaries first")
     parser.add_argument("--program", default="./floes", metavar="FLOES")
     options = parser.parse_args()
-    order_bursts.self_test()
     if options.collect is not None:
         collect(options.collect[0], options.program)
         collect_walls(options.collect[1], options.program)
@@ -35,7 +32,6 @@ def main():
         return
     import order_figure  # needs matplotlib, which --check does not
 
-    order_figure.draw(SUMMARIES / "order.svg")
     order_figure.draw_fields(SUMMARIES / "fields.svg")
 
 

@@ -4,19 +4,14 @@ import json
 import pathlib
 import subprocess
 
-import numpy as np
 import pandas as pd
 
-import order_bursts as bursts
-
 SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "order"
-ORDER = {"psi4": "ψ4", "local_order": "local order", "coverage": "coverage ahead, %"}
+ORDER = ["psi4", "local_order", "coverage"]
 LOADS = {"mean_load": "mean load, N", "sd_load": "SD, N", "mean_maximum": "mean maximum, N",
          "mean_maximum_1s": "mean maximum over 1 s, N", "failure_ratio": "broken floes, %"}
-COLUMNS = ["sweeps", "arrangement", *ORDER, *LOADS, "burst", "before", "after", "trend_p", "cpu_s"]
+COLUMNS = ["sweeps", "arrangement", *ORDER, *LOADS, "trend_p", "cpu_s"]
 WALL_COLUMNS = ["case", "arrangement", "mean_load", "sd_load", "mean_maximum_1s", "failure_ratio", "trend_p", "cpu_s"]
-LONGEST_LAG = 3  # of the mean autocorrelation, in times of one floe length
-PLOTTED_S = 0.1  # load histories and autocorrelations of the picture are means over this time
 
 
 def members():
@@ -31,21 +26,6 @@ def walls():
 
 def settings():
     return json.loads((SUMMARIES / "settings.json").read_text())
-
-
-def curves(name):
-    """`histories` (of one arrangement) or `autocorrelation` (means over arrangements): time, then a column a level."""
-    return pd.read_csv(SUMMARIES / f"{name}.csv").set_index("time_s")
-
-
-def floe_time(configuration):
-    """The time in which the structure is towed by one floe length, s."""
-    return configuration["floe"]["length_m"] / configuration["structure"]["speed_m_s"]
-
-
-def thinned(values, steps):
-    whole = len(values) // steps * steps
-    return np.asarray(values[:whole]).reshape(-1, steps).mean(axis=1)
 
 
 def finished(campaign, program):
@@ -80,15 +60,9 @@ def collect(campaign, program):
         sweeps = {case["name"]: case["arrangement"]["ordering_sweeps"] for case in configuration["case"]}
         table = table.assign(sweeps=table.case.map(sweeps), psi4=file["arrangements/psi4"][:][table.field],
                              coverage=100 * table.coverage_ahead)
-        step = file["cases/time_step"][0] * file["cases/history_stride"][0]
-        first = round(file["cases/steady_start"][0] / step)
         fields(table, file["arrangements/pose"]).to_csv(SUMMARIES / "fields.csv", index=False, float_format="%.5g")
-        table, histories, correlations = with_bursts(table, file["history/surge_load"], step, first,
-                                                     floe_time(configuration))
     table = table.sort_values(["sweeps", "arrangement"])[COLUMNS]
     table.to_csv(SUMMARIES / "members.csv", index=False, float_format="%.6g")
-    histories.to_csv(SUMMARIES / "histories.csv", float_format="%.4g")
-    correlations.to_csv(SUMMARIES / "autocorrelation.csv", float_format="%.4g")
     kept = {name: configuration[name] for name in ["floe", "field", "structure", "analysis"]}
     (SUMMARIES / "settings.json").write_text(json.dumps(kept, indent=1) + "\n")
 
@@ -106,27 +80,3 @@ def fields(table, poses):
     for row in shown[shown.sweeps.isin([shown.sweeps.min(), shown.sweeps.max()])].itertuples():
         parts.append(pd.DataFrame(poses[row.field], columns=["x_m", "z_m", "yaw_rad"]).assign(sweeps=row.sweeps))
     return pd.concat(parts)
-
-
-def with_bursts(table, loads, step, first, period):
-    """The table with the bursts of each member; the histories of the first arrangement that has the lowest and the highest
-    level, at these two; the autocorrelation of each level, mean over its arrangements."""
-    thin = max(1, round(PLOTTED_S / step))
-    ends = table.sweeps.min(), table.sweeps.max()
-    shown = shown_arrangement(table)
-    found, histories, correlations = [], {}, {}
-    for row in table.itertuples():
-        load = loads[row.member]
-        load = load[np.isfinite(load)]
-        correlation = bursts.autocorrelation(load[first:])
-        found.append(bursts.highest(correlation, step, period))
-        part = thinned(correlation[: round(LONGEST_LAG * period / step)], thin)
-        correlations.setdefault(row.sweeps, []).append(part)
-        if row.arrangement == shown and row.sweeps in ends:
-            histories[row.sweeps] = thinned(load, thin)
-    times = {"histories": pd.DataFrame(histories),
-             "correlations": pd.DataFrame({level: np.mean(all_, axis=0) for level, all_ in sorted(correlations.items())})}
-    for frame in times.values():
-        frame.index = pd.Index(np.round((np.arange(len(frame)) + 0.5) * thin * step, 6), name="time_s")
-    found = pd.DataFrame(found, index=table.index)
-    return table.assign(**found), times["histories"], times["correlations"]

@@ -1,50 +1,12 @@
 """The blocks of docs/field.md that its summaries give, each a function that gives Markdown."""
-import numpy as np
 import pandas as pd
 
-from order_data import LOADS, ORDER, members, walls
-from order_regression import predicted
+from order_data import LOADS, members, walls
 from validation_data import half_width
-from validation_tables import number, table, with_interval as not_negative
+from validation_tables import table, with_interval
 
 STUDIED = ["mean_load", "sd_load", "mean_maximum_1s", "failure_ratio"]
-SHOWN = {name: LOADS[name] for name in ("mean_load", "mean_maximum_1s", "failure_ratio")}  # in tables
-ROWS = {**ORDER, **SHOWN, "burst": "burst strength"}
 SCENES = {"closed": "ice sheet, scattered", "rows": "ice sheet, 10000 sweeps", "open": "open water, scattered"}
-
-
-def with_interval(values):
-    mean, half = np.mean(values), half_width(values)
-    return f"{number(mean)} [{number(mean - half)}, {number(mean + half)}]"
-
-
-def signed(value):
-    return ("-" if value < 0 else "+") + number(abs(value))
-
-
-def difference(values):
-    """Mean of paired differences with its 95 % interval, bold where that excludes zero."""
-    mean, half = np.mean(values), half_width(values)
-    text = f"{signed(mean)} ± {number(half)}"
-    return f"**{text}**" if abs(mean) > half else text
-
-
-def by_level():
-    """The members, with the strength of their bursts: what the highest autocorrelation has above its neighbours."""
-    rows = members()
-    return rows.assign(burst=rows.burst - (rows.before + rows.after) / 2)
-
-
-def levels():
-    """Order and loads by level, and the change from the lowest level over the same arrangements."""
-    rows = by_level()
-    first, *others = sorted(rows.sweeps.unique())
-    lines = []
-    for name, words in ROWS.items():
-        wide = rows.pivot(index="arrangement", columns="sweeps", values=name)
-        lines.append([words, *[with_interval(wide[level].dropna()) for level in [first, *others]],
-                      difference((wide[others[-1]] - wide[first]).dropna())])
-    return table(["ordering sweeps", *[str(level) for level in [first, *others]], f"{others[-1]} less {first}"], lines)
 
 
 def percent(values, base):
@@ -57,19 +19,12 @@ def percent(values, base):
 
 def changes():
     """In words: the change of the loads from the lowest to the highest level, as a share of the lowest."""
-    rows, parts = by_level(), []
+    rows, parts = members(), []
     first, last = rows.sweeps.min(), rows.sweeps.max()
     for name in STUDIED:
         wide = rows.pivot(index="arrangement", columns="sweeps", values=name)
         parts.append(f"{LOADS[name].split(', ')[0]} {percent(wide[last], wide[first])}")
     return f"From {first} to {last} sweeps: {', '.join(parts)}."
-
-
-def within():
-    """In words: what order and coverage predict of single arrangements."""
-    rows = members()
-    parts = [f"{LOADS[name].split(', ')[0]} {predicted(rows, name, ['local_order', 'coverage']):.2f}" for name in STUDIED]
-    return f"R² of arrangements left out: {', '.join(parts)}."
 
 
 def ran():
@@ -81,17 +36,14 @@ def ran():
 
 
 def wall_table():
+    """Mean loads by wall, and their change from scattered floes before an ice sheet."""
     rows, lines = walls(), []
     rows = rows.assign(angle=rows.case.str.partition("deg")[0], scene=rows.case.str.partition("_")[2])
     for angle, of_wall in rows.groupby("angle"):
-        base = of_wall[of_wall.scene == "closed"].set_index("arrangement")
-        for scene, words in SCENES.items():
-            own = of_wall[of_wall.scene == scene].set_index("arrangement")
-            change = "" if scene == "closed" else percent(own.mean_load, base.mean_load)
-            mean, *others = [not_negative(own[name]) for name in SHOWN]
-            lines.append([f"{angle}°", words, mean, change, *others])
-    mean, *others = SHOWN.values()
-    return table(["wall", "far end, floes", mean, "change of the mean", *others], lines)
+        loads = {scene: of_wall[of_wall.scene == scene].set_index("arrangement").mean_load for scene in SCENES}
+        changes = {scene: f" ({percent(load, loads['closed'])})" for scene, load in loads.items() if scene != "closed"}
+        lines.append([f"{angle}°", *[with_interval(load) + changes.get(scene, "") for scene, load in loads.items()]])
+    return table(["wall", *SCENES.values()], lines)
 
 
-BLOCKS = {"changes": changes, "levels": levels, "within": within, "walls": wall_table, "ran": ran}
+BLOCKS = {"changes": changes, "walls": wall_table, "ran": ran}

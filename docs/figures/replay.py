@@ -16,8 +16,8 @@ BROWSER = ["chromium", "--headless=new", "--no-sandbox", "--use-gl=angle", "--us
            "--enable-unsafe-swiftshader", "--hide-scrollbars", "--virtual-time-budget=8000"]
 
 
-def photograph(page, view, picture, size, *options):
-    subprocess.run([*BROWSER, f"--window-size={size}", f"--screenshot={picture}", *options, f"{page.as_uri()}#{view}"],
+def photograph(page, view, picture, size):
+    subprocess.run([*BROWSER, f"--window-size={size}", f"--screenshot={picture}", f"{page.as_uri()}#{view}"],
                    check=True, capture_output=True)
 
 
@@ -44,9 +44,7 @@ def main(floes, campaign):
         replay(record, FOLDER / "worst.webp", "--size", "720x450", "--rate", "12")
         replay(record, page)
         time = f"t={largest(record):.2f}"
-        for name, view, size in (("page", "", "1280,860"), ("page_above", "&view=above", "1280,860"),
-                                 ("page_phone", "&view=below", "420,900")):
-            photograph(page, time + view, FOLDER / f"{name}.png", size, *(["--force-dark-mode"] if "above" in name else []))
+        photograph(page, time, FOLDER / "page.png", "1280,860")
         replay(record, series)
         large = folder / "paraview.png"
         subprocess.run(["xvfb-run", "-a", "-s", "-noreset", "pvpython", series.with_suffix(".py"), "--screenshot",

@@ -122,9 +122,8 @@ namespace floes {
 
 // The authoritative record of a campaign: an append-only file beside the campaign file, with a header (magic, schema
 // version, resolved configuration) and records {length, type, payload, CRC32C}. Once sync() has returned, the records
-// survive kill -9 of the program and loss of the machine. A torn tail is recognised and cut. docs/campaign_file.md has
-// the layout. In a large run other ranks than the master's append members to pieces, journals of their own beside it;
-// who reads a journal reads its pieces.
+// survive kill -9 of the program and loss of the machine. A torn tail is recognised and cut. In a large run other ranks
+// than the master's append members to pieces, journals of their own beside it; who reads a journal reads its pieces.
 //
 //     Journal journal = open_journal(journal_path("a.h5"), campaign, Existing::resume);
 //     journal.begin_session(describe_session(ranks, threads, {}));

@@ -1,5 +1,12 @@
 # A toolchain for aarch64 on another machine: the root of a Debian 12 for arm64 lies in the folder FLOES_SYSROOT
-# (environment); docs/start.md has the command that makes one.
+# (environment). On Debian 12 with g++-aarch64-linux-gnu and mmdebstrap:
+#
+#     mmdebstrap --variant=extract --architectures=arm64 \
+#         --include="$(sed 's/#.*//' packaging/debian/packages.txt | xargs | tr ' ' ,)" bookworm arm64
+#     export FLOES_SYSROOT=$PWD/arm64 MPI=$PWD/arm64/usr/lib/aarch64-linux-gnu/openmpi
+#     cmake --preset release -B build/aarch64 --toolchain packaging/cross/aarch64.cmake -D MPI_CXX_LIB_NAMES=mpi \
+#         -D MPI_mpi_LIBRARY=$MPI/lib/libmpi.so -D MPI_CXX_HEADER_DIR=$MPI/include -D MPI_CXX_SKIP_MPICXX=ON
+#     cmake --build build/aarch64 --target floes_solver floes_water floes_statistics
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -1,5 +1,5 @@
 // How far design loads are off by each method, and how often the interval of both tails holds, for processes whose
-// largest value is known: exposures of one and ten times the time run. docs/design_load.md has the table. Several
+// largest value is known: exposures of one and ten times the time run. docs/design_load.md has the result. Several
 // minutes: label slow.
 
 #include <fmt/format.h>

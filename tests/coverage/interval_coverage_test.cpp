@@ -1,6 +1,6 @@
 // How often the intervals of a mean, of one further run and of a design load hold, and how often a steady load is seen
-// to rise or fall, over the sets for verification. docs/statistics.md has the table. Label slow: FLOES_TRIALS gives the
-// trials of a row.
+// to rise or fall, over the sets for verification. docs/statistics.md has the result. Label slow: FLOES_TRIALS gives
+// the trials of a row.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // How often the interval of a design load holds at the arrangement at which the stop rule ends a campaign, where the
-// truth is known. docs/statistics.md has the table. Label slow: FLOES_TRIALS gives the campaigns of a row.
+// truth is known. docs/statistics.md has the result. Label slow: FLOES_TRIALS gives the campaigns of a row.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

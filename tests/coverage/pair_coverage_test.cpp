@@ -1,5 +1,5 @@
 // How often the intervals of paired differences and of campaigns that stop by themselves hold, where some members are
-// of another kind. docs/statistics.md has the tables. Label slow: FLOES_TRIALS gives the trials of a row.
+// of another kind. docs/statistics.md has the result. Label slow: FLOES_TRIALS gives the trials of a row.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

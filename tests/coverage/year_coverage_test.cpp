@@ -1,6 +1,6 @@
 // How often the intervals of the loads of a year hold: two regimes of which the truth is known, each with members of
-// 150 s, for the loads that 10^-2 and 10^-4 of years exceed. docs/year.md has the table. Label slow: FLOES_TRIALS gives
-// the trials of each row.
+// 150 s, for the loads that 10^-2 and 10^-4 of years exceed. docs/year.md has the result. Label slow: FLOES_TRIALS
+// gives the trials of each row.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -26,8 +26,13 @@ def stored_in(file):
 
 
 def described_on(text):
-    rows = re.findall(r"^\| `(/[a-z0-9_/]+)` \| ([^|]+) \| ([^|]*)\|", text, re.M)
-    described = {name: (unit.strip(), dimensions.strip()) for name, unit, dimensions in rows}
-    if len(described) != len(rows):
+    """Rows of tables begin with a dataset, or with several that share unit and dimensions. Those of dimensions themselves
+    have a unit alone."""
+    rows = re.findall(r"^\| (`/[a-z0-9_/]+`(?:, `/[a-z0-9_/]+`)*) \| ([^|]+) \| ([^|]*)\|.*\|$", text, re.M)
+    names = [(name, unit, dimensions) for cell, unit, dimensions in rows for name in re.findall(r"`([^`]+)`", cell)]
+    scales = re.findall(r"^\| (`/[a-z_]+`(?:, `/[a-z_]+`)*) \| ([^|]+) \| [^|]+\|$", text, re.M)
+    names += [(name, unit, name[1:]) for cell, unit in scales for name in re.findall(r"`([^`]+)`", cell)]
+    described = {name: (unit.strip(), dimensions.strip()) for name, unit, dimensions in names}
+    if len(described) != len(names):
         raise AssertionError("a dataset is described twice")
     return described
