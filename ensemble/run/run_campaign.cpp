@@ -433,6 +433,7 @@ class Master {
 
     /// Everybody has left: nothing more comes into the pieces.
     void close_pieces() {
+        if (!open_pieces_.empty()) recorder_.sync();  // a writer may take long
         for (const int writer : open_pieces_) link_.send(writer, Tag::close, {});
         while (!open_pieces_.empty()) listen();
     }

@@ -14,6 +14,7 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,11 @@ std::int64_t first_fault(const std::vector<Subject>& subjects, std::int64_t from
     return -1;
 }
 
+/// Each found a fault of the driver that is mended (docs/trust.md), and finds it again without its mending: a torn
+/// header, one with records behind it, pieces unsynced, a failed sync believed, a journal unsynced while writers close
+/// theirs. Whoever changes what a seed draws leaves the mendings out one by one, to see which seeds find them then.
+constexpr std::array<std::int64_t, 5> found_a_fault{145, 21088, 43, 846, 26860};
+
 /// Whether a history is told again as it was.
 bool is_replayed(const std::vector<Subject>& subjects, std::int64_t seed) {
     std::array<std::string, 2> accounts;
@@ -50,6 +56,13 @@ int run(const std::vector<Subject>& subjects, std::int64_t from, std::int64_t co
     const auto begin = std::chrono::steady_clock::now();
     const std::clock_t begin_of_work = std::clock();
     int faults = 0;
+    std::vector<std::int64_t> known;
+    std::ranges::copy_if(found_a_fault, std::back_inserter(known), [&](std::int64_t seed) { return seed >= count; });
+    for (const std::int64_t seed : known)
+        if (std::string fault; first_fault(subjects, seed, 1, {}, fault) >= 0) {
+            fmt::print("seed {}: {}\n", seed, fault);
+            ++faults;
+        }
     for (std::int64_t seed = from; seed < from + std::min<std::int64_t>(count, 100); ++seed)
         if (!is_replayed(subjects, seed)) return 1;
     for (std::int64_t next = from; next < from + count && faults < most_told; ++next) {
