@@ -28,6 +28,11 @@ function(floes_module path)
   floes_compile_options(floes_${name})
   target_precompile_headers(floes_${name} REUSE_FROM floes_precompiled)
   set_target_properties(floes_${name} PROPERTIES UNITY_BUILD ${FLOES_UNITY} UNITY_BUILD_BATCH_SIZE 10)
+  if(name IN_LIST FLOES_COVERAGE)
+    target_compile_options(floes_${name} PRIVATE --coverage -Og)
+    target_link_options(floes_${name} INTERFACE --coverage)
+    set_target_properties(floes_${name} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)  # they are of another optimisation
+  endif()
 endfunction()
 
 # No FMA contraction: the same bits on every CPU and at every lane width. Modules are in the shared library of FMUs too,
