@@ -208,6 +208,7 @@ void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> co
     }
     for (const std::uint32_t i : touched_pieces_) {
         Piece& piece = pieces_[i];
+        piece.compliance->make_columns(piece.touched_within);
         apply_compliance(piece, piece.touched, piece.touched_within, all.delta);
         for (std::size_t k = 0; k < piece.touched.size(); ++k) {
             const std::uint32_t within = piece.touched_within[k];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/state_archive.hpp"
 
@@ -120,47 +121,118 @@ Eigen::Matrix<double, 6, 6> inertia_of(const PieceBody& body) {
     return inertia + turn * added * turn.transpose();
 }
 
-PieceCompliance::PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints)
-    : bodies_(std::move(bodies)), joints_(std::move(joints)), columns_(bodies_.size()) {
-    const std::array<Eigen::SparseMatrix<double>, 2> matrices = assembled(bodies_, joints_);
-    for (std::size_t part = 0; part < 2; ++part) factors_[part].compute(matrices[part]);
+PlaneFactors::PlaneFactors(const std::array<Eigen::SparseMatrix<double>, 2>& matrices) {
+    using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+    const std::array<Factor, 2> factors{Factor(matrices[0]), Factor(matrices[1])};
+    const Eigen::SparseMatrix<double>& first = factors[0].matrixL().nestedExpression();
+    const Eigen::SparseMatrix<double>& second = factors[1].matrixL().nestedExpression();
+    const Eigen::VectorXi& order = factors[0].permutationP().indices();
+    // Both have entries wherever one may, so that order and pattern are the same.
+    FLOES_ENSURES(first.nonZeros() == second.nonZeros() && order == factors[1].permutationP().indices());
+    place_.assign(order.begin(), order.end());
+    start_.assign(first.outerIndexPtr(), first.outerIndexPtr() + first.outerSize() + 1);
+    row_.assign(first.innerIndexPtr(), first.innerIndexPtr() + first.nonZeros());
+    value_.reserve(2 * row_.size());
+    for (Eigen::Index k = 0; k < first.nonZeros(); ++k)
+        for (const auto* of : {&first, &second}) value_.push_back(of->valuePtr()[k]);
+    const std::array<Eigen::VectorXd, 2> diagonals{factors[0].vectorD(), factors[1].vectorD()};
+    for (Eigen::Index i = 0; i < first.outerSize(); ++i)
+        for (const Eigen::VectorXd& of : diagonals) inverse_.push_back(1 / of[i]);
 }
+
+template <std::size_t sides>
+void PlaneFactors::solve(double* x) const {
+    constexpr std::size_t both = 2 * sides;
+    const std::size_t size = place_.size();
+    std::array<double, both> own;
+    for (std::size_t i = 0; i < size; ++i) {
+        std::copy_n(x + i * both, both, own.begin());
+        if (std::ranges::all_of(own, [](double one) { return one == 0; })) continue;
+        for (auto k = static_cast<std::size_t>(start_[i]); k < static_cast<std::size_t>(start_[i + 1]); ++k) {
+            double* const at = x + static_cast<std::size_t>(row_[k]) * both;
+            for (std::size_t c = 0; c < sides; ++c) at[c] -= own[c] * value_[2 * k];
+            for (std::size_t c = 0; c < sides; ++c) at[sides + c] -= own[sides + c] * value_[2 * k + 1];
+        }
+    }
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t c = 0; c < both; ++c) x[i * both + c] *= inverse_[2 * i + c / sides];
+    for (std::size_t i = size; i-- > 0;) {
+        std::copy_n(x + i * both, both, own.begin());
+        for (auto k = static_cast<std::size_t>(start_[i]); k < static_cast<std::size_t>(start_[i + 1]); ++k) {
+            const double* const at = x + static_cast<std::size_t>(row_[k]) * both;
+            for (std::size_t c = 0; c < sides; ++c) own[c] -= value_[2 * k] * at[c];
+            for (std::size_t c = 0; c < sides; ++c) own[sides + c] -= value_[2 * k + 1] * at[sides + c];
+        }
+        std::copy_n(own.begin(), both, x + i * both);
+    }
+}
+
+PieceCompliance::PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints)
+    : bodies_(std::move(bodies)),
+      joints_(std::move(joints)),
+      factors_(assembled(bodies_, joints_)),
+      columns_(bodies_.size()) {}
 
 bool PieceCompliance::is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const {
     const auto same = [](const auto& a, const auto& b) { return equal(a, b); };
     return std::ranges::equal(bodies_, bodies, same) && std::ranges::equal(joints_, joints, same);
 }
 
+template <std::size_t sources>
+void PieceCompliance::make_some(const std::array<std::size_t, sources>& bodies) {
+    constexpr std::size_t sides = 3 * sources;
+    const std::size_t size = 3 * bodies_.size();
+    solved_.assign(2 * sides * size, 0.0);
+    for (std::size_t j = 0; j < sources; ++j)
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t part = 0; part < 2; ++part)
+                solved_[(2 * factors_.place(3 * bodies[j] + k) + part) * sides + 3 * j + k] = 1;
+    factors_.solve<sides>(solved_.data());
+    for (std::size_t j = 0; j < sources; ++j) {
+        AlignedArray<double>& column = columns_[bodies[j]];
+        column = AlignedArray<double>(bodies_.size() * compliance_block);
+        for (std::size_t i = 0; i < size; ++i)
+            for (std::size_t part = 0; part < 2; ++part)
+                for (std::size_t k = 0; k < 3; ++k)
+                    column[i / 3 * compliance_block + 8 * k + 4 * part + i % 3] =
+                        solved_[(2 * factors_.place(i) + part) * sides + 3 * j + k];
+    }
+}
+
+void PieceCompliance::make_columns(std::span<const std::uint32_t> sources) {
+    constexpr std::size_t most = 4;
+    std::array<std::size_t, most> some{};
+    std::size_t count = 0;
+    for (const std::uint32_t source : sources) {
+        if (columns_[source].size() > 0 || !(bodies_[source].mass > 0)) continue;
+        some[count++] = source;
+        if (count < most) continue;
+        make_some(some);
+        count = 0;
+    }
+    for (std::size_t i = 0; i < count; ++i) make_some(std::array{some[i]});
+}
+
 const double* PieceCompliance::column(std::size_t source) {
     AlignedArray<double>& column = columns_[source];
     if (column.size() > 0) return column.data();
-    column = AlignedArray<double>(bodies_.size() * compliance_block);
-    if (!(bodies_[source].mass > 0)) return column.data();  // it does not feel impulses
-    const auto size = static_cast<Eigen::Index>(3 * bodies_.size());
-    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(size, 3);
-    unit.middleRows<3>(static_cast<Eigen::Index>(3 * source)).setIdentity();
-    for (std::size_t part = 0; part < 2; ++part) {
-        const Eigen::MatrixXd change = factors_[part].solve(unit);
-        for (std::size_t i = 0; i < 3 * bodies_.size(); ++i) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                column[i / 3 * compliance_block + 8 * k + 4 * part + i % 3] =
-                    change(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k));
-            }
-        }
-    }
+    if (bodies_[source].mass > 0)
+        make_some(std::array{source});
+    else
+        column = AlignedArray<double>(bodies_.size() * compliance_block);  // it does not feel impulses
     return column.data();
 }
 
 void PieceCompliance::velocity_changes(const double* impulses, double* changes) {
-    impulses_.resize(static_cast<Eigen::Index>(3 * bodies_.size()));
-    for (std::size_t part = 0; part < 2; ++part) {
-        const auto at = [&](std::size_t i) { return i / 3 * 8 + 4 * part + i % 3; };
-        for (std::size_t i = 0; i < 3 * bodies_.size(); ++i) {
-            impulses_[static_cast<Eigen::Index>(i)] = bodies_[i / 3].mass > 0 ? impulses[at(i)] : 0;
-        }
-        changes_ = factors_[part].solve(impulses_);
-        for (std::size_t i = 0; i < 3 * bodies_.size(); ++i) changes[at(i)] = changes_[static_cast<Eigen::Index>(i)];
-    }
+    const std::size_t size = 3 * bodies_.size();
+    const auto at = [&](std::size_t i, std::size_t part) { return i / 3 * 8 + 4 * part + i % 3; };
+    solved_.resize(2 * size);
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t part = 0; part < 2; ++part)
+            solved_[2 * factors_.place(i) + part] = bodies_[i / 3].mass > 0 ? impulses[at(i, part)] : 0;
+    factors_.solve<1>(solved_.data());
+    for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t part = 0; part < 2; ++part) changes[at(i, part)] = solved_[2 * factors_.place(i) + part];
 }
 
 std::array<double, 6> inverse_effective_mass(const PieceBody& a, const PieceBody& b, const PieceJoint& joint) {
@@ -182,7 +254,7 @@ void PieceCompliance::archive(StateArchive& state, std::shared_ptr<PieceComplian
     std::vector<PieceBody> bodies;
     std::vector<PieceJoint> joints;
     if (known) {
-        auto& [of_bodies, of_joints, factors, columns, impulses, changes] = *known;  // the others follow from these
+        auto& [of_bodies, of_joints, factors, columns, solved] = *known;  // the others follow from these
         bodies = of_bodies;
         joints = of_joints;
     }

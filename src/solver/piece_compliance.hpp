@@ -10,6 +10,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -49,6 +50,26 @@ struct PieceJoint {
     std::array<double, 6> hold{};  ///< Δt D + Δt² K of the linear, then of the angular parts: kg, kg m²
 };
 
+/// Two systems of one pattern, L D Lᵀ each, solved side by side: in the plane, and out of it.
+class PlaneFactors {
+  public:
+    explicit PlaneFactors(const std::array<Eigen::SparseMatrix<double>, 2>& matrices);
+
+    /// Where an unknown stands in what solve() takes: its right sides in the plane, then those out of it.
+    std::size_t place(std::size_t unknown) const { return static_cast<std::size_t>(place_[unknown]); }
+
+    /// Right sides, `sides` of either system for each unknown, become solutions; each by the operations, in their
+    /// order, of Eigen's SimplicialLDLT, so that their number does not show.
+    template <std::size_t sides>
+    void solve(double* x) const;
+
+  private:
+    std::vector<int> place_;
+    std::vector<int> start_, row_;  ///< of L, by column, below its diagonal
+    std::vector<double> value_;     ///< of both, one after the other
+    std::vector<double> inverse_;   ///< of D, likewise
+};
+
 class PieceCompliance {
   public:
     /// Throws InputError for a piece that is not flat.
@@ -58,6 +79,10 @@ class PieceCompliance {
     bool is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const;
 
     std::size_t bodies() const { return bodies_.size(); }
+
+    /// Computes the columns of these bodies that are not there yet, some at a time: a factor that fills a cache is read
+    /// once for all of them.
+    void make_columns(std::span<const std::uint32_t> sources);
 
     /// What unit impulses on body `source` do to the velocities of all bodies: a compliance_block for each. Computed
     /// when first asked for.
@@ -71,12 +96,14 @@ class PieceCompliance {
     static void archive(StateArchive& state, std::shared_ptr<PieceCompliance>& known);
 
   private:
+    template <std::size_t sources>
+    void make_some(const std::array<std::size_t, sources>& bodies);
+
     std::vector<PieceBody> bodies_;
     std::vector<PieceJoint> joints_;
-    using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
-    std::array<Factor, 2> factors_;  ///< within the plane, and out of it
+    PlaneFactors factors_;
     std::vector<AlignedArray<double>> columns_;
-    Eigen::VectorXd impulses_, changes_;
+    std::vector<double> solved_;
 };
 
 /// J M⁻¹ Jᵀ of a joint's six parts: the inverse of the mass that each moves, 1/kg and 1/(kg m²).
