@@ -87,19 +87,22 @@ TEST(JournalFaults, FlippedBitAtEveryByteNeverGivesAFalseRecord) {
     const Bytes whole = file_bytes(small.path);
     const auto damaged = small.folder / "damaged.journal";
     for (std::size_t k = 0; k < whole.size(); ++k) {
-        for (int bit = 0; bit < 8; ++bit) {
+        for (std::size_t bit = 0; bit < 8; ++bit) {
             SCOPED_TRACE(testing::Message() << "byte " << k << " bit " << bit);
+            const bool opens = bit == k % 8;  // for writing, which syncs
             Bytes bytes = whole;
             bytes[k] ^= std::byte{1} << bit;
             write_file_bytes(damaged, bytes);
             if (k < small.ends[0]) {
                 EXPECT_THROW(read_journal(damaged), InputError);
-                EXPECT_THROW(open_journal(damaged, "", Existing::resume), InputError);
+                if (opens) {
+                    EXPECT_THROW(open_journal(damaged, "", Existing::resume), InputError);
+                }
                 EXPECT_EQ(file_bytes(damaged), bytes) << "what cannot be read must not be cut";
             } else {
                 // All but the damaged one, and opening for writing does not cut those behind it off.
                 const std::size_t lost = small.whole_records(k);
-                { const Journal journal = open_journal(damaged, "", Existing::resume); }
+                if (opens) open_journal(damaged, "", Existing::resume);
                 const JournalContents contents = read_journal(damaged);
                 const std::vector<MemberRecord> whole_ones = whole_records(contents, damaged);
                 ASSERT_EQ(whole_ones.size(), 2u);
