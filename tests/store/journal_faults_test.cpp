@@ -89,7 +89,7 @@ TEST(JournalFaults, FlippedBitAtEveryByteNeverGivesAFalseRecord) {
     for (std::size_t k = 0; k < whole.size(); ++k) {
         for (std::size_t bit = 0; bit < 8; ++bit) {
             SCOPED_TRACE(testing::Message() << "byte " << k << " bit " << bit);
-            const bool opens = bit == k % 8;  // for writing, which syncs
+            const bool opens = (8 * k + bit) % 61 == 0;  // for writing, which syncs
             Bytes bytes = whole;
             bytes[k] ^= std::byte{1} << bit;
             write_file_bytes(damaged, bytes);
