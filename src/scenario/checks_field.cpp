@@ -152,7 +152,7 @@ void check_held(const Scenario& scenario, Contradictions& found) {
           "\"ice_sheet\"");
     needs(scenario.general.solver == SolverKind::direct && scenario.joint.model == JointModel::beam, "general.solver",
           "only beams that are solved exactly hold an edge", "general.solver = \"direct\" with joint.model = \"beam\"");
-    needs(!scenario.contact.internal_edges, "contact.internal_edges",
+    needs(!scenario.contact.internal_edges, "paper.internal_edges",
           "an edge that is frozen to another would push it away", "false");
     needs(field.confining == 0, "field.confining_N_m", "ice sheets that give way hold nothing", "0");
     needs(field.wake_radius == 0, "field.wake_radius_m", "a sheet that is held does not rest", "0");

@@ -62,6 +62,7 @@ TEST(LevelIce, RefusesWhatItCannotBe) {
     says([](Scenario& s) { s.field.level_held = LevelHeld::far_end_and_sides; }, "is not the width of the field");
     says([](Scenario& s) { s.field.far_end = FarEnd::open; }, "there is nothing to freeze to");
     says([](Scenario& s) { s.field.confining = 10; }, "give way hold nothing");
+    says([](Scenario& s) { s.contact.internal_edges = true; }, "paper.internal_edges = true does not go together with");
     says([](Scenario& s) { s.general.solver = SolverKind::lanes; }, "solved exactly");
     says([](Scenario& s) { s.water.current = 0.1; }, "starts with the current");
     says(
