@@ -155,8 +155,7 @@ CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& all_me
       attempts(last_attempts(of, all_members.notes())),
       rows(of),
       places(of) {
-    for (std::size_t row = 0; row < records.size(); ++row)
-        if (records[row] && note(row).done()) add_found(found_, note(row));
+    find_sizes();
 }
 
 CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& its_members, PieceRows piece)
@@ -169,8 +168,7 @@ CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& its_me
       rows(of),
       places(of),
       is_piece_(true) {
-    for (std::size_t row = 0; row < records.size(); ++row)
-        if (records[row] && note(row).done()) add_found(found_, note(row));
+    find_sizes();
     for (std::size_t k = 0; k < found_axes.size(); ++k)
         if (found_axes[k]->kind != AxisKind::listed) found_[k] = piece.most[k];
 }
@@ -182,6 +180,11 @@ CampaignContent::CampaignContent(const Campaign& of, std::span<const FilePiece> 
         found_[k] = 0;
         for (const FilePiece& piece : pieces) found_[k] += piece.found[k];
     }
+}
+
+void CampaignContent::find_sizes() {
+    for (std::size_t row = 0; row < records.size(); ++row)
+        if (records[row] && note(row).done()) add_found(found_, note(row));
 }
 
 void add_found(FoundSizes& sizes, const MemberNote& note) {
@@ -471,8 +474,6 @@ void add_provenance(hid_t file, const CampaignContent& content, std::span<const 
     add_members(id, content, tables);
     write_sessions(id, sessions);
 }
-
-namespace {}  // namespace
 
 std::string checksums_name(std::string_view path) {
     std::string name(path);

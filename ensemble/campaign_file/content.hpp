@@ -163,6 +163,9 @@ struct CampaignContent {
     }
 
   private:
+    /// Of the members in rows of its own.
+    void find_sizes();
+
     bool is_piece_ = false;
     FoundSizes found_{};
 };

@@ -1,6 +1,7 @@
 #include "campaign_file/pieces.hpp"
 
 #include <algorithm>
+#include <regex>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,15 +30,8 @@ fs::path piece_folder(const fs::path& campaign_file) {
 }
 
 bool is_piece_name(const std::string& name) {
-    const std::size_t dash = name.find('-');
-    const std::size_t end = name.find(".h5");
-    const auto digits = [&](std::size_t from, std::size_t to) {
-        return from < to && std::all_of(name.begin() + static_cast<std::ptrdiff_t>(from),
-                                        name.begin() + static_cast<std::ptrdiff_t>(to),
-                                        [](unsigned char one) { return one >= '0' && one <= '9'; });
-    };
-    if (dash == std::string::npos || end == std::string::npos) return false;
-    return digits(0, dash) && digits(dash + 1, end) && (name.substr(end) == ".h5" || name.substr(end) == ".h5.tmp");
+    static const std::regex form(R"([0-9]+-[0-9]+\.h5(\.tmp)?)");
+    return std::regex_match(name, form);
 }
 
 }  // namespace

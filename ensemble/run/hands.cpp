@@ -1,7 +1,6 @@
 #include "run/hands.hpp"
 
 #include <fcntl.h>
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -13,19 +12,13 @@
 #include "campaign_file/pieces.hpp"
 #include "core/contract.hpp"
 #include "core/error.hpp"
+#include "member/run_member.hpp"
 
 namespace floes {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Of this thread, s.
-double processor_time() {
-    timespec time{};
-    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 /// Reads the records of an order, each journal or piece of it open from its first record on.
 class Records {
@@ -85,7 +78,7 @@ std::vector<PieceOrder> piece_orders(const Campaign& published, const JournalCon
 }
 
 PieceMade make_piece(Campaign campaign, const PieceOrder& order) {
-    const double begin = processor_time();
+    const double begin = cpu_seconds_of_this_thread();
     PieceMade made;
     try {
         campaign.arrangements = order.arrangements;
@@ -104,7 +97,7 @@ PieceMade make_piece(Campaign campaign, const PieceOrder& order) {
     } catch (const std::exception& error) {
         made.trouble = error.what();
     }
-    made.processor_time = processor_time() - begin;
+    made.processor_time = cpu_seconds_of_this_thread() - begin;
     return made;
 }
 

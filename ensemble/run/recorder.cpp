@@ -208,10 +208,10 @@ void Recorder::give_up() noexcept {
     }
 }
 
-void Recorder::finish(const std::string& outcome, const Hands& by_hands) {
+void Recorder::finish(const std::string& outcome, const std::function<bool()>& together) {
     sync();
     keeper_.journal().end_session(outcome);
-    if (places_.with_file && !(by_hands && by_hands())) publish_now();
+    if (places_.with_file && !(together && together())) publish_now();
     if (outcome.starts_with("complete"))
         remove_saved(
             places_.campaign_file, [](const MemberIdentity&) { return false; }, places_.system);

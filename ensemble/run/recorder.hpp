@@ -117,11 +117,9 @@ class Recorder {
     /// process.
     void give_up() noexcept;
 
-    /// Publishes the campaign file in place of one rank alone; false where it cannot.
-    using Hands = std::function<bool()>;
-
-    /// Ends the session and publishes, if there is to be a file. Throws RunError if that fails.
-    void finish(const std::string& outcome, const Hands& by_hands = {});
+    /// Ends the session and publishes, if there is to be a file. Throws RunError if that fails. `together`: publishes
+    /// by several ranks, or returns false where this one has to.
+    void finish(const std::string& outcome, const std::function<bool()>& together = {});
 
     const Places& places() const { return places_; }
 

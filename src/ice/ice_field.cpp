@@ -83,6 +83,11 @@ Vec3 flat(const Corner& point) {
     return {point.x, 0, point.z};
 }
 
+Quat turned_by(double yaw) {
+    const Turn half = turn_of(0.5 * yaw);
+    return {half.cos, 0, half.sin, 0};
+}
+
 /// Of the joints, by number.
 std::vector<JointStrength> strength_of(const SingleFloe& floe, const CutFloe& cut) {
     std::vector<JointStrength> found;
@@ -113,8 +118,7 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
     const double pressure = scenario.contact_law(material.ice).crushing_pressure;
     const double crushing = pressure > 0 ? pressure : material.ice.compressive_strength;
     const bool on_all = water.form_drag_on == FormDragOn::every_element;
-    const Turn half = turn_of(0.5 * floe.pose.yaw);
-    const Quat yaw(half.cos, 0, half.sin, 0);
+    const Quat yaw = turned_by(floe.pose.yaw);
     const Vec3 middle(floe.pose.x, shape.floating_height(material.ice, water.density), floe.pose.z);
     for (std::size_t index = 0; index < cut->elements.size(); ++index) {
         const CutElement& one = cut->elements[index];
@@ -155,13 +159,11 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
 
 void IceField::hold_edge(World& world, const SingleFloe& floe, int place, BodyId support, const Vec3& outwards) {
     const Sheet& sheet = floes_[static_cast<std::size_t>(place)];
-    const Turn half = turn_of(0.5 * floe.pose.yaw);
-    const Quat yaw(half.cos, 0, half.sin, 0);
+    const Quat yaw = turned_by(floe.pose.yaw);
     const Vec3 to_floe = yaw.conjugate() * outwards;
     const Corner normal{to_floe.x(), to_floe.z()};
-    const auto reach = [&](const Corner& at) { return at.x * normal.x + at.z * normal.z; };
     double edge = 0;
-    for (const Corner& corner : floe.shape.corners()) edge = std::max(edge, reach(corner));
+    for (const Corner& corner : floe.shape.corners()) edge = std::max(edge, dot(corner, normal));
     const Vec3 middle(floe.pose.x, world.state(elements_[static_cast<std::size_t>(sheet.first)].body).position.y(),
                       floe.pose.z);
     PlacedIce ice(floe);
@@ -174,8 +176,8 @@ void IceField::hold_edge(World& world, const SingleFloe& floe, int place, BodyId
             const Corner& from = corners[k];
             const Corner& to = corners[(k + 1) % corners.size()];
             const double rounding = 1e-6 * floe.shape.element;
-            if (std::min(reach(from), reach(to)) < edge - rounding) continue;
-            const double span = edge - reach(one.centre);  // from the centre to the clamp
+            if (std::min(dot(from, normal), dot(to, normal)) < edge - rounding) continue;
+            const double span = edge - dot(one.centre, normal);  // from the centre to the clamp
             const Corner along = 0.5 * (from + to) - (0.5 * span) * normal;
             const SingleFloe& here = ice.at(along);
             const double length = std::hypot(to.x - from.x, to.z - from.z);

@@ -25,6 +25,12 @@ struct Machine {
     Journal open(const System& system, int piece = 0) const {
         return open_journal(piece_path(path, piece), text, Existing::resume, system);
     }
+    /// A journal whose maker is killed in that call.
+    void begin_until(int call) {
+        Process killed(disk, time, dice);
+        killed.plan.dies = call;
+        EXPECT_THROW(open(killed), RunError);
+    }
     std::size_t members() {
         const Process reader(disk, time, dice);
         return read_journal(path, reader).members.size();
@@ -55,9 +61,7 @@ int calls_to_begin() {
 
 TEST(PowerCut, TakesNoJournalWhoseMakerWasKilledAndThatOthersSynced) {
     with_every_draw([last = calls_to_begin()](Machine& machine) {
-        Process killed(machine.disk, machine.time, machine.dice);
-        killed.plan.dies = last;  // the sync of the folder
-        EXPECT_THROW(machine.open(killed), RunError);
+        machine.begin_until(last);  // the sync of the folder
         const Process process(machine.disk, machine.time, machine.dice);
         {
             Journal journal = machine.open(process);
@@ -70,10 +74,8 @@ TEST(PowerCut, TakesNoJournalWhoseMakerWasKilledAndThatOthersSynced) {
 }
 
 TEST(PowerCut, LeavesNoHeaderThatHasToBeRemovedByHand) {
-    with_every_draw([](Machine& machine) {
-        Process killed(machine.disk, machine.time, machine.dice);
-        killed.plan.dies = calls_to_begin() - 1;  // the sync of the header
-        EXPECT_THROW(machine.open(killed), RunError);
+    with_every_draw([at = calls_to_begin() - 1](Machine& machine) {
+        machine.begin_until(at);  // the sync of the header
         machine.disk.sync_names();
         machine.disk.power_cut();
         const Process process(machine.disk, machine.time, machine.dice);
@@ -82,10 +84,8 @@ TEST(PowerCut, LeavesNoHeaderThatHasToBeRemovedByHand) {
 }
 
 TEST(PowerCut, LeavesNoRecordBehindATornHeader) {
-    with_every_draw([](Machine& machine) {
-        Process killed(machine.disk, machine.time, machine.dice);
-        killed.plan.dies = calls_to_begin() - 1;  // the sync of the header
-        EXPECT_THROW(machine.open(killed), RunError);
+    with_every_draw([at = calls_to_begin() - 1](Machine& machine) {
+        machine.begin_until(at);  // the sync of the header
         Process next(machine.disk, machine.time, machine.dice);
         {
             Journal journal = machine.open(next);
