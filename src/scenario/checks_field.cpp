@@ -169,6 +169,11 @@ void check_level(const Scenario& scenario, Contradictions& found) {
     if (scenario.spread.length > 0 && !scenario.arrangement.level())
         refuse(scenario, found, {"spread.length_m", "arrangement.method"},
                "<spread.length_m> is of level ice, and <arrangement.method> lays floes; take 0, or \"level\"");
+    const IceSpread& spread = scenario.spread;
+    if (spread.length > 0 && !spread.thickness.any() && !spread.strength.any() && !spread.elastic_modulus.any())
+        refuse(scenario, found, {"spread.length_m", "spread.thickness", "spread.strength", "spread.elastic_modulus"},
+               "<spread.length_m> is the length over which thickness, strength or modulus vary, and none does; take 0, "
+               "or a law such as spread.strength = \"lognormal\"");
     const bool held = scenario.arrangement.level() && scenario.field.level_held != LevelHeld::nowhere;
     if (scenario.field.level_pushed && !held)
         refuse(scenario, found, {"field.level_pushed", "field.level_held", "arrangement.method"},

@@ -71,6 +71,7 @@ TEST(LevelIce, RefusesWhatItCannotBe) {
             s.spread.length = 1;
         },
         "is of level ice");
+    says([](Scenario& s) { s.spread.length = 1; }, "and none does");
     EXPECT_EQ(fault_of([](Scenario& s) {
                   s.field.level_held = LevelHeld::far_end_and_sides;
                   s.floe.breadth = 4.0;
