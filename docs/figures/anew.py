@@ -97,6 +97,7 @@ STEPS = [
     (["endless"], "design_load.py --collect {folder}/endless.h5 {floes}"),
     (["kulluk"], "kulluk.py {folder}/kulluk.h5"),
     (["table3", "fit_paper", "crystalline", "tank_walls", "vary_channel"], "validation.py --collect {folder} {floes}"),
+    (["channel", "physical"], "matching.py --collect {folder} {floes}"),
     (["tank"], "replay.py {floes} {folder}/tank.h5"),
     (["order", "wall_far_end"], "order.py --collect {folder}/order.h5 {folder}/wall_far_end.h5 --program {floes}"),
     ([], "froude.py --run {floes} {folder}"),

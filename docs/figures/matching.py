@@ -5,8 +5,8 @@ Usage:
     matching.py                     writes the table
     matching.py --check             writes nothing; fails if the page differs from the data
     matching.py --collect FOLDER [FLOES]
-                                    first matches channel.h5, wave2.h5 and physical.h5 of FOLDER with the program FLOES,
-                                    and takes the picture (needs chromium)
+                                    first matches channel.h5, wave2.h5 (which it runs if it is not there) and physical.h5 of
+                                    FOLDER with the program FLOES, and takes the picture (needs chromium)
 """
 import json
 import pathlib
@@ -36,6 +36,11 @@ def told(name):
 
 def collect(folder, floes):
     DATA.mkdir(exist_ok=True)
+    if not (folder / "wave2.h5").exists():
+        wave = folder / "wave2.toml"
+        subprocess.run([floes, "match", folder / "channel.h5", "--targets", ROOT / "configs/targets_channel.toml", "--next",
+                        wave, "--points", "12"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([floes, "run", wave, "-o", folder / "wave2.h5"], check=True)
     with tempfile.TemporaryDirectory() as temporary:
         page = pathlib.Path(temporary) / "match.html"
         for name, (_, campaigns, targets) in MATCHINGS.items():
