@@ -338,11 +338,8 @@ class Play {
         if (ranks_.size() > 1) clock_.notice(clock_.now() + (forecast.writers > 1 ? 2 : 1) * farewell(), false);
         clock_.finish();
         forecast.wall_time = clock_.now();
-        if (with_file_ && forecast.writers > 1) {
-            clock_.publish_in_pieces(forecast.writers);
-        } else {
-            clock_.publish();
-        }
+        if (with_file_ && forecast.writers > 1) clock_.publish_in_pieces(forecast.writers);
+        if (!with_file_ || forecast.writers == 1) clock_.publish();
         forecast.file_time = clock_.now() - forecast.wall_time;
         if (with_file_) forecast.wall_time = clock_.now();
         return forecast;
@@ -440,10 +437,11 @@ class Play {
         return bytes;
     }
 
-    /// A writer other than the master takes a message, and tells the master of it.
-    void keep(Rank& writer, double time, int message, double work) {
-        writer.free_at = processors_.run(std::max(time, writer.free_at), work + costs_.send);
-        writer.busy += work + costs_.send;
+    /// A writer other than the master takes a message, syncs it, and tells the master of it. `taking`: s.
+    void keep(Rank& writer, double time, int message, double taking) {
+        const double work = taking + costs_.sync + costs_.send;
+        writer.free_at = processors_.run(std::max(time, writer.free_at), work);
+        writer.busy += work;
         foresee(writer.free_at + costs_.latency, Kind::kept, master_rank, {master_rank, message, 0});
     }
 

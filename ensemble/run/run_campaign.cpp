@@ -268,7 +268,7 @@ class Master {
     /// RankWatch::part(), to be called when everything is on the disk.
     void part() { ranks_.part(); }
 
-    /// A writer was lost, and perhaps its last second with it.
+    /// A writer was lost; what it has told is in its journal.
     bool lost_a_writer() const { return lost_a_writer_; }
 
     /// What stopped the run, e.g. "SIGTERM"; empty if nothing did, or if all members were done nevertheless.

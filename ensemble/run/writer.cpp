@@ -101,7 +101,7 @@ void Writer::keep(int worker, std::vector<Answer> answers) {
 }
 
 void Writer::tend() {
-    keeper_.tend(keeper_.journal().system().now());
+    keeper_.sync();  // or a power cut after the loss of this rank takes what its master has told
     if (!kept_.empty()) link_.send(master_rank, Tag::kept, encode(std::exchange(kept_, {})));
     for (const int worker : std::exchange(farewells_, {}))
         link_.send(master_rank, Tag::farewell, encode_status(worker));

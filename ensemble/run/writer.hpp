@@ -52,8 +52,9 @@ class Keeper {
 };
 
 // Which ranks keep records. In a large run one rank cannot move the bytes of all: groups of neighbouring ranks have a
-// writer each, which appends the members of its group to a piece of the journal and tells the master of them, and at
-// the end publishes a piece of the campaign file. The master is the writer of its own group.
+// writer each, which appends the members of its group to a piece of the journal, syncs it, since from another node
+// nobody can, and tells the master of them; at the end it publishes a piece of the campaign file. The master is the
+// writer of its own group.
 
 class Groups {
   public:
@@ -85,7 +86,7 @@ class Writer {
     void keep(int worker, std::vector<Answer> answers);
     /// Notes the farewell of a rank.
     void farewell(int worker) { farewells_.push_back(worker); }
-    /// To be called often: hands over to the system what is new, and then tells the master.
+    /// To be called often: brings what is new to the disk, and then tells the master.
     void tend();
     /// Brings everything to the disk.
     void sync() { keeper_.sync(); }

@@ -299,9 +299,8 @@ class Session {
     void deliver(int from, int to, Message message);
     void kill_all();
     bool is_over() const;
-    /// Of other ranks' writers what they told may not be on the disk.
-    void note_unsure() { unsure_ = std::min(unsure_, master.awake); }
-    std::int64_t sure_until() const { return std::min(master.awake, unsure_) - within_a_second; }
+    /// Of what was told until then the master has had the time to sync its own; other writers sync before they tell.
+    std::int64_t sure_until() const { return master.awake - within_a_second; }
 
     World& world;
     Process master;
@@ -322,7 +321,6 @@ class Session {
     RankLink link_;
     std::vector<std::unique_ptr<PlayedRank>> ranks_;
     std::vector<std::int64_t> last_delivery_;
-    std::int64_t unsure_ = std::int64_t{1} << 60;
 };
 
 void RankLink::send(int to, Tag tag, std::vector<std::byte> bytes) {
@@ -464,14 +462,12 @@ void PlayedRank::tick() {
 }
 
 void PlayedRank::sleep(std::int64_t time) {
-    if (writer_) session_.note_unsure();
     world_.note("rank {} sleeps", rank_);
     asleep_until_ = world_.time.now() + time;
     heard_ += time;
 }
 
 void PlayedRank::die() {
-    if (writer_) session_.note_unsure();
     process.kill();
     world_.note("rank {} dies", rank_);
 }
