@@ -121,7 +121,7 @@ def edgewise(half_breadth, n):
 
 def kernel_table(rows):
     lines = ["// Made by docs/figures/floating_plate.py. A row: heave added mass / (ρ b² l), squared radii of",
-             "// gyration of it along b and l over b² and l², damping of heave over added mass and √(g/b).",
+             "// gyration of it along b and l over b² and l², damping of heave over added mass and √(g/b).", "",
              f"constexpr std::array<double, {len(ASPECTS)}> aspects{{{', '.join(f'{a:g}' for a in ASPECTS)}}};",
              f"constexpr std::array<double, {len(DRAUGHTS)}> draughts{{{', '.join(f'{d:g}' for d in DRAUGHTS)}}};",
              f"constexpr std::array<PlateWater, {len(rows)}> table{{{{",

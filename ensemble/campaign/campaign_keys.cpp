@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/case_words.hpp"
+#include "core/units.hpp"
 #include "member/design_of.hpp"
 #include "member/quantity.hpp"
 #include "scenario/keys.hpp"
@@ -118,8 +119,6 @@ std::optional<std::string> stop_quantity_fault(const Campaign& campaign) {
 }
 
 namespace {
-
-constexpr double mebibyte = 1024.0 * 1024.0;
 
 constexpr std::pair<std::string_view, std::string_view> shorthands[]{
     {"cfm", "joint.cfm"}, {"elastic_modulus_MPa", "ice.elastic_modulus_MPa"}};
@@ -268,7 +267,7 @@ Keys describe(RunRules& rules) {
     keys.push_back(number_key("run.member_deadline_s", rules.member_deadline, 1, at_least(0),
                               "many times a long member",
                               "Wall time after which an attempt at a member is ended as failed; 0: no limit."));
-    keys.push_back(number_key("run.member_memory_MiB", rules.member_memory, mebibyte, at_least(0),
+    keys.push_back(number_key("run.member_memory_MiB", rules.member_memory, unit::mebibyte, at_least(0),
                               "many times a large member",
                               "Memory limit of a member in an isolated process; 0: no limit."));
     keys.push_back(

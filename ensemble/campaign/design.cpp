@@ -1,5 +1,3 @@
-// The points of a design.
-
 #include "campaign/design.hpp"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// Campaign files as they are written, by the list of arrays and quantities.
-
 #include "campaign_file/content.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+#include "campaign_file/publish.hpp"
+
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -8,7 +10,6 @@
 
 #include "campaign_file/content.hpp"
 #include "campaign_file/pieces.hpp"
-#include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "hdf5/handle.hpp"

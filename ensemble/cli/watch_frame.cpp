@@ -1,3 +1,5 @@
+// What floes status --watch shows of a moment: words, bars and a figure, as wide and high as the terminal is.
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -5,6 +7,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/watch.hpp"
+#include "core/units.hpp"
 #include "findings/evidence.hpp"
 #include "findings/summary.hpp"
 #include "inference/interval.hpp"
@@ -134,9 +137,8 @@ void add_wrapped(Lines& lines, const std::string& sentence, int width) {
 }
 
 std::string bytes_text(double bytes) {
-    constexpr double mebibyte = 1024 * 1024;
-    return bytes < 1024 * mebibyte ? fmt::format("{:.0f} MiB", bytes / mebibyte)
-                                   : fmt::format("{:.1f} GiB", bytes / mebibyte / 1024);
+    return bytes < 1024 * unit::mebibyte ? fmt::format("{:.0f} MiB", bytes / unit::mebibyte)
+                                         : fmt::format("{:.1f} GiB", bytes / unit::mebibyte / 1024);
 }
 
 int running_in(const CampaignStatus& status, const std::string& case_name) {

@@ -1,3 +1,5 @@
+// How ice fails: joints by mode over time and along the floes, and how large the ice is before and after.
+
 #include "findings/sections.hpp"
 
 #include <algorithm>

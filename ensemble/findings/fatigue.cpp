@@ -1,3 +1,5 @@
+// Fatigue and operation: cycles of the load, and how long it lasts above a level.
+
 #include "findings/sections.hpp"
 
 #include <algorithm>

@@ -1,5 +1,3 @@
-// Fits of Gumbel and GEV to maxima, and their goodness of fit.
-
 #include "inference/extremes.hpp"
 
 #include <algorithm>

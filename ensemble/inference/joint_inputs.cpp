@@ -1,5 +1,3 @@
-// Joint distributions from the hours of a scatter diagram.
-
 #include "inference/joint_inputs.hpp"
 
 #include <algorithm>

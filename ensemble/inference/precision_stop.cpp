@@ -1,5 +1,3 @@
-// Which means, or differences of means, the stop rule is about.
-
 #include "inference/precision_stop.hpp"
 
 #include <algorithm>

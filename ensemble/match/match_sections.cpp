@@ -1,3 +1,5 @@
+// A matching as sections for people: targets, emulators, what is left, and how the next wave goes on.
+
 #include "match/matching.hpp"
 
 #include <algorithm>

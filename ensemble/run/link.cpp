@@ -1,3 +1,5 @@
+// The only door to MPI.
+
 #define OMPI_SKIP_MPICXX 1
 #define MPICH_SKIP_MPICXX 1
 

@@ -1,10 +1,4 @@
 #pragma once
-
-#include <stdexcept>
-#include <string>
-
-#include <fmt/format.h>
-
 // What a function expects of whoever calls it, and what it ensures: said once at its head or before it returns, where
 // the compiler reads it too. Checked in builds with assertions (the presets dev, asan and tsan); in release the
 // condition is compiled and never evaluated. Only for mistakes of the program: what a user can get wrong is an
@@ -12,6 +6,11 @@
 //
 //     FLOES_EXPECTS(step > 0);
 //     FLOES_ENSURES(std::isfinite(load));
+
+#include <stdexcept>
+#include <string>
+
+#include <fmt/format.h>
 
 namespace floes {
 

@@ -22,5 +22,6 @@ inline constexpr double tonne = 1e3;
 inline constexpr double percent = 0.01;
 inline constexpr double degree = std::numbers::pi / 180.0;
 inline constexpr double hour = 3600;
+inline constexpr double mebibyte = 1024 * 1024;
 
 }  // namespace floes::unit

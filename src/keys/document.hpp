@@ -1,4 +1,6 @@
 #pragma once
+// Configuration text as a flat list of "dotted path = value", each with the place it came from. The only door to
+// toml++.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,9 +10,6 @@
 #include <vector>
 
 namespace floes {
-
-// Configuration text as a flat list of "dotted path = value", each with the place it came from. The only door to
-// toml++.
 
 /// A value as written in the text. `Strange` stands for what no key accepts: dates and tables; `kind` says which.
 struct Value {

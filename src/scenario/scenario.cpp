@@ -1,5 +1,3 @@
-// How far the field reaches: as far as its floes cover it.
-
 #include "scenario/scenario.hpp"
 
 #include <algorithm>

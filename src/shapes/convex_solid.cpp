@@ -1,5 +1,6 @@
-// The hull of points, grown point by point: the farthest one outside a face joins, the faces that it sees go, and new
-// ones lead from it to their rim (Barber, Dobkin and Huhdanpaa, ACM Trans. Math. Software 22, 1996, cited from memory).
+// How the hull of points is found: it grows point by point; the farthest one outside a face joins, the faces that it
+// sees go, and new ones lead from it to their rim (Barber, Dobkin and Huhdanpaa, ACM Trans. Math. Software 22, 1996,
+// cited from memory).
 
 #include "shapes/convex_solid.hpp"
 

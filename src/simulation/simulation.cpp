@@ -1,4 +1,4 @@
-// What a step of a simulation leaves: the ice load, where it acts, and the histories.
+// A Simulation from its start on: what each step leaves, how the field follows, and how all of it is saved.
 
 #include "simulation/simulation.hpp"
 

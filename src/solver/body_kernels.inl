@@ -1,3 +1,5 @@
+// Bodies in lanes: how they move before, between and after the sweeps.
+
 // The motion of a body that contacts read and change: 8 doubles {velocity, inverse mass, angular velocity, 0} in
 // `delta`, transposed into lanes and back.
 

@@ -1,3 +1,5 @@
+// Joints by Σ and Γ, in lanes: their rows, the sweeps over these, and the reactions.
+
 // The arc functions of the joint error from exactly rounded operations, so that neither the lane width nor the maths
 // library of the machine shows in a result. Coefficients: Cephes atan (S. Moshier), error below 2e-16 relative.
 

@@ -1,5 +1,3 @@
-// The water of a piece shared out among elements that are polygons.
-
 #include "water/floating_plate.hpp"
 
 #include <algorithm>

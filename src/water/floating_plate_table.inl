@@ -1,5 +1,6 @@
 // Made by docs/figures/floating_plate.py. A row: heave added mass / (ρ b² l), squared radii of
 // gyration of it along b and l over b² and l², damping of heave over added mass and √(g/b).
+
 constexpr std::array<double, 6> aspects{1, 1.5, 2, 3, 5, 8};
 constexpr std::array<double, 6> draughts{0, 0.03, 0.06, 0.12, 0.25, 0.5};
 constexpr std::array<PlateWater, 36> table{{

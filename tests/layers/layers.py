@@ -24,9 +24,9 @@ Module = collections.namedtuple("Module", "folder uses")  # "src/ice", the modul
 Row = collections.namedtuple("Row", "layer libraries")    # of a table in ARCHITECTURE.md
 
 
-def read_sources(project):
+def read_sources(project, kind="[hc]pp"):
     """Path, as "src/ice/failure.cpp", to text."""
-    files = sorted(file for top in ("src", "ensemble") for file in (project / top).rglob("*.[hc]pp"))
+    files = sorted(file for top in ("src", "ensemble") for file in (project / top).rglob(f"*.{kind}"))
     return {file.relative_to(project).as_posix(): file.read_text(encoding="utf-8") for file in files}
 
 
@@ -197,6 +197,19 @@ def long_texts(sources):
         for kind, _, first, last in scopes(text):
             if kind == "function" and last - first + 1 > MOST_LINES_OF_A_FUNCTION:
                 yield f"{path}:{first} begins a function of {last - first + 1} lines, more than {MOST_LINES_OF_A_FUNCTION}"
+
+
+def wordless(sources):
+    """Sources that do not begin with their idea: a comment that stands by itself, of a .cpp also the header of its name."""
+    for path, text in sources.items():
+        own = path.replace(".cpp", ".hpp")
+        if path.endswith(".cpp") and own in sources and text.startswith(f'#include "{own.split("/", 1)[1]}"\n'):
+            continue
+        opening = text.removeprefix("#pragma once\n")
+        if not opening.startswith("// "):
+            yield f"{path} begins without a comment on what it holds"
+        elif not re.match(r"(//[^\n]*\n)+(\n|#)", opening):
+            yield f"{path} begins with the comment of its first part: say what all of it is, and leave a line free"
 
 
 SHARED = {  # what two tests at the same time would meet in

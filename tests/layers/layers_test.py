@@ -36,6 +36,9 @@ class Project(unittest.TestCase):
     def test_files_and_functions_are_short(self):
         self.none(layers.long_texts(self.sources))
 
+    def test_every_source_begins_with_its_idea(self):
+        self.none(layers.wordless(self.sources | layers.read_sources(PROJECT, "inl")))
+
     def test_comments_and_pages_name_sources_that_are_there(self):
         pages = {path.name: path.read_text(encoding="utf-8")
                  for path in [*PROJECT.glob("*.md"), *PROJECT.glob("docs/*.md")] if path.name != "CHANGELOG.md"}
@@ -142,6 +145,15 @@ void f() { struct Local {}; const char* text = "class Quoted {"; }
         self.assertEqual(len(list(layers.long_texts({"src/a/a.cpp": "// x\n" * 801}))), 1)
         table = "const int all[] = {\n" + "    1,\n" * 100 + "};\n"
         self.assertEqual(list(layers.long_texts({"src/a/a.cpp": table})), [])
+
+
+    def test_openings(self):
+        good = {"src/a/a.hpp": "#pragma once\n// Ice.\n\nint a;\n", "src/a/a.cpp": '#include "a/a.hpp"\n',
+                "src/a/b.cpp": "// Water.\n// And more.\n\nint b;\n", "src/a/c.inl": "// Lanes.\n#define C\n"}
+        self.assertEqual(list(layers.wordless(good)), [])
+        for bad in ({"src/a/a.hpp": "#pragma once\n#include <cmath>\n"}, {"src/a/b.cpp": '#include "a/b.hpp"\n'}):
+            self.assertRegex(list(layers.wordless(bad))[0], "without a comment")
+        self.assertRegex(list(layers.wordless({"src/a/a.hpp": "#pragma once\n// A sum.\nint sum();\n"}))[0], "first part")
 
 
 if __name__ == "__main__":
