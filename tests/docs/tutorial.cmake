@@ -8,6 +8,9 @@ add_test(NAME docs.site_pages COMMAND /usr/bin/python3 -B ${PROJECT_SOURCE_DIR}/
 set_tests_properties(docs.site_pages PROPERTIES LABELS default TIMEOUT 60)
 add_test(NAME docs.site COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/site_test.py ${PROJECT_SOURCE_DIR})
 set_tests_properties(docs.site PROPERTIES LABELS slow TIMEOUT 600 PROCESSORS 2)
+# What the headers of src/ declare, as pages: a comment that Doxygen cannot read is an error.
+add_test(NAME docs.api COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/api_test.py ${PROJECT_SOURCE_DIR})
+set_tests_properties(docs.api PROPERTIES LABELS all TIMEOUT 60)
 # A minute on one core; with sanitizers a multiple of that, for what other tests run as well.
 if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   add_test(NAME docs.tutorial
