@@ -40,7 +40,8 @@ endfunction()
 function(floes_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_compile_options(${target} PRIVATE -ffp-contract=off -fPIC -fvisibility=hidden -Wall -Wextra -Wpedantic
-                         -Wshadow$<$<BOOL:${FLOES_UNITY}>:=local>  # a constant of another source is no shadow
+                         # A constant of another source is no shadow, which clang does not know.
+                         $<$<CXX_COMPILER_ID:GNU>:-Wshadow$<$<BOOL:${FLOES_UNITY}>:=local>>
                          -Wnon-virtual-dtor -Woverloaded-virtual $<$<BOOL:${FLOES_WARNINGS_AS_ERRORS}>:-Werror>)
 endfunction()
 floes_compile_options(floes_precompiled)

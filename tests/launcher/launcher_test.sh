@@ -39,6 +39,7 @@ machine() {
     printf 'zeta\n' >"$home/packaging/debian/packages-release.txt"
     printf 'theta\n' >"$home/packaging/debian/packages-docs.txt"
     printf 'iota\n' >"$home/packaging/debian/packages-tidy.txt"
+    printf 'kappa\n' >"$home/packaging/debian/packages-fuzz.txt"
     mkdir -p "$home/docs/site"
     cat >"$home/docs/site/build.py" <<'SITE'
 #!/bin/sh
@@ -353,6 +354,13 @@ launch sanitize -R keys
 check "sanitize" "ctest in $home: --preset asan --no-tests=error -j2 -L quick -R keys" "$out"
 check "sanitize builds quick tests" "cmake --preset asan
 cmake --build $home/build/asan --target quick_tests" "$(calls)"
+
+# -- the second compiler: a build of its own, and nothing is run
+machine
+echo kappa >>"$stage/installed"
+launch clang
+check "clang builds all" "cmake --preset clang
+cmake --build $home/build/clang --target all_tests" "$(calls)"
 
 # -- what changed, before clang-tidy
 machine

@@ -48,7 +48,7 @@ def faults(project, program):
     for name in COMMANDS_IN:
         text = (project / name).read_text(encoding="utf-8")
         for verb, options in commands_in(code_in(text) if name.endswith(".md") else text):
-            if verb in ("package", "test", "tidy", "coverage"):
+            if verb in ("package", "test", "tidy", "clang", "coverage"):
                 continue  # of the launcher
             known.setdefault(verb, options_of(program, verb))
             if known[verb] is None:
