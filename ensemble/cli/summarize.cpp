@@ -223,11 +223,8 @@ void add_summarize(CommandLine& line) {
     verb.option("--reference", options->reference, "Reference case: the others are compared with it, in percent");
     Option parts = verb.option(
         "--parts", options->parts,
-        "Parts to show, comma-separated: overview, answer (the report's first page), cases, points and sensitivity (of "
-        "a design), pairs, "
-        "model (of floes vary), extremes, exceedance, fatigue, moored, lines, steady, energy, control, design, "
-        "members and long "
-        "(CSV and xlsx only)");
+        "Parts to show, comma-separated: answer is the report's first page, points and sensitivity are of a design, "
+        "model of floes vary; members and long are for CSV and xlsx only");
     parts.comma_separated().one_of(part_names());
     verb.flag("--long", options->long_lines,
               "With --format csv: a line for each value of each simulation: case, arrangement, quantity, unit, value")
