@@ -34,7 +34,7 @@ struct FlowEllipse {
 struct WaterFactors {
     double side;  ///< of a square, m; 0: elements are of any plan
     double thickness;
-    double buoyancy;              ///< ρ_w g A/4
+    double buoyancy;              ///< ρ_w g
     double form;                  ///< -½ ρ_w C_d
     double skin;                  ///< ½ ρ_w C_s A/4
     double heave;                 ///< ½ ρ_w C_h A/4

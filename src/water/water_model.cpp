@@ -77,7 +77,7 @@ WaterModel::WaterModel(const Water& water, double gravity, double plan_side, Ele
     const bool by_outline = water.heave_damping_from == WaterFrom::outline;
     factors_ = {.side = plan_side,
                 .thickness = shape.thickness,
-                .buoyancy = water.density * gravity * gauss_area,
+                .buoyancy = water.density * gravity,
                 .form = -0.5 * water.density * water.form_drag,
                 .skin = half_area * water.skin_drag,
                 .heave = half_area * water.heave_drag,

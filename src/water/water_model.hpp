@@ -53,20 +53,21 @@ Wrench wrench_at(const double* fields, std::size_t stride);
 //
 // For a square of side L and area L²; below, for other elements.
 //
-// Buoyancy. At the 2 x 2 Gauss points of the element's base, (±L/√12, ±L/√12), there is a column along the element's
-// normal. Each gives ρ_w g (L²/4) x (its submerged length), upward, at the middle of its submerged part. As long as
-// neither face crosses the surface, force and moment are exact at any tilt: the Gauss points integrate ξ² exactly, so
-// the metacentric term ρ_w g L⁴/12 is complete. Fully submerged or dry elements are exact as well.
+// Buoyancy. ρ_w g times the volume of the prism below the surface, at its centroid, exact at any attitude: the pyramids
+// from a point in the surface to the wet parts of the faces, each of volume h A/3.
 //
 // Drag, relative to the velocity u of the water at the point concerned:
 //   form  an edge face without a live joint whose outward normal n meets the flow (u_rel · n < 0):
-//         F = -½ ρ_w C_d (L x wetted depth) (u_rel · n)² n, pushing inward, at the middle of the wetted depth.
+//         F = -½ ρ_w C_d (its wet area) (u_rel · n)² n, pushing inward, at the centroid of that.
 //         Ice ahead of the edge shelters it (below); C_d is of front and lee together, so the lee has no force
-//   skin  on the lower face at the wet Gauss points:  F = ½ ρ_w C_s (L²/4) |u_t| u_t,  u_t = tangential part of u_rel
-//   heave along the normal at the wet Gauss points, with w = u_rel · normal:
-//         F = [½ ρ_w C_h (L²/4) |w| w + (c/4) w] normal. The second term stands for waves. Of water.heave_damping_from
+// The rest acts on the face that looks down, at the 2 x 2 Gauss points of its area, (±L/√12, ±L/√12); A_w is a quarter
+// of the wet area of that face.
+//   skin  F = ½ ρ_w C_s A_w |u_t| u_t,  u_t = tangential part of u_rel
+//   heave along the normal, with w = u_rel · normal:
+//         F = [½ ρ_w C_h A_w |w| w + (c/4) w] normal. The second term stands for waves. Of water.heave_damping_from
 //         = "share":   c = 2 ζ sqrt(ρ_w g L² m (1 + a)), a fraction ζ of critical damping of the heave of an element
-//                      of mass m that carries the share a of added mass, at every wet point
+//                      of mass m that carries the share a of added mass, at points whose column along the normal
+//                      is wet
 //         "outline":   c is the element's share of what its piece radiates (floating_plate.hpp), at points whose column
 //                      cuts the surface: ice that is covered by water makes no waves
 //         Spread over the Gauss points it damps roll and pitch too.
@@ -92,9 +93,8 @@ Wrench wrench_at(const double* fields, std::size_t stride);
 // Below the ice the boundary layer turns skin drag by θ, anticlockwise from above (Leppäranta, The Drift of Sea Ice,
 // 2011, chapter 5: τ = ρ C |U| (cosθ U + sinθ k × U), U the water's velocity relative to the ice).
 //
-// An element of any other convex plan, of area A, has its four columns at (±√(xx/A), ±√(zz/A)) in its principal axes,
-// each for A/4, so buoyancy and the moment that rights it are as exact as a square's; form drag acts in the middle of
-// each exposed edge; alone it has the damping of the square of its area.
+// An element of any other convex plan, of area A, has its four points at (±√(xx/A), ±√(zz/A)) in its principal axes;
+// alone it has the damping of the square of its area.
 //
 // Wind. Where a column's top is above the water, ρ_a C_a U² (L²/4) along the wind at the top.
 
