@@ -175,6 +175,42 @@ TEST(LiftedEdge, BucklesUnderTheThrustOfASteepWall) {
     EXPECT_THROW(lifted_edge(plate, 60e6, 1e12, 3, plate.thickness / 2), InputError) << "ice that does not crack";
 }
 
+/// Least thrust under which a strip on water, `length` characteristic lengths long, gives way: by beam elements with
+/// cubic deflections. Its far end is clamped, its near edge free, hinged or clamped: 0, 1 or 2 of its motions are held.
+double thrust_by_elements(const FloatingPlate& plate, double elastic_modulus, double length, int held) {
+    constexpr int count = 80;
+    const double l = length * plate.characteristic_length(elastic_modulus) / count;
+    Eigen::Matrix4d bending, ground, thrust;
+    bending << 12, 6 * l, -12, 6 * l, 6 * l, 4 * l * l, -6 * l, 2 * l * l, -12, -6 * l, 12, -6 * l, 6 * l, 2 * l * l,
+        -6 * l, 4 * l * l;
+    ground << 156, 22 * l, 54, -13 * l, 22 * l, 4 * l * l, 13 * l, -3 * l * l, 54, 13 * l, 156, -22 * l, -13 * l,
+        -3 * l * l, -22 * l, 4 * l * l;
+    thrust << 36, 3 * l, -36, 3 * l, 3 * l, 4 * l * l, -3 * l, -l * l, -36, -3 * l, 36, -3 * l, 3 * l, -l * l, -3 * l,
+        4 * l * l;
+    const Eigen::Matrix4d stiff =
+        bending * (plate.flexural_rigidity(elastic_modulus) / (l * l * l)) + ground * (plate.foundation() * l / 420);
+    const Eigen::Matrix4d soft = thrust / (30 * l);
+    constexpr int all = 2 * count + 2;
+    Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(all, all);
+    Eigen::MatrixXd taken = whole;
+    for (int i = 0; i < count; ++i) {
+        whole.block<4, 4>(2 * i, 2 * i) += stiff;
+        taken.block<4, 4>(2 * i, 2 * i) += soft;
+    }
+    const int kept = all - 2 - held;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+        taken.block(held, held, kept, kept), whole.block(held, held, kept, kept), Eigen::EigenvaluesOnly);
+    return 1 / modes.eigenvalues().maxCoeff();
+}
+
+TEST(BucklingThrust, OfAFreeEdgeIsHalfThatOfOneWhichIsHeld) {
+    const FloatingPlate plate{0.033};
+    const double free = buckling_thrust(plate, 60e6);
+    EXPECT_NEAR(thrust_by_elements(plate, 60e6, 16, 0) / free, 1, 2e-3);
+    EXPECT_NEAR(thrust_by_elements(plate, 60e6, 24, 1) / free, 2, 0.03);
+    EXPECT_NEAR(thrust_by_elements(plate, 60e6, 24, 2) / free, 2, 0.08);
+}
+
 TEST(PushOverLift, IsThatOfIceThatSlidesUp) {
     EXPECT_NEAR(push_over_lift(std::numbers::pi / 4, 0), 1, 1e-12);
     EXPECT_NEAR(push_over_lift(std::numbers::pi / 4, 0.2), 1.5, 1e-12);
