@@ -10,7 +10,6 @@
 #include "campaign/case_words.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
-#include "core/error.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
@@ -24,12 +23,7 @@ Campaign read(const std::string& text, const std::vector<std::string>& overrides
 }
 
 std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    try {
-        read(text, overrides);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal_or("accepted", [&] { read(text, overrides); });
 }
 
 std::vector<std::string> names(const Campaign& campaign) {

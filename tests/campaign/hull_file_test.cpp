@@ -6,7 +6,7 @@
 
 #include "campaign/closed_bodies.hpp"
 #include "campaign/drawn.hpp"
-#include "core/error.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace hull_file_test {
@@ -30,12 +30,7 @@ const std::vector<std::array<std::size_t, 3>> l_cut{{0, 1, 2}, {0, 2, 3}, {0, 3,
 std::string refusal_of(const std::string& bytes, const std::string& name, const HullFile& file = {}) {
     Structure structure;
     structure.hull_file = file;
-    try {
-        take_hull(structure, bytes, name);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_or("", [&] { take_hull(structure, bytes, name); });
 }
 
 TEST(ConvexPieces, AConvexBodyIsTakenAsItIs) {

@@ -8,6 +8,7 @@
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace hull_read_test {
@@ -23,12 +24,7 @@ Campaign read(const std::string& hull) {
 }
 
 std::string message(const std::string& hull) {
-    try {
-        static_cast<void>(read(hull));
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_or("", [&] { read(hull); });
 }
 
 const std::string of_file = "shape = \"file\"\nfile = \"box.stl\"\n";

@@ -10,6 +10,7 @@
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace outlines_read_test {
@@ -42,12 +43,7 @@ Campaign read(const std::string& shapes, const std::string& more = "field.floes 
 }
 
 std::string message(const std::string& shapes, const std::string& more = "field.floes = 8\n") {
-    try {
-        static_cast<void>(read(shapes, more));
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_or("", [&] { read(shapes, more); });
 }
 
 /// Of the first case's floes in an arrangement.

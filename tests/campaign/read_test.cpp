@@ -56,12 +56,7 @@ Campaign read(const std::string& text, const std::vector<std::string>& overrides
 }
 
 std::string message(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    try {
-        read(text, overrides);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal_or("accepted", [&] { read(text, overrides); });
 }
 
 /// Joints that follow Σ, in sweeps.

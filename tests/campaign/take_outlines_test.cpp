@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "shapes/elements.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace take_outlines_test {
@@ -27,12 +27,7 @@ TracedOutlines taken(const std::string& text, const std::string& file, LengthUni
 }
 
 std::string message(const std::string& text, const std::string& file = "a.geojson") {
-    try {
-        static_cast<void>(taken(text, file));
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_or("", [&] { taken(text, file); });
 }
 
 const std::string square_ring = "[[10,20],[12,20],[12,22],[10,22],[10,20]]";

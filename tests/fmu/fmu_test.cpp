@@ -15,12 +15,12 @@
 #include "campaign/campaign.hpp"
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
-#include "core/error.hpp"
 #include "fmu/fmu_file.hpp"
 #include "fmu/fmu_host.hpp"
 #include "fmu/variables.hpp"
 #include "member/run_member.hpp"
 #include "support/file_bytes.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace fmu_test {
@@ -375,13 +375,10 @@ TEST_P(Fmu, EndsWithTheRunAndAtTheStopTime) {
 }
 
 std::string refusal_of(const std::string& override) {
-    try {
+    return refusal_or("", [&] {
         read_campaign({.text = write_campaign(campaign()), .file = "configuration.toml", .overrides = {override}},
                       nullptr);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return {};
+    });
 }
 
 TEST_P(Fmu, SaysOfSettingsWhatTheProgramSays) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -157,12 +158,7 @@ class File {
 };
 
 std::string message(const std::string& bytes) {
-    try {
-        read_radiation(bytes, "hull.nc", {});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "read";
+    return refusal_or("read", [&] { read_radiation(bytes, "hull.nc", {}); });
 }
 
 std::string refusal(const Written& what) {

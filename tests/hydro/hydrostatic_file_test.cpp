@@ -6,18 +6,13 @@
 
 #include <string>
 
-#include "core/error.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace hydrostatic_file_test {
 
 std::string message(const std::string& text) {
-    try {
-        read_hydrostatics(text, "hull.hst", {}, 9.81);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "read";
+    return refusal_or("read", [&] { read_hydrostatics(text, "hull.hst", {}, 9.81); });
 }
 
 // C = C' ρ g L^k with k 2, 3, 4. The cylinder of WAMIT's example (WEC-Sim), R 0.35 m: 0.38375 m² by its panels.

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "core/error.hpp"
 #include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 
@@ -39,12 +38,7 @@ const std::string lines =
 const std::string end = "--- need this line ---\n";
 
 std::string message(const std::string& text) {
-    try {
-        read_moorings(text + end, "m.dat", 1025, 9.80665);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "read";
+    return refusal_or("read", [&] { read_moorings(text + end, "m.dat", 1025, 9.80665); });
 }
 
 // The port line of the OC3 spar (MoorDyn, example/lines.txt): y to port is -z here.

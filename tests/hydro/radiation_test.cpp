@@ -17,6 +17,7 @@
 
 #include "core/error.hpp"
 #include "support/file_bytes.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace radiation_test {
@@ -25,12 +26,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double deep = std::numeric_limits<double>::infinity();
 
 std::string message(const std::string& text) {
-    try {
-        read_radiation(text, "hull.1", {});
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "read";
+    return refusal_or("read", [&] { read_radiation(text, "hull.1", {}); });
 }
 
 bool remarks_on(const std::string& text, const std::string& words) {

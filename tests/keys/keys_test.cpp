@@ -8,6 +8,7 @@
 #include "keys/meant.hpp"
 #include "keys/read.hpp"
 #include "keys/write.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace keys_test {
@@ -52,12 +53,7 @@ void read(Sample& sample, const std::string& text) {
 
 std::string message(const std::string& text) {
     Sample sample;
-    try {
-        read(sample, text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "accepted";
+    return refusal_or("accepted", [&] { read(sample, text); });
 }
 
 TEST(Keys, WriteThenReadGivesEqualFields) {

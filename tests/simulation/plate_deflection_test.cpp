@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "core/error.hpp"
 #include "support/froude.hpp"
+#include "support/refusal.hpp"
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
@@ -59,12 +59,7 @@ TEST(PlateDeflection, IsTheSameTestAtAnySize) {
 }
 
 std::string message_of(const Scenario& scenario, const PlateTest& test) {
-    try {
-        measure_plate_deflection(scenario, test);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_or("", [&] { measure_plate_deflection(scenario, test); });
 }
 
 // Bullet's solver cannot hold the contact law of the defaults, and in a plate test nothing touches. It solves the
