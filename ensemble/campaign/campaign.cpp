@@ -77,6 +77,7 @@ double numeric_value(const Case& one, const std::string& path) {
 double expected_cost(const Campaign& campaign, int number) {
     const MemberKey key = member_key(campaign, number);
     const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
+    if (scenario.arrangement.level()) return sheet_shape(scenario).elements() * scenario.step_count();
     const double floes = computed_floes(scenario);
     if (scenario.sizes.law == SizeLaw::one && !scenario.shapes.from_file())
         return scenario.floe.elements() * floes * scenario.step_count();

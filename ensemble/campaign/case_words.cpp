@@ -173,6 +173,12 @@ Words ice_words(const Scenario& scenario, std::uint64_t seed) {
 Words endless_words(const Scenario& scenario) {
     const double duration = scenario.analysis.steady_start + scenario.analysis.window;
     const double reach = scenario.reach();
+    if (scenario.arrangement.level())
+        return Words::of(
+            "the sheet has no end: rows of cells are joined to it ahead of a way of {:.4g} m in {:.4g} s; computed is "
+            "ice up to {:.4g} m ahead of the structure's axis and {:.4g} m behind it, at most {:.0f} elements at a "
+            "time",
+            reach, duration, scenario.window_ahead(), scenario.window_behind(), sheet_shape(scenario).elements());
     return Words::of(
         "the field has no end: it is laid in parts of {} floes, {:.4g} m long each, ahead of a tow of {:.4g} m in "
         "{:.4g} s; computed are floes up to {:.4g} m ahead of the structure's axis and {:.4g} m behind it, about "
@@ -310,14 +316,16 @@ Words kind_words(const Scenario& scenario) {
 Words floe_words(const Scenario& scenario) {
     const FloeShape& floe = scenario.floe;
     const bool sized = sizes_may_differ(scenario);
+    const bool without_end = scenario.arrangement.level() && scenario.field.endless();
     const Words size = sized                   ? side_words(scenario)
                        : scenario.shapes.any() ? Words::of("of {:.4g} m² each on average", floe.length * floe.breadth)
+                       : without_end           ? Words::of("{:.4g} m wide", floe.breadth)
                                                : Words::of("of {:.4g} m x {:.4g} m", floe.length, floe.breadth);
     const bool own_elements = sized && scenario.sizes.element != ElementSide::given;
     return Words::of("{}{} {} {}, {:.4g} m thick{}, in {} of {}, at {:.4g} %, {}",
-                     scenario.field.endless() ? "parts of " : "", scenario.field.floes, kind_words(scenario), size,
-                     floe.thickness, scenario.spread.thickness.any() ? " on average" : "",
-                     scenario.has_cells() ? "cells" : "squares",
+                     scenario.field.endless() && !without_end ? "parts of " : "", scenario.field.floes,
+                     without_end ? Words("sheet without end,") : kind_words(scenario), size, floe.thickness,
+                     scenario.spread.thickness.any() ? " on average" : "", scenario.has_cells() ? "cells" : "squares",
                      own_elements ? "a size that follows the floe" : Words::of("{:.4g} m", floe.element),
                      scenario.field.concentration / unit::percent, placing_words(scenario.arrangement.method));
 }

@@ -75,12 +75,12 @@ struct CaseFailures {
 
 /// None where floes differ in more than their elements, from each other or from one arrangement to the next: their
 /// places are not the same. Nor in a field without end if they differ in these: floes are numbered as they enter it,
-/// and not as they are drawn.
+/// and not as they are drawn. Nor in level ice without end, which is not one floe.
 std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case) {
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
     const FloeSet floes = floes_of(scenario);
     if (!floes.alike() || (scenario.shapes.any() && !scenario.shapes.from_file())) return std::nullopt;
-    if (scenario.field.endless() && floes.shapes.size() > 1) return std::nullopt;
+    if (scenario.field.endless() && (floes.shapes.size() > 1 || scenario.arrangement.level())) return std::nullopt;
     const CaseSummary& row = evidence.summary.cases[of_case];
     const FloeShape& floe = floes.shapes.front();
     const auto count = [&](double extent) {

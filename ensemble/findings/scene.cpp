@@ -35,10 +35,11 @@ FloeSet laid_floes(const Campaign& campaign, std::size_t of_case, int arrangemen
     LaidField laid = lay_field(scenario, arrangement_seed(campaign, static_cast<int>(of_case)),
                                static_cast<std::uint32_t>(arrangement));
     const double wanted = scenario.structure.start + scenario.window_ahead();
-    if (!laid.ahead.next || laid.ahead.end >= wanted) return std::move(laid.floes);
+    const FloeSet& first = laid.laid();
+    if (!laid.ahead.next || laid.ahead.end >= wanted) return first;
     std::vector<SingleFloe> all;
-    for (std::size_t i = 0; i < laid.floes.size(); ++i)
-        all.push_back({laid.floes.floes[i].pose, laid.floes.shape(i), laid.floes.material(i)});
+    for (std::size_t i = 0; i < first.size(); ++i)
+        all.push_back({first.floes[i].pose, first.shape(i), first.material(i)});
     for (double end = laid.ahead.end; end < wanted;) {
         FieldPart part = laid.ahead.next();
         end = part.end;

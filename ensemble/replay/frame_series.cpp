@@ -19,6 +19,7 @@ std::size_t FloeRoll::index_of(int number) const {
 
 void FloeRoll::enter(const Simulation& run, Frame& frame) {
     const IceField& ice = run.ice();
+    of_sheet_ = ice.is_sheet();
     std::vector<std::pair<int, int>> there;  // number, place
     for (int place = 0; place < ice.places(); ++place)
         if (ice.is_there(place)) there.emplace_back(ice.number_of(place), place);
@@ -62,6 +63,7 @@ void FloeRoll::enter(const Simulation& run, Frame& frame) {
 
 std::vector<BreakEvent> FloeRoll::breaks(const std::vector<BreakEvent>& of_run) const {
     std::vector<BreakEvent> found;
+    if (of_sheet_) return found;
     for (BreakEvent event : of_run) {
         const std::size_t index = index_of(event.floe);
         if (index == numbers_.size() || numbers_[index] != event.floe) continue;

@@ -28,7 +28,8 @@ class FloeRoll {
     FloeSet floes() const { return gathered(floes_); }
     const std::vector<int>& numbers() const { return numbers_; }  ///< of each: its place in the order of entry, from 0
 
-    /// Those of the breaks of the run that are of these floes, in the numbers of the record.
+    /// Those of the breaks of the run that are of these floes, in the numbers of the record. None of a sheet, whose
+    /// joints are between its elements, each a floe here: frames tell its pieces.
     std::vector<BreakEvent> breaks(const std::vector<BreakEvent>& of_run) const;
 
   private:
@@ -38,6 +39,7 @@ class FloeRoll {
     std::vector<SingleFloe> floes_;
     std::vector<int> first_element_;
     int elements_ = 0;
+    bool of_sheet_ = false;
 };
 
 // The part of a recording that grows: what each frame adds to the file. For this module only.

@@ -193,8 +193,23 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
     return made;
 }
 
+namespace {
+
+LaidField lay_sheet(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
+    const auto sheet = std::make_shared<EndlessSheet>(scenario, seed, number);
+    FieldPart first = sheet->next();
+    LaidField laid{{floes_of(scenario, {seed, number})},
+                   {first.end, [sheet] { return sheet->next(); }, std::move(first.joints)},
+                   gathered(first.floes)};
+    measure(laid.floes, scenario);
+    return laid;
+}
+
+}  // namespace
+
 LaidField lay_field(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
     if (!scenario.field.endless()) return {make_arrangement(scenario, seed, number), {}};
+    if (scenario.arrangement.level()) return lay_sheet(scenario, seed, number);
     const std::function<FieldPart()> next = parts_of(scenario, seed, number);
     const FieldPart first = next();
     LaidField laid{{gathered(first.floes)}, {first.end, next}};

@@ -28,8 +28,12 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
 
 /// The floes of a field with an end; of one without, those of its first part, and where the others come from.
 struct LaidField {
-    Arrangement floes;
-    IceAhead ahead;  ///< next is empty for a field with an end
+    Arrangement floes;  ///< of level ice one sheet, whether it ends or not
+    IceAhead ahead;     ///< next is empty for a field with an end
+    FloeSet cells{};    ///< of level ice without end, the elements of its first part
+
+    /// What is in the water at the start.
+    const FloeSet& laid() const { return cells.size() > 0 ? cells : floes; }
 };
 
 /// As make_arrangement(), with what lies beyond.

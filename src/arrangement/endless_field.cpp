@@ -99,6 +99,88 @@ void CellField::check_beside_last(const std::vector<SingleFloe>& floes) const {
 
 namespace {
 
+constexpr int rows_in_a_part = 2;
+
+/// Steps of Lloyd's, after which cells are much alike, and so is their stiffness in all directions (docs/fracture.md).
+constexpr int steps_of_sheet = 20;
+
+/// How far a cell reaches at most, in sides of an element.
+constexpr double longest_cell = 3;
+
+SingleFloe sheet_of(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
+    const FloeSet sheet = floes_of(scenario, {seed, number});
+    return {sheet.floes[0].pose, sheet.shape(0), sheet.material(0)};
+}
+
+std::size_t cells_in_a_part(const FloeShape& sheet) {
+    return static_cast<std::size_t>(rows_in_a_part * std::max(1L, std::lround(sheet.breadth / sheet.element)));
+}
+
+WaterArea first_strip(const Scenario& scenario, const FloeShape& sheet) {
+    const double area = static_cast<double>(cells_in_a_part(sheet)) * sheet.element * sheet.element;
+    return {scenario.field.begin, -sheet.breadth / 2, area / sheet.breadth, sheet.breadth};
+}
+
+}  // namespace
+
+EndlessSheet::EndlessSheet(const Scenario& scenario, std::uint64_t seed, std::uint32_t number)
+    : sheet_(sheet_of(scenario, seed, number)),
+      seed_(seed),
+      number_(number),
+      cells_(cells_in_a_part(sheet_.shape)),
+      strip_(first_strip(scenario, sheet_.shape)),
+      diagram_(strip_, steps_of_sheet) {}
+
+void EndlessSheet::throw_points() {
+    RandomStream random(seed_, number_, StreamId::elements, ++thrown_);
+    std::vector<Corner> points;
+    for (std::size_t i = 0; i < cells_; ++i) {
+        const double x = random.uniform(strip_.low_x, strip_.low_x + strip_.length);
+        points.push_back({x, random.uniform(strip_.low_z, strip_.low_z + strip_.breadth)});
+    }
+    diagram_.add(points);
+    strip_.low_x += strip_.length;
+}
+
+void EndlessSheet::join(const Laid& cell, std::vector<CutJoint>& joints) const {
+    for (const Laid& other : edge_) {
+        std::optional<CutJoint> joint =
+            joint_between(cell.corners, cell.centre, other.corners, other.centre, sheet_.shape.element);
+        if (!joint) continue;
+        joint->a = cell.number;
+        joint->b = other.number;
+        joints.push_back(*joint);
+    }
+}
+
+FieldPart EndlessSheet::next() {
+    FieldPart part;
+    while (diagram_.ready() < cells_ + 1) throw_points();  // and the one beyond, which says where the part ends
+    for (std::size_t i = 0; i < cells_; ++i) {
+        const Measures measures = measures_of(diagram_.cell(i));
+        SingleFloe& floe = part.floes.emplace_back(sheet_);
+        floe.pose = {measures.centroid.x, measures.centroid.z, 0};
+        floe.shape.outline = in_axes(diagram_.cell(i), measures.centroid, {1, 0});
+        const Corner size = size_of(floe.shape.outline);
+        floe.shape.length = size.x;
+        floe.shape.breadth = size.z;
+        floe.shape.element = std::sqrt(measures.area);
+        floe.shape.pattern = 0;
+        const CutElement cut = floe.shape.cut().elements.front();
+        const Corner centre = cut.centre + Corner{floe.pose.x, floe.pose.z};
+        const Laid cell{laid_++, centre, from_axes(cut.corners, centre, cut.axis)};
+        join(cell, part.joints);
+        edge_.push_back(cell);
+    }
+    part.end = 0.5 * (diagram_.middle_x(cells_ - 1) + diagram_.middle_x(cells_));
+    diagram_.take(cells_);
+    std::erase_if(edge_,
+                  [&](const Laid& one) { return one.centre.x < part.end - longest_cell * sheet_.shape.element; });
+    return part;
+}
+
+namespace {
+
 /// The straight wall ahead of the floes that wait crowds and orders those beside it. So these are thrown again, and all
 /// that wait are so many that none that stays saw the wall. In diagonals of the largest floe.
 constexpr double diagonals_at_the_wall = 1.5;

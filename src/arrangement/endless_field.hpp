@@ -42,6 +42,42 @@ class CellField {
     std::vector<SingleFloe> last_;  // part
 };
 
+// Level ice without end: the cells of one Voronoi diagram that does not end (shapes/drawn.hpp), relaxed until they are
+// much alike, laid part after part and joined to those that lie. The sheet begins at field.begin_m and has straight
+// sides.
+//
+// Part k is the same whatever the length of the run: a pure function of (scenario, seed, number, k).
+
+class EndlessSheet {
+  public:
+    /// Nothing is laid yet. The scenario's arrangement.method is level.
+    EndlessSheet(const Scenario& scenario, std::uint64_t seed, std::uint32_t number);
+
+    /// Lays the next part, some rows of cells, in the order of their middles' x; all parts have equally many.
+    FieldPart next();
+
+  private:
+    /// A cell that others may still be joined to.
+    struct Laid {
+        int number;
+        Corner centre;    ///< m, in the field
+        Outline corners;  ///< likewise
+    };
+
+    void throw_points();
+    void join(const Laid& cell, std::vector<CutJoint>& joints) const;
+
+    SingleFloe sheet_;  ///< the ice of all of it
+    std::uint64_t seed_;
+    std::uint32_t number_;
+    std::size_t cells_;  ///< of a part
+    WaterArea strip_;    ///< of the points that are thrown next
+    EndlessCells diagram_;
+    std::uint64_t thrown_ = 0;  ///< times
+    int laid_ = 0;              ///< cells
+    std::vector<Laid> edge_;    ///< by number
+};
+
 // A field without end of rectangles or polygons, laid part after part as a tow needs it: each of field.floes floes,
 // scattered and pushed apart beside the floes of the part before, which stay where they are. There is no seam: ahead of
 // each part wait more floes, between it and the straight wall against which all were packed. When the next part is

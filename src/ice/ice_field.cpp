@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -114,7 +115,8 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
     const bool again = place < floes_.size();
     const auto first = again ? static_cast<std::size_t>(floes_[place].first) : elements_.size();
     if (!again) floes_.emplace_back();
-    Sheet& sheet = floes_[place] = {static_cast<int>(first), entered_++, cut};
+    Sheet& sheet = floes_[place] = {
+        .first = static_cast<int>(first), .number = entered_++, .cut = cut, .laid = {floe.pose.x, floe.pose.z}};
     const double pressure = scenario.contact_law(material.ice).crushing_pressure;
     const double crushing = pressure > 0 ? pressure : material.ice.compressive_strength;
     const bool on_all = water.form_drag_on == FormDragOn::every_element;
@@ -152,9 +154,43 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                               .erp = material.joint.erp,
                               .spring = joint_spring(here.shape, here.material, joint.length, joint.span)});
         sheet.joints.push_back(at);
-        joints_.push_back({joint_ids_[at], static_cast<int>(place), static_cast<int>(number), joint.a, joint.b, at});
-        if (stress_) feel(joints_.back(), first);
+        joints_.push_back({joint_ids_[at], static_cast<int>(place), static_cast<int>(number),
+                           static_cast<int>(first) + joint.a, static_cast<int>(first) + joint.b, at});
+        if (stress_) feel(joints_.back());
     }
+}
+
+void IceField::join(World& world, const SingleFloe& of, std::span<const CutJoint> joints) {
+    sheet_ = true;
+    PlacedIce ice(of);
+    for (const CutJoint& one : joints) {
+        const int place = place_of(one.a);
+        Sheet& sheet = floes_[static_cast<std::size_t>(place)];
+        const int other = floes_[static_cast<std::size_t>(place_of(one.b))].first;
+        IceElement& a = elements_[static_cast<std::size_t>(sheet.first)];
+        IceElement& b = elements_[static_cast<std::size_t>(other)];
+        CutJoint& own = sheet.outer.emplace_back(one);
+        own.a = own.b = 0;
+        own.pivot = one.pivot - sheet.laid;
+        const SingleFloe& here = ice.at(sheet.laid + own.pivot);
+        sheet.strength.push_back(joint_strength(here.shape, here.material, own.length, own.span));
+        const Vec3 middle = world.state(a.body).position - flat(sheet.cut->elements.front().centre);
+        const std::size_t made =
+            put_joint(world, {.a = a.body,
+                              .b = b.body,
+                              .pivot = middle + flat(own.pivot),
+                              .frame = turned_to(own.normal),
+                              .cfm = of.material.joint.cfm,
+                              .erp = of.material.joint.erp,
+                              .spring = joint_spring(here.shape, here.material, own.length, own.span)});
+        const auto number = static_cast<int>(sheet.joints.size());
+        sheet.joints.push_back(made);
+        joints_.push_back({joint_ids_[made], place, number, sheet.first, other, made});
+        if (stress_) feel(joints_.back());
+        a.exposed_edges &= ~own.edge_a;
+        b.exposed_edges &= ~own.edge_b;
+    }
+    regroup(world, 0, elements_.size());
 }
 
 void IceField::hold_edge(World& world, const SingleFloe& floe, int place, BodyId support, const Vec3& outwards) {
@@ -199,18 +235,28 @@ Vec3 IceField::force_on_supports(const World& world) const {
         const JointReaction reaction = world.reaction(one.joint);
         sum -= one.axes * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
     }
+    for (const Joint& joint : joints_) {
+        if (!sheet_) break;
+        const auto rests = [&](int element) { return floes_[static_cast<std::size_t>(at(element).floe)].rests; };
+        if (rests(joint.a) == rests(joint.b)) continue;
+        const JointReaction reaction = world.reaction(joint.id);
+        const Vec3 on_a =
+            turned_to(cut_joint(joint).normal) * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
+        sum += rests(joint.a) ? on_a : Vec3(-on_a);
+    }
     return sum;
 }
 
-/// Tells the stress of a joint that was just made; `first`: the first element of its floe.
-void IceField::feel(const Joint& joint, std::size_t first) {
+/// Tells the stress of a joint that was just made.
+void IceField::feel(const Joint& joint) {
     const CutJoint& cut = cut_joint(joint);
     const auto of = [&](int element, double way, unsigned edge) {
-        const Corner& centre = floe_of(joint).cut->elements[static_cast<std::size_t>(element)].centre;
+        const Corner beside = floes_[static_cast<std::size_t>(at(element).floe)].laid - floe_of(joint).laid;
+        const Corner centre = cut_element(at(element)).centre + beside;
         return ElementJoint{way * cut.normal, cut.pivot - centre, cut.length, cut.span, edge};
     };
-    stress_->put_joint(joint.place, joint.id, first + static_cast<std::size_t>(cut.a), of(cut.a, 1, cut.edge_a),
-                       first + static_cast<std::size_t>(cut.b), of(cut.b, -1, cut.edge_b));
+    stress_->put_joint(joint.place, joint.id, static_cast<std::size_t>(joint.a), of(joint.a, 1, cut.edge_a),
+                       static_cast<std::size_t>(joint.b), of(joint.b, -1, cut.edge_b));
 }
 
 /// At the end, or in place of an element that has left.
@@ -269,9 +315,8 @@ double IceField::joint_power(const World& world, std::span<const BodyState> befo
                              std::span<const Vec3> angular_velocity) const {
     double sum = 0;
     for (const Joint& joint : joints_) {
-        const Sheet& sheet = floe_of(joint);
-        const auto a = static_cast<std::size_t>(sheet.first + joint.a);
-        const auto b = static_cast<std::size_t>(sheet.first + joint.b);
+        const auto a = static_cast<std::size_t>(joint.a);
+        const auto b = static_cast<std::size_t>(joint.b);
         const JointReaction reaction = world.reaction(joint.id);
         const JointPlace at = joint_place(joint, before[a]);
         const Mat3& frame = at.axes;
@@ -304,8 +349,10 @@ void IceField::repeat_breaks(World& world, std::span<const BreakEvent> breaks) {
 void IceField::fail(World& world, const Joint& joint, const BreakEvent& event) {
     world.remove_joint(joint.id);
     if (stress_) failed_.push_back(joint.place);
-    Sheet& sheet = floes_[static_cast<std::size_t>(joint.floe)];
-    sheet.cracked = sheet.broken = true;
+    for (const int element : {joint.a, joint.b}) {
+        Sheet& sheet = floes_[static_cast<std::size_t>(at(element).floe)];
+        sheet.cracked = sheet.broken = true;
+    }
     expose_edges(joint);
     breaks_.push_back(event);
 }
@@ -313,26 +360,26 @@ void IceField::fail(World& world, const Joint& joint, const BreakEvent& event) {
 void IceField::split_broken(World& world, std::size_t first_break) {
     for (const std::size_t joint : failed_) stress_->remove_joint(joint);
     failed_.clear();
+    if (sheet_ && first_break < breaks_.size()) return regroup(world, 0, elements_.size());
     for (std::size_t i = first_break; i < breaks_.size(); ++i) {
-        if (i == first_break || breaks_[i].floe != breaks_[i - 1].floe) split_pieces(world, place_of(breaks_[i].floe));
+        if (i != first_break && breaks_[i].floe == breaks_[i - 1].floe) continue;
+        const Sheet& sheet = floes_[static_cast<std::size_t>(place_of(breaks_[i].floe))];
+        regroup(world, static_cast<std::size_t>(sheet.first), static_cast<std::size_t>(sheet.elements()));
     }
 }
 
 void IceField::expose_edges(const Joint& joint) {
-    const int first = floe_of(joint).first;
     const CutJoint& cut = cut_joint(joint);
-    elements_[static_cast<std::size_t>(first + cut.a)].exposed_edges |= cut.edge_a;
-    elements_[static_cast<std::size_t>(first + cut.b)].exposed_edges |= cut.edge_b;
+    elements_[static_cast<std::size_t>(joint.a)].exposed_edges |= cut.edge_a;
+    elements_[static_cast<std::size_t>(joint.b)].exposed_edges |= cut.edge_b;
 }
 
-void IceField::split_pieces(World& world, int floe) {
-    const Sheet& sheet = floes_[static_cast<std::size_t>(floe)];
-    const auto first = static_cast<std::size_t>(sheet.first);
-    const auto count = static_cast<std::size_t>(sheet.elements());
+/// Finds the pieces of these elements, which no joint connects to others.
+void IceField::regroup(World& world, std::size_t first, std::size_t count) {
     Components pieces(count);
     for (const Joint& joint : joints_) {
-        if (joint.floe != floe) continue;
-        pieces.connect(static_cast<std::size_t>(joint.a), static_cast<std::size_t>(joint.b));
+        const std::size_t a = static_cast<std::size_t>(joint.a) - first;
+        if (a < count) pieces.connect(a, static_cast<std::size_t>(joint.b) - first);
     }
     for (std::size_t index = 0; index < count; ++index) {
         IceElement& element = elements_[first + index];
@@ -349,25 +396,86 @@ int IceField::enter(World& world, const Scenario& scenario, const SingleFloe& fl
     return place_of(number);
 }
 
-void IceField::leave(World& world, int place) {
-    Sheet& sheet = floes_[static_cast<std::size_t>(place)];
-    const int pieces = pieces_at(sheet);
-    left_.broken += sheet.broken ? 1 : 0;
-    left_.cracked += sheet.cracked ? 1 : 0;
-    left_.split += pieces > 1 ? 1 : 0;
-    left_.pieces += pieces;
-    add_piece_areas(sheet, left_.areas);
-    sheet.there = false;
+std::vector<int> IceField::behind(std::span<const BodyState> states, double x) const {
+    // Of a sheet a piece that is held goes element by element, others as a whole.
+    const std::vector<bool> held = held_pieces();
+    std::vector<bool> is_ahead(elements_.size());  // by the first element of a piece or, without a sheet, of a floe
+    const auto first_of = [&](const IceElement& element) {
+        return static_cast<std::size_t>(sheet_ ? element.piece : floes_[static_cast<std::size_t>(element.floe)].first);
+    };
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+        if (is_there(elements_[i].floe) && !(states[i].position.x() < x)) is_ahead[first_of(elements_[i])] = true;
+    std::vector<int> found;
+    for (int place = 0; place < places(); ++place) {
+        if (!is_there(place) || rests(place)) continue;
+        const auto first = static_cast<std::size_t>(first_element(place));
+        const bool alone = sheet_ && held[first_of(elements_[first])];
+        if (alone ? states[first].position.x() < x : !is_ahead[first_of(elements_[first])]) found.push_back(place);
+    }
+    return found;
+}
+
+void IceField::leave(World& world, std::span<const int> places) {
+    if (sheet_) {
+        const std::map<int, double> pieces = loose_pieces(places);
+        left_.pieces += static_cast<int>(pieces.size());
+        for (const auto& [piece, area] : pieces) left_.areas.push_back({0, area});
+    }
+    for (const int place : places) {
+        Sheet& sheet = floes_[static_cast<std::size_t>(place)];
+        left_.broken += sheet.broken ? 1 : 0;
+        left_.cracked += sheet.cracked ? 1 : 0;
+        if (!sheet_) {
+            const int pieces = pieces_at(sheet);
+            left_.split += pieces > 1 ? 1 : 0;
+            left_.pieces += pieces;
+            add_piece_areas(sheet, left_.areas);
+        }
+        sheet.there = false;
+    }
+    const auto has_left = [&](const Joint& joint) {
+        return !is_there(at(joint.a).floe) || !is_there(at(joint.b).floe);
+    };
     for (const Joint& joint : joints_) {
-        if (joint.floe != place) continue;
+        if (!has_left(joint)) continue;
         world.remove_joint(joint.id);
         if (stress_) stress_->remove_joint(joint.place);
+        if (sheet_) expose_edges(joint);
     }
-    std::erase_if(joints_, [&](const Joint& joint) { return joint.floe == place; });
-    free_joints_.insert(free_joints_.end(), sheet.joints.begin(), sheet.joints.end());
+    std::erase_if(joints_, has_left);
+    for (const int place : places) {
+        const Sheet& sheet = floes_[static_cast<std::size_t>(place)];
+        free_joints_.insert(free_joints_.end(), sheet.joints.begin(), sheet.joints.end());
+        for (int index = 0; index < sheet.elements(); ++index)
+            world.take_out(elements_[static_cast<std::size_t>(sheet.first + index)].body);
+    }
     std::ranges::sort(free_joints_, std::ranges::greater());
-    for (int index = 0; index < sheet.elements(); ++index)
-        world.take_out(elements_[static_cast<std::size_t>(sheet.first + index)].body);
+    if (sheet_ && !places.empty()) regroup(world, 0, elements_.size());
+}
+
+std::vector<bool> IceField::held_pieces() const {
+    std::vector<bool> held(elements_.size());
+    for (const IceElement& element : elements_)
+        if (is_there(element.floe) && rests(element.floe)) held[static_cast<std::size_t>(element.piece)] = true;
+    return held;
+}
+
+/// Areas of the sheet's pieces that have broken off, of the floes at these places.
+std::map<int, double> IceField::loose_pieces(std::span<const int> places) const {
+    const std::vector<bool> held = held_pieces();
+    std::map<int, double> found;
+    for (const int place : places) {
+        const IceElement& element = elements_[static_cast<std::size_t>(first_element(place))];
+        if (is_there(place) && !held[static_cast<std::size_t>(element.piece)])
+            found[element.piece] += cut_element(element).area;
+    }
+    return found;
+}
+
+std::vector<int> IceField::all_places() const {
+    std::vector<int> all(floes_.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
 }
 
 int IceField::place_of(int number) const {
@@ -395,6 +503,7 @@ int IceField::split_floes() const {
 
 int IceField::pieces() const {
     int found = left_.pieces;
+    if (sheet_) return found + static_cast<int>(loose_pieces(all_places()).size()) + 1;
     for (const Sheet& sheet : floes_)
         if (sheet.there) found += pieces_at(sheet);
     return found;
@@ -412,6 +521,10 @@ void IceField::add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas
 
 std::vector<PieceArea> IceField::piece_areas() const {
     std::vector<PieceArea> areas = left_.areas;
+    if (sheet_) {
+        for (const auto& [piece, area] : loose_pieces(all_places())) areas.push_back({0, area});
+        return areas;
+    }
     for (const Sheet& sheet : floes_)
         if (sheet.there) add_piece_areas(sheet, areas);
     std::ranges::stable_sort(areas, {}, &PieceArea::floe);
@@ -434,11 +547,10 @@ Vec2 horizontal(const Vec3& v) {
 }  // namespace
 
 IceField::Turned IceField::turned(const World& world, const Joint& joint) const {
-    const auto first = static_cast<std::size_t>(floe_of(joint).first);
-    const BodyState a = world.state(elements_[first + static_cast<std::size_t>(joint.a)].body);
-    const BodyState b = world.state(elements_[first + static_cast<std::size_t>(joint.b)].body);
-    const Mat3 axes = floe_axes(joint, joint.a, a);
-    const Mat3 between = axes.transpose() * floe_axes(joint, joint.b, b);
+    const BodyState a = world.state(at(joint.a).body);
+    const BodyState b = world.state(at(joint.b).body);
+    const Mat3 axes = floe_axes(joint.a, a);
+    const Mat3 between = axes.transpose() * floe_axes(joint.b, b);
     const Vec2 angles(0.5 * (between(2, 1) - between(1, 2)), 0.5 * (between(1, 0) - between(0, 1)));
     const double angle = angles.norm();
     if (!(angle > 0)) return {};
@@ -487,7 +599,6 @@ std::optional<FailureMode> IceField::crack_on(World& world, Joint& joint) {
 void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {
     worst.assign(elements_.size(), 0.0);
     for (const Joint& joint : joints_) {
-        const Sheet& sheet = floe_of(joint);
         double used = 0;
         if (!stress_)
             used = utilisation(world.reaction(joint.id), strength_of(joint).thresholds);
@@ -496,23 +607,22 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
         else
             used = utilisation(stress_->load(joint.place), strength_of(joint).section, strength_of(joint).thresholds)
                        .share;
-        const auto first = static_cast<std::size_t>(sheet.first);
         for (const int index : {joint.a, joint.b}) {
-            double& element = worst[first + static_cast<std::size_t>(index)];
+            double& element = worst[static_cast<std::size_t>(index)];
             element = std::max(element, used);
         }
     }
 }
 
-Mat3 IceField::floe_axes(const Joint& joint, int element, const BodyState& state) const {
-    const Corner& axis = floe_of(joint).cut->elements[static_cast<std::size_t>(element)].axis;
+Mat3 IceField::floe_axes(int element, const BodyState& state) const {
+    const Corner& axis = cut_element(at(element)).axis;
     return state.rotation * turned_to(axis).toRotationMatrix().transpose();
 }
 
 IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& a) const {
     const CutJoint& cut = cut_joint(joint);
     const Corner beside = cut.pivot - floe_of(joint).cut->elements[static_cast<std::size_t>(cut.a)].centre;
-    const Mat3 axes = floe_axes(joint, cut.a, a) * turned_to(cut.normal).toRotationMatrix();
+    const Mat3 axes = floe_axes(joint.a, a) * turned_to(cut.normal).toRotationMatrix();
     return {axes, a.position + 0.5 * cut.span * axes.col(0) + cross(cut.normal, beside) * axes.col(2)};
 }
 
@@ -523,18 +633,20 @@ void IceField::Joint::archive(StateArchive& state) {
 }
 
 void IceField::Sheet::archive(StateArchive& state) {
-    auto& [element, entry, elements_of, strengths, made, has_cracked, has_broken, is_there, is_at_rest] = *this;
-    state(element, entry, made, has_cracked, has_broken, is_there, is_at_rest);  // the others follow from the floe
+    auto& [element, entry, elements_of, strengths, made, to_others, middle, has_cracked, has_broken, is_there,
+           is_at_rest] = *this;
+    state(element, entry, made, to_others, has_cracked, has_broken, is_there,
+          is_at_rest);  // the others follow from the floe
 }
 
 void IceField::archive(StateArchive& state) {
-    auto& [sheets, elements, element_of_body, joint_ids, supports, free_joints, entered, left, joints, breaks, peaks,
-           time_step, stress, failed, fracture_work] = *this;
+    auto& [sheets, elements, element_of_body, joint_ids, supports, free_joints, entered, sheet, left, joints, breaks,
+           peaks, time_step, stress, failed, fracture_work] = *this;
     state.list(sheets, Sheet{0, 0, nullptr});
     state.list(elements, IceElement{BodyId(0)});
     state.list(joint_ids, JointId(0));
     state.list(joints, Joint{JointId(0), 0, 0, 0, 0, 0});
-    state(element_of_body, free_joints, entered, left, breaks, peaks, fracture_work);
+    state(element_of_body, free_joints, entered, sheet, left, breaks, peaks, fracture_work);
     if (stress) stress->archive(state);
 }
 
@@ -542,6 +654,13 @@ void IceField::set_floe(int place, const SingleFloe& floe) {
     Sheet& sheet = floes_[static_cast<std::size_t>(place)];
     sheet.cut = std::make_shared<const CutFloe>(floe.shape.cut());
     sheet.strength = floes::strength_of(floe, *sheet.cut);
+    sheet.laid = {floe.pose.x, floe.pose.z};
+    if (sheet.outer.empty()) return;
+    PlacedIce ice(floe);
+    for (const CutJoint& joint : sheet.outer) {
+        const SingleFloe& here = ice.at(sheet.laid + joint.pivot);
+        sheet.strength.push_back(joint_strength(here.shape, here.material, joint.length, joint.span));
+    }
 }
 
 }  // namespace floes

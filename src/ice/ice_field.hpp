@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -91,19 +92,40 @@ class IceField {
     /// Returns its place: the index by which elements() and the functions below know it.
     int enter(World& world, const Scenario& scenario, const SingleFloe& floe);
 
+    /// Joins floes that are elements of one sheet (FieldPart): numbers of floes in the order of entry, those of `a`
+    /// that entered last. All lie as they were laid, or are moved by one way along x. `of`: the ice of the sheet. From
+    /// now on pieces may be of many floes.
+    void join(World& world, const SingleFloe& of, std::span<const CutJoint> joints);
+
     /// Freezes the straight edge of the floe at this place, whose outward normal is along one of the world's axes, to a
     /// body that nothing moves: each rim element there is held as by a clamp at the edge. These joints never fail; the
     /// next ones towards the middle do. Of beam joints.
     void hold_edge(World& world, const SingleFloe& floe, int place, BodyId support, const Vec3& outwards);
 
-    /// Force of the ice on what holds its edges in the world's last step, N, along the world's axes at the start.
+    /// Force of the ice on what holds its edges, or on floes at rest to which it is joined, in the world's last step,
+    /// N, along the world's axes at the start.
     Vec3 force_on_supports(const World& world) const;
 
-    /// Takes the floe at this place out of the world; the counts below keep it.
-    void leave(World& world, int place);
+    /// Places of the floes, not at rest, of which nothing lies at x or farther ahead, m; given the states of all
+    /// elements. Of a sheet: of pieces that lie behind as a whole, and of what is joined to floes at rest whatever
+    /// does.
+    std::vector<int> behind(std::span<const BodyState> states, double x) const;
+
+    /// Takes the floes at these places out of the world; the counts below keep them.
+    void leave(World& world, std::span<const int> places);
 
     /// A floe at rest does not fail, and nor do its joints crack.
     void set_resting(int place, bool rests) { floes_[static_cast<std::size_t>(place)].rests = rests; }
+
+    bool rests(int place) const { return floes_[static_cast<std::size_t>(place)].rests; }
+
+    /// Whether floes are the elements of a sheet.
+    bool is_sheet() const { return sheet_; }
+
+    /// Where an element's centroid is in the axes that its piece was cut in, m.
+    Corner centre(const IceElement& element) const {
+        return cut_element(element).centre + floes_[static_cast<std::size_t>(element.floe)].laid;
+    }
 
     bool is_there(int place) const { return floes_[static_cast<std::size_t>(place)].there; }
 
@@ -172,7 +194,7 @@ class IceField {
         JointId id;
         int floe;           // its place
         int number;         // in the floe
-        int a, b;           // elements of the floe
+        int a, b;           // elements, in elements_; b may be of another floe of the sheet
         std::size_t place;  // among all joints ever made
         std::optional<Crack> crack{};
 
@@ -186,6 +208,8 @@ class IceField {
         std::shared_ptr<const CutFloe> cut;
         std::vector<JointStrength> strength{};  // of the joints, by number
         std::vector<std::size_t> joints{};      // likewise, which of those ever made
+        std::vector<CutJoint> outer{};          // to others of its sheet, from element 0; pivots in its own axes
+        Corner laid{};                          // where it was laid, m
         bool cracked = false;
         bool broken = false;
         bool there = true;
@@ -213,30 +237,36 @@ class IceField {
     std::optional<FailureMode> crack_on(World& world, Joint& joint);
 
     int pieces_at(const Sheet& sheet) const;
+    /// Which of elements_ are first elements of a piece that is joined to floes at rest.
+    std::vector<bool> held_pieces() const;
+    std::map<int, double> loose_pieces(std::span<const int> places) const;
+    std::vector<int> all_places() const;
+    void regroup(World& world, std::size_t first, std::size_t count);
     void add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas) const;
     void add_floe(World& world, const Scenario& scenario, const SingleFloe& floe, std::shared_ptr<const CutFloe> cut);
     void put_element(World& world, std::size_t at, const IceElement& element, const ElementDefinition& definition);
     std::size_t put_joint(World& world, const JointDefinition& definition);
-    void feel(const Joint& joint, std::size_t first);
+    void feel(const Joint& joint);
     /// Where a joint is, by the state of its element a.
     struct JointPlace {
         Mat3 axes;   ///< joint -> world
         Vec3 pivot;  ///< m
     };
     JointPlace joint_place(const Joint& joint, const BodyState& a) const;
-    /// The axes of the joint's floe as an element of it has them; floe -> world.
-    Mat3 floe_axes(const Joint& joint, int element, const BodyState& state) const;
+    /// The axes of its floe as an element has them; floe -> world.
+    Mat3 floe_axes(int element, const BodyState& state) const;
+    const IceElement& at(int element) const { return elements_[static_cast<std::size_t>(element)]; }
     const Sheet& floe_of(const Joint& joint) const { return floes_[static_cast<std::size_t>(joint.floe)]; }
     const JointStrength& strength_of(const Joint& joint) const {
         return floe_of(joint).strength[static_cast<std::size_t>(joint.number)];
     }
     const CutJoint& cut_joint(const Joint& joint) const {
-        return floe_of(joint).cut->joints[static_cast<std::size_t>(joint.number)];
+        const Sheet& sheet = floe_of(joint);
+        return (sheet_ ? sheet.outer : sheet.cut->joints)[static_cast<std::size_t>(joint.number)];
     }
     void fail(World& world, const Joint& joint, const BreakEvent& event);
     void split_broken(World& world, std::size_t first_break);
     void expose_edges(const Joint& joint);
-    void split_pieces(World& world, int floe);
 
     std::vector<Sheet> floes_;
     std::vector<IceElement> elements_;
@@ -249,6 +279,7 @@ class IceField {
     std::vector<Support> supports_;         // joints to bodies that hold an edge
     std::vector<std::size_t> free_joints_;  // of these, joints of floes that have left; the first last
     int entered_ = 0;
+    bool sheet_ = false;
     Left left_;
     std::vector<Joint> joints_;  // live, in order of creation
     std::vector<BreakEvent> breaks_;

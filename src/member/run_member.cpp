@@ -97,7 +97,7 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.failure_ratio = ice.broken_floes() / entered;
     result.split_ratio = ice.split_floes() / entered;
     result.cracked_ratio = ice.cracked_floes() / entered;
-    result.pieces = ice.pieces() - simulation.floes_resting();
+    result.pieces = ice.pieces() - (ice.is_sheet() ? 0 : simulation.floes_resting());
     result.piece_areas = ice.piece_areas();
     result.fracture_work = ice.fracture_work();
     result.mean_sweeps = simulation.mean_sweeps();

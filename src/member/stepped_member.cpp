@@ -18,7 +18,7 @@ SteppedMember::SteppedMember(const Scenario& scenario, std::uint64_t seed, std::
 }
 
 void SteppedMember::begin() {
-    simulation_.emplace(scenario_, laid_.floes, std::move(laid_.ahead));
+    simulation_.emplace(scenario_, laid_.laid(), std::move(laid_.ahead));
     if (led_) simulation_->lead_hull(led_from_);
 }
 

@@ -84,8 +84,8 @@ void check_window(const Scenario& scenario, Contradictions& found) {
     const auto check = [&](const std::string& key, double length, const char* what) {
         if (length > least) return;
         refuse(scenario, found, {key, "structure.profile_m", "field.half_width_m"},
-               "<{}> is {:.4g} m, and {} nearer than the structure's radius and a floe's diagonal, {:.4g} m; take more",
-               key, length, what, least);
+               "<{}> is {:.4g} m, and {} nearer than the structure's radius and {}, {:.4g} m; take more", key, length,
+               what, scenario.arrangement.level() ? "two elements" : "a floe's diagonal", least);
     };
     check("field.ahead_m", scenario.window_ahead(), "the structure would strike floes at rest when they are");
     check("field.behind_m", scenario.window_behind(), "floes would be taken out while they touch it when they are");
@@ -102,6 +102,7 @@ void check_window(const Scenario& scenario, Contradictions& found) {
 
 double window_least(const Scenario& scenario) {
     double diagonal = 0;
+    if (scenario.arrangement.level()) return scenario.structure.shape.largest_radius() + 2 * scenario.floe.element;
     for (const FloeShape& shape : floe_sizes(scenario))
         diagonal = std::max(diagonal, std::hypot(shape.length, shape.breadth));
     return scenario.structure.shape.largest_radius() + diagonal;
@@ -110,8 +111,10 @@ double window_least(const Scenario& scenario) {
 void check_endless(const Scenario& scenario, Contradictions& found) {
     if (!scenario.field.endless()) return;
     check_rest(scenario, found);
-    check_tiles(scenario, found);
-    if (scenario.arrangement.method != ArrangementMethod::scattered) return;
+    if (!scenario.arrangement.level()) {
+        check_tiles(scenario, found);
+        if (scenario.arrangement.method != ArrangementMethod::scattered) return;
+    }
     const std::size_t before = found.size();
     check_window(scenario, found);
     if (found.size() == before) check_way_back(scenario, found);
@@ -133,6 +136,15 @@ void check_sheet_alone(const Scenario& scenario, Contradictions& found) {
     needs(!scenario.shapes.any(), "shapes.kind", "the sheet is a rectangle", "\"rectangle\"");
     needs(scenario.sizes.law == SizeLaw::one, "sizes.law", "level ice is one sheet", "\"one\"");
     needs(scenario.arrangement.columns.empty(), "arrangement.columns", "no file gives the sheet", "none");
+    if (!scenario.field.endless()) return;
+    if (scenario.field.level_held == LevelHeld::nowhere)
+        refuse(scenario, found, {"field.level_held", far_end},
+               "<field.level_held> does not go together with <{}>: the sheet goes on ahead; take \"far_end\"", far_end);
+    if (!scenario.has_cells())
+        refuse(scenario, found, {"floe.elements", far_end},
+               "<floe.elements> does not go together with <{}>, whose cells go on without a seam; take \"cells\" with "
+               "joint.model = \"beam\"",
+               far_end);
 }
 
 /// Where it is frozen to the ice sheets round the field.
@@ -147,7 +159,12 @@ void check_held(const Scenario& scenario, Contradictions& found) {
                    "field.level_held = \"nowhere\"",
                    key, held, reason, instead);
     };
-    needs(field.far_end == FarEnd::ice_sheet, "field.far_end", "there is nothing to freeze to", "\"ice_sheet\"");
+    needs(field.far_end != FarEnd::open, "field.far_end", "there is nothing to freeze to",
+          "\"ice_sheet\" or \"never\"");
+    if (at_sides && field.endless())
+        refuse(scenario, found, {held, far_end},
+               "<{}> does not go together with <{}>: ice that stays at the sides would never leave; take \"far_end\"",
+               held, far_end);
     needs(!at_sides || field.sides == FieldSides::ice_sheet, "field.sides", "there is nothing to freeze to",
           "\"ice_sheet\"");
     needs(scenario.general.solver == SolverKind::direct && scenario.joint.model == JointModel::beam, "general.solver",

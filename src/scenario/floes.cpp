@@ -81,6 +81,12 @@ bool sizes_may_differ(const Scenario& scenario) {
     return !scenario.arrangement.columns.empty() || scenario.sizes.law != SizeLaw::one || scenario.shapes.from_file();
 }
 
+FloeShape sheet_shape(const Scenario& scenario) {
+    FloeShape shape = scenario.floe;
+    if (scenario.field.endless()) shape.length = scenario.field_length();
+    return shape;
+}
+
 double computed_floes(const Scenario& scenario) {
     if (!scenario.field.endless()) return scenario.field.floes;
     return scenario.field.floes * (scenario.window_ahead() + scenario.window_behind()) / scenario.field_length();
@@ -114,13 +120,6 @@ namespace {
 /// In single precision, so that it does not show that C libraries differ in the last bits of pow().
 double single(double value) {
     return static_cast<float>(value);
-}
-
-/// (E h³ / (12 (1 - ν²) ρ_w g))^¼, m: of the scenario's own ice, so that no draw of the ice changes the elements.
-double characteristic_length(const Scenario& scenario) {
-    const double nu = scenario.ice.poisson_ratio;
-    const double rigidity = scenario.ice.elastic_modulus * std::pow(scenario.floe.thickness, 3) / (12 * (1 - nu * nu));
-    return std::pow(rigidity / (scenario.water.density * scenario.general.gravity), 0.25);
 }
 
 FloeShape rounded(const Scenario& scenario, double length, double breadth) {
@@ -160,7 +159,7 @@ double element_side(const Scenario& scenario, double breadth) {
         case ElementSide::of_floe:
             return breadth / scenario.sizes.elements_across;
         case ElementSide::of_ice:
-            return single(scenario.sizes.element_share * characteristic_length(scenario));
+            return single(scenario.sizes.element_share * scenario.characteristic_length());
         default:
             return scenario.floe.element;
     }
@@ -471,7 +470,8 @@ std::vector<SingleFloe> given_floes(const Scenario& scenario) {
 
 /// From the near edge of the field on, about the tow's line.
 SingleFloe level_sheet(const Scenario& scenario) {
-    return {{scenario.field.begin + scenario.floe.length / 2, 0, 0}, scenario.floe, scenario.material()};
+    const FloeShape shape = sheet_shape(scenario);
+    return {{scenario.field.begin + shape.length / 2, 0, 0}, shape, scenario.material()};
 }
 
 /// Floes of the sizes of the scenario in an order of this arrangement's own, without places unless they were traced.

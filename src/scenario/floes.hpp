@@ -10,6 +10,7 @@
 
 #include "core/vector.hpp"
 #include "scenario/scenario.hpp"
+#include "shapes/elements.hpp"
 
 namespace floes {
 
@@ -40,16 +41,21 @@ struct SingleFloe {
     Material material;
 };
 
-/// A part of a field without end: the floes whose middles lie behind its end, and ahead of that of the part before.
+/// A part of a field without end: the floes whose middles lie behind its end, and ahead of that of the part before. Of
+/// level ice the floes are its elements, each of one cell, without yaw; joints hold them together.
 struct FieldPart {
     std::vector<SingleFloe> floes;
     double end = 0;  ///< x, m
+    /// From a floe of this part to one of it or of an earlier part, a > b: numbers of floes from 0 in the order in
+    /// which they are laid. Pivots are places in the field, m.
+    std::vector<CutJoint> joints{};
 };
 
 /// In a field without end, what is laid already ends at `end`, x in m, and next() lays one part more.
 struct IceAhead {
     double end = 0;
     std::function<FieldPart()> next;
+    std::vector<CutJoint> joints{};  ///< of what is laid already
 };
 
 /// The set of these floes, in their order; equal shapes and equal materials stand in the tables once.
@@ -74,6 +80,9 @@ bool floes_may_differ(const Scenario& scenario);
 
 /// Whether their sizes can.
 bool sizes_may_differ(const Scenario& scenario);
+
+/// The sheet of a scenario with level ice; of one without end as much of it as is computed at a time.
+FloeShape sheet_shape(const Scenario& scenario);
 
 /// Floes of a scenario that are computed at a time: all of them, or about those in the window of a field without end.
 double computed_floes(const Scenario& scenario);

@@ -203,7 +203,7 @@ class Layout {
         Field& field = scenario_.field;
         take(LaidKey::sheet_width, field.sheet_width, shared.sheet_width, own_.sheet_width);
         take(LaidKey::half_width, field.half_width, shared.half_width, own_.half_width);
-        if (field.endless()) {
+        if (field.endless() && !scenario_.arrangement.level()) {
             take(LaidKey::ahead, field.ahead, shared.ahead, own_.ahead);
             take(LaidKey::behind, field.behind, shared.behind, own_.behind);
         }

@@ -15,6 +15,8 @@ namespace {
 // Lengths in a field without end, in widths of the field (docs/field.md).
 constexpr double widths_ahead = 2;
 constexpr double widths_behind = 1;
+constexpr double lengths_ahead = 8;  // characteristic, of level ice: docs/field.md
+constexpr double lengths_behind = 4;
 
 }  // namespace
 
@@ -97,11 +99,15 @@ Mat6 Scenario::water_stiffness() const {
                                   moorings.height);
 }
 
-double Scenario::stress_averaging() const {
-    if (joint.averaging > 0) return joint.averaging;
+double Scenario::characteristic_length() const {
     const double rigidity =
         ice.elastic_modulus * std::pow(floe.thickness, 3) / (12 * (1 - ice.poisson_ratio * ice.poisson_ratio));
-    return 0.1 * std::sqrt(std::pow(rigidity / (water.density * general.gravity), 0.25) / general.gravity);
+    return std::pow(rigidity / (water.density * general.gravity), 0.25);
+}
+
+double Scenario::stress_averaging() const {
+    if (joint.averaging > 0) return joint.averaging;
+    return 0.1 * std::sqrt(characteristic_length() / general.gravity);
 }
 
 int Scenario::stress_steps() const {
@@ -109,11 +115,15 @@ int Scenario::stress_steps() const {
 }
 
 double Scenario::window_ahead() const {
-    return field.ahead > 0 ? field.ahead : widths_ahead * 2 * field.half_width;
+    if (field.ahead > 0) return field.ahead;
+    if (arrangement.level()) return structure.shape.largest_radius() + lengths_ahead * characteristic_length();
+    return widths_ahead * 2 * field.half_width;
 }
 
 double Scenario::window_behind() const {
-    return field.behind > 0 ? field.behind : widths_behind * 2 * field.half_width;
+    if (field.behind > 0) return field.behind;
+    if (arrangement.level()) return structure.shape.largest_radius() + lengths_behind * characteristic_length();
+    return widths_behind * 2 * field.half_width;
 }
 
 Vec2 Water::current_velocity() const {
@@ -165,7 +175,7 @@ double area_of_floes(const Scenario& scenario) {
 }  // namespace
 
 double Scenario::field_length() const {
-    if (arrangement.level()) return floe.length;
+    if (arrangement.level()) return field.endless() ? window_ahead() + window_behind() : floe.length;
     const double covered = area_of_floes(*this);
     return covered / (field.concentration * 2.0 * field.half_width);
 }

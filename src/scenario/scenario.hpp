@@ -417,16 +417,21 @@ struct Scenario {
     IceSpread spread;
     Brine brine;
 
-    double field_length() const;  ///< m: covered area / (concentration * 2 half_width)
-    double field_end() const;     ///< x of the field's far edge, m
+    /// m: covered area / (concentration * 2 half_width); of level ice that of the sheet or, without end, of its window
+    double field_length() const;
+    double field_end() const;  ///< x of the field's far edge, m
     /// Of the moored hull, by Motion: N/m, N, N m; nothing where it neither heaves nor pitches nor rolls.
     Mat6 water_stiffness() const;
     /// Time over which stress is averaged before it meets the strength, s: joint.averaging, or its default, a tenth of
     /// √(l/g), l = (E T³/(12 (1 - ν²) ρ_w g))^(1/4) of the plate on water (docs/fracture.md).
     double stress_averaging() const;
-    int stress_steps() const;      ///< the same in steps, at least 1
-    double window_ahead() const;   ///< of a field without end: field.ahead, or its default, m
-    double window_behind() const;  ///< likewise field.behind
+    /// L_c = (E T³/(12 (1 - ν²) ρ_w g))^(1/4) of the scenario's ice on its water, m.
+    double characteristic_length() const;
+    int stress_steps() const;  ///< the same in steps, at least 1
+    /// Of a field without end: field.ahead, or its default, m: two widths of the field; in level ice the structure's
+    /// radius and eight characteristic lengths.
+    double window_ahead() const;
+    double window_behind() const;  ///< likewise field.behind: a width; its radius and four characteristic lengths
     double closing_speed() const;  ///< of the field, or that of the tow, m/s
     bool towed_straight() const { return !path.any() && !moorings.give_way(); }
     /// Where the structure starts; none where the sides are open, in level ice, or where a path takes it elsewhere.

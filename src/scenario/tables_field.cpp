@@ -112,11 +112,12 @@ void add_window(Keys& keys, Field& field) {
         "longer changed no load that was seen; of another hull than the paper's derived: it and two breadths or three "
         "floes",
         "How far ahead of the structure's axis floes are computed. Those farther ahead rest, fixed to whatever touches "
-        "them, as a field that is held from ahead. 0: two widths of the field.");
+        "them, as a field that is held from ahead. 0: two widths of the field; of level ice the structure's radius and "
+        "eight characteristic lengths.");
     add("field.behind_m", field.behind,
         "longer changed no load that was seen; of another hull derived: what can touch it, and a floe",
         "How far behind the structure's axis floes are computed. Those farther behind are taken out. 0: one width of "
-        "the field.");
+        "the field; of level ice the structure's radius and four characteristic lengths.");
 }
 
 }  // namespace
@@ -148,7 +149,9 @@ void add_field(Keys& keys, Field& field) {
         "Far end of the field: closed by a fixed ice sheet, open water, or never an end, with ice from ahead as long "
         "as "
         "the run lasts. With an open far end, the load on a straight 45° wall is half as large and that on a 76° wall "
-        "a fifth, and hardly any floe breaks. never: the ice is laid in parts of field.floes floes; docs/field.md."));
+        "a fifth, and hardly any floe breaks. never: the ice is laid in parts of field.floes floes, and level ice goes "
+        "on row by row; "
+        "docs/field.md."));
     add_window(keys, field);
     keys.push_back(
         late_key(word_key("field.sides", field.sides, {"ice_sheet", "open"}, "the paper: walls",
@@ -179,7 +182,8 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
         "monte_carlo: equilibrium of hard squares, rows and columns where they are dense, independent of the "
         "start; lattice: rows, with jitter; file: given poses, the same for each arrangement; traced: where "
         "shapes.file has them, likewise; level: one sheet of level ice, floe.length_m long from field.begin_m "
-        "on and floe.breadth_m wide about the tow's line, up to the field's far end (docs/field.md).");
+        "on and floe.breadth_m wide about the tow's line, up to the field's far end, or as long as the run lasts with "
+        "field.far_end = \"never\" (docs/field.md).");
     keys.push_back(
         instead_of({method, word_key("arrangement.start", arrangement.start, {"lattice", "stripes"}, "", "")}, method));
     keys.push_back(number_key("arrangement.clearance_m", arrangement.clearance, unit::one, at_least(0).at_most(10),

@@ -87,12 +87,20 @@ WaterArea box_of(Corners outline) {
 /// Faces shorter than this share of an element's side carry no joint.
 constexpr double least_joint_share = 0.05;
 
+/// m: shorter edges go; what is nearer than the second is the same.
+double least_of(double side) {
+    return 2e-7 * side;
+}
+double exact_of(double side) {
+    return 10 * least_of(side);
+}
+
 class Cutter {
   public:
     Cutter(Corners outline, double side)
         : side_(side),
-          least_(2e-7 * side),
-          exact_(10 * least_),
+          least_(least_of(side)),
+          exact_(exact_of(side)),
           area_(area_of(outline)),
           box_(box_of(outline)),
           parts_(convex_parts(outline)) {
@@ -107,7 +115,6 @@ class Cutter {
     }
 
     double exact() const { return exact_; }
-    double shortest_joint() const { return least_joint_share * side_; }
 
     /// Convex pieces of the Voronoi cells of points that relaxed in the outline, row after row.
     std::vector<Outline> pieces(std::uint32_t pattern) const {
@@ -316,7 +323,7 @@ class Cutter {
     }
 
     double side_;
-    double least_, exact_;  ///< m: shorter edges go; what is nearer is the same
+    double least_, exact_;
     double area_;
     WaterArea box_;
     std::vector<Outline> parts_;
@@ -364,6 +371,20 @@ struct CellBox {
 
 }  // namespace
 
+std::optional<CutJoint> joint_between(Corners a, const Corner& centre_a, Corners b, const Corner& centre_b,
+                                      double side) {
+    const Shared common = shared(a, b, exact_of(side));
+    if (!(common.length > least_joint_share * side)) return {};
+    const double span = dot(common.normal, centre_b - centre_a);
+    const double shift = dot(common.normal, 0.5 * (centre_a + centre_b) - common.middle);
+    return CutJoint{.normal = common.normal,
+                    .pivot = common.middle + shift * common.normal,
+                    .length = common.length,
+                    .span = span,
+                    .edge_a = common.edge_a,
+                    .edge_b = common.edge_b};
+}
+
 CutFloe cut_into_cells(Corners outline, double side, std::uint32_t pattern) {
     const Cutter cutter(outline, side);
     const std::vector<Outline> pieces = cutter.pieces(pattern);
@@ -374,15 +395,12 @@ CutFloe cut_into_cells(Corners outline, double side, std::uint32_t pattern) {
     for (std::size_t a = 0; a < pieces.size(); ++a)
         for (std::size_t b = a + 1; b < pieces.size(); ++b) {
             if (boxes[a].is_apart_from(boxes[b], 2 * cutter.exact())) continue;  // most are, and sharing edges costs
-            const Shared common = shared(pieces[a], pieces[b], cutter.exact());
-            if (!(common.length > cutter.shortest_joint())) continue;
-            const Corner& from = floe.elements[a].centre;
-            const Corner& to = floe.elements[b].centre;
-            const double span = dot(common.normal, to - from);
-            const double shift = dot(common.normal, 0.5 * (from + to) - common.middle);
-            floe.joints.push_back({static_cast<int>(a), static_cast<int>(b), common.normal,
-                                   common.middle + shift * common.normal, common.length, span, common.edge_a,
-                                   common.edge_b});
+            std::optional<CutJoint> joint =
+                joint_between(pieces[a], floe.elements[a].centre, pieces[b], floe.elements[b].centre, side);
+            if (!joint) continue;
+            joint->a = static_cast<int>(a);
+            joint->b = static_cast<int>(b);
+            floe.joints.push_back(*joint);
         }
     return floe;
 }

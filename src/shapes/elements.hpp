@@ -8,6 +8,7 @@
 // so no ice is lost. The paper's floes are rectangles cut into squares.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/vector.hpp"
@@ -69,6 +70,11 @@ inline constexpr double least_element_share = 0.3;
 /// The elements of an outline about its centroid: as many cells as its area over that of a square of `side`, m,
 /// rounded. `pattern`: which draw of the points from which they come.
 CutFloe cut_into_cells(Corners outline, double side, std::uint32_t pattern = 0);
+
+/// The joint from a to b of elements of this side, m, whose convex outlines share an edge; none where that is too short
+/// to carry one. Outlines and centroids in common axes; it has no numbers of elements yet.
+std::optional<CutJoint> joint_between(Corners a, const Corner& centre_a, Corners b, const Corner& centre_b,
+                                      double side);
 
 /// How many elements that makes.
 int count_cells(Corners outline, double side);

@@ -59,34 +59,59 @@ PieceWater::PieceWater(const Scenario& scenario, const FloeSet& floes)
         draught_.push_back(floes.shape(i).thickness * floes.material(i).ice.density / scenario.water.density);
 }
 
+void PieceWater::share_out(const IceField& ice, World& world, WaterLanes& water) {
+    if (!carries_ && !radiates_) return;
+    if (!ice.is_sheet()) {
+        for (int place = 0; place < ice.places(); ++place)
+            if (ice.is_there(place)) share_out(place, ice, world, water);
+        return;
+    }
+    piece_order_.clear();
+    for (std::size_t i = 0; i < ice.elements().size(); ++i) {
+        const int place = ice.elements()[i].floe;
+        if (ice.is_there(place) && !ice.rests(place)) piece_order_.push_back(static_cast<int>(i));
+    }
+    share_out_listed(ice, world, water);
+}
+
 void PieceWater::share_out(int floe, const IceField& ice, World& world, WaterLanes& water) {
     if (!carries_ && !radiates_) return;
-    const CutFloe& cut = ice.cut(floe);
-    const int first = ice.first_element(floe);
-    const auto element = [&](int index) -> const IceElement& {
-        return ice.elements()[static_cast<std::size_t>(first + index)];
-    };
     piece_order_.resize(static_cast<std::size_t>(ice.elements(floe)));
-    std::iota(piece_order_.begin(), piece_order_.end(), 0);
+    std::iota(piece_order_.begin(), piece_order_.end(), ice.first_element(floe));
+    share_out_listed(ice, world, water);
+}
+
+void PieceWater::share_out_listed(const IceField& ice, World& world, WaterLanes& water) {
+    const auto element = [&](int index) -> const IceElement& {
+        return ice.elements()[static_cast<std::size_t>(index)];
+    };
     std::ranges::sort(piece_order_, {}, [&](int index) { return std::pair(element(index).piece, index); });
     for (auto piece = piece_order_.begin(); piece != piece_order_.end();) {
+        const int floe = element(*piece).floe;
+        const CutFloe& cut = ice.cut(floe);
         const auto end = std::find_if(piece, piece_order_.end(),
                                       [&, name = element(*piece).piece](int i) { return element(i).piece != name; });
         centres_.clear();
         polygons_.clear();
+        of_sheet_.clear();
         for (auto index = piece; index != end; ++index) {
-            const CutElement& one = cut.elements[static_cast<std::size_t>(*index)];
-            if (cut.squares)
+            const CutElement& one = ice.cut_element(element(*index));
+            if (ice.is_sheet()) {
+                of_sheet_.push_back(one);
+                of_sheet_.back().centre = ice.centre(element(*index));
+            } else if (cut.squares) {
                 centres_.emplace_back(one.centre.x, one.centre.z);
-            else
+            } else {
                 polygons_.push_back(&one);
+            }
         }
+        for (const CutElement& one : of_sheet_) polygons_.push_back(&one);
         const double draught = draught_[static_cast<std::size_t>(floe)];
         for (const ElementWater& share :
              cut.squares ? water_of_piece(centres_, cut.elements.front().corners.front().x * 2, draught, body_)
                          : water_of_piece(polygons_, draught, body_)) {
             const int index = *piece++;
-            const auto at = static_cast<std::size_t>(first + index);
+            const auto at = static_cast<std::size_t>(index);
             if (carries_) world.set_water(element(index).body, carried_[at] = share.carried);
             if (radiates_) water.set_damping(at, share.damping);
         }
@@ -94,7 +119,7 @@ void PieceWater::share_out(int floe, const IceField& ice, World& world, WaterLan
 }
 
 void PieceWater::archive(StateArchive& state) {
-    auto& [body, carries, radiates, draught, carried, piece_order, centres, polygons] = *this;
+    auto& [body, carries, radiates, draught, carried, piece_order, centres, polygons, of_sheet] = *this;
     state(carried);
 }
 

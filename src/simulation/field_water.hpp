@@ -25,8 +25,9 @@ class PieceWater {
   public:
     PieceWater(const Scenario& scenario, const FloeSet& floes);
 
-    /// Gives the elements of a floe what their pieces have, as far as water.added_mass_from and
-    /// water.heave_damping_from say "outline".
+    /// Gives the elements of all floes what their pieces have, as far as water.added_mass_from and
+    /// water.heave_damping_from say "outline"; or those of one floe, which is not part of a sheet.
+    void share_out(const IceField& ice, World& world, WaterLanes& water);
     void share_out(int floe, const IceField& ice, World& world, WaterLanes& water);
 
     /// What an element carries, by its place in ice.elements().
@@ -36,14 +37,17 @@ class PieceWater {
     void archive(StateArchive& state);
 
   private:
+    void share_out_listed(const IceField& ice, World& world, WaterLanes& water);
+
     WaterBody body_;
     bool carries_;
     bool radiates_;
     std::vector<double> draught_;              ///< by floe, m
     std::vector<CarriedWater> carried_;        ///< by element
-    std::vector<int> piece_order_;             ///< elements of one floe, piece after piece
+    std::vector<int> piece_order_;             ///< elements of one floe or sheet, piece after piece
     std::vector<Vec2> centres_;                ///< of one piece
     std::vector<const CutElement*> polygons_;  ///< likewise, of polygons
+    std::vector<CutElement> of_sheet_;         ///< likewise, of those of a sheet
 };
 
 }  // namespace floes

@@ -13,15 +13,19 @@ namespace floes {
 
 namespace {
 
-constexpr double strides_in_a_floe = 4;  // more strides lay the solver out anew more often
-constexpr double floes_in_reserve = 3;   // side by side: what is pushed cannot pass them
+// More strides lay the solver out anew more often.
+double stride_of(const Scenario& scenario, const FloeSet& floes) {
+    return scenario.arrangement.level() ? 2 * scenario.floe.element : largest_side(floes) / 4;
+}
+
+constexpr double floes_in_reserve = 3;  // side by side: what is pushed cannot pass them
 
 }  // namespace
 
 MovingWindow::MovingWindow(const Scenario& scenario, const FloeSet& floes, IceAhead ahead)
     : ahead_(scenario.window_ahead()),
       behind_(scenario.window_behind()),
-      stride_(largest_side(floes) / strides_in_a_floe),
+      stride_(stride_of(scenario, floes)),
       least_(window_least(scenario)),
       reserve_(floes_in_reserve * largest_side(floes)),
       at_(-std::numeric_limits<double>::infinity()),
@@ -35,11 +39,11 @@ bool MovingWindow::moves_to(double structure_x) {
     return std::exchange(at_, at) != at;
 }
 
-std::vector<SingleFloe> MovingWindow::next_part() {
+FieldPart MovingWindow::next_part() {
     if (ice_.end > last() + reserve_) return {};
     FieldPart part = ice_.next();
     ice_.end = part.end;
-    return std::move(part.floes);
+    return part;
 }
 
 SleepingFloes::SleepingFloes(double wake_radius, const std::vector<IceElement>& elements) : wake_radius_(wake_radius) {
@@ -127,14 +131,14 @@ void SleepingFloes::list_awake() {
     }
 }
 
-void MovingWindow::archive(StateArchive& state, const IceField& ice) {
+void MovingWindow::archive(StateArchive& state, IceField& ice) {
     auto& [ahead, behind, stride, least, reserve, at, source, places] = *this;
     state(at);
     if (state.sets()) lay_again(ice);
 }
 
 /// Floes enter in the order in which they are laid, and so far all that are laid have entered.
-void MovingWindow::lay_again(const IceField& ice) {
+void MovingWindow::lay_again(IceField& ice) {
     std::vector<SingleFloe> entered = std::move(places_);
     while (entered.size() < static_cast<std::size_t>(ice.floes())) {
         FieldPart part = ice_.next();
@@ -142,8 +146,10 @@ void MovingWindow::lay_again(const IceField& ice) {
         std::ranges::move(part.floes, std::back_inserter(entered));
     }
     places_.clear();
-    for (int place = 0; place < ice.places(); ++place)
+    for (int place = 0; place < ice.places(); ++place) {
         places_.push_back(entered.at(static_cast<std::size_t>(ice.number_of(place))));
+        ice.set_floe(place, places_.back());
+    }
 }
 
 void SleepingFloes::archive(StateArchive& state) {

@@ -1,9 +1,10 @@
 #pragma once
 // Which floes of a field without end are computed: those round the structure. Floes farther ahead rest, fixed to
 // whatever touches them, as ice that is held from ahead; floes farther behind are taken out of the world. The window
-// moves with the structure in strides of a quarter of a floe, and the field is laid part after part as it comes there.
-// It never moves back with a structure that swings on its moorings: what has left is gone, and ice that rests anew
-// would have to be ice that never moved. Nothing here depends on how long the run will be.
+// moves with the structure in strides of a quarter of a floe, of level ice of two elements, and the field is laid part
+// after part as it comes there. It never moves back with a structure that swings on its moorings: what has left is
+// gone, and ice that rests anew would have to be ice that never moved. Nothing here depends on how long the run will
+// be.
 
 #include <cstddef>
 #include <span>
@@ -33,18 +34,18 @@ class MovingWindow {
     double last() const { return at_ + ahead_; }    ///< x of its edge ahead, m
 
     /// The next part of the field, if what is laid does not reach far enough beyond the edge ahead; empty otherwise.
-    std::vector<SingleFloe> next_part();
+    FieldPart next_part();
 
     /// What lies at each place of the ice (IceField::enter).
     std::vector<SingleFloe>& places() { return places_; }
     const std::vector<SingleFloe>& places() const { return places_; }
 
     /// Everything that the next steps depend on, saved or set (core/state_archive.hpp), with the ice already so. The
-    /// parts are laid again, as they were.
-    void archive(StateArchive& state, const IceField& ice);
+    /// parts are laid again, as they were, and the ice is told what is at its places.
+    void archive(StateArchive& state, IceField& ice);
 
   private:
-    void lay_again(const IceField& ice);
+    void lay_again(IceField& ice);
 
     double ahead_, behind_;  // m
     double stride_;          // m

@@ -12,9 +12,10 @@ namespace floes {
 
 namespace {
 
-/// Floes pass round the structure and stay between walls. 1 m in the paper's tank.
-double room_for_a_floe(const FloeSet& floes) {
-    return 5 * largest_side(floes) / 3;
+/// Floes pass round the structure and stay between walls. 1 m in the paper's tank. Of level ice whatever may pile up.
+double room_for_a_floe(const Scenario& scenario, const FloeSet& floes) {
+    const bool sheet = scenario.arrangement.level() && scenario.field.endless();
+    return 5 * (sheet ? std::max(scenario.floe.breadth, largest_side(floes)) : largest_side(floes)) / 3;
 }
 
 /// Length of the sides of a field without end, m. The same for every run, or the bits of a load would tell how long
@@ -46,9 +47,10 @@ Channel make_channel(const Scenario& scenario, const FloeSet& floes) {
     const bool closed = field.far_end == FarEnd::ice_sheet;
     const double towed = scenario.towed();
     Channel channel;
-    channel.room = room_for_a_floe(floes);
+    channel.room = room_for_a_floe(scenario, floes);
+    const double came = field.endless() ? without_end / 2 : towed;
     channel.begin = scenario.structure.start - scenario.structure.shape.largest_radius() - channel.room -
-                    (field.level_pushed ? towed : 0.0);
+                    (field.level_pushed ? came : 0.0);
     channel.end = scenario.field_end() + field.sheet_width + (closed ? 0.0 : towed);
     if (field.endless()) channel.end = channel.begin + without_end;
     channel.inner_edge = field.half_width;

@@ -130,7 +130,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
       sleeping_(scenario.field.wake_radius, ice_.elements()),
       contact_bins_(scenario.structure.shape.bottom(), scenario.structure.shape.top()) {
     hold_edges(floes);
-    for (int floe = 0; floe < ice_.places(); ++floe) piece_water_.share_out(floe, ice_, world_, water_);
+    piece_water_.share_out(ice_, world_, water_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
     for (const auto history : load_histories) (loads_.*history).reserve(steps);
     if (motion_.is_free())
@@ -149,7 +149,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
 /// Of level ice.
 void Simulation::hold_edges(const FloeSet& floes) {
     const LevelHeld held = scenario_.field.level_held;
-    if (!scenario_.arrangement.level() || held == LevelHeld::nowhere) return;
+    if (!scenario_.arrangement.level() || held == LevelHeld::nowhere || scenario_.field.endless()) return;
     const SingleFloe sheet{floes.floes[0].pose, floes.shape(0), floes.material(0)};
     for (const auto& [body, form] : sheets_.fixed())
         if (form.inwards.x() != 0 || held == LevelHeld::far_end_and_sides)
@@ -234,6 +234,7 @@ FrameContact Simulation::seen(const ContactForce& contact) const {
 void Simulation::step(const FromOutside& outside) {
     if (steps_ == scenario_.first_window_step()) astern_before_ = astern();
     move_structure(outside);
+    push_resting();
     move_window();
     wake_floes();
     apply_water();
@@ -327,10 +328,11 @@ void Simulation::break_joints() {
 
 void Simulation::share_out_water(std::size_t first_break) {
     const std::vector<BreakEvent>& breaks = ice_.breaks();
+    if (ice_.is_sheet()) piece_water_.share_out(ice_, world_, water_);
     for (std::size_t i = first_break; i < breaks.size(); ++i) {
         if (i != first_break && breaks[i].floe == breaks[i - 1].floe) continue;
         const int place = ice_.place_of(breaks[i].floe);
-        piece_water_.share_out(place, ice_, world_, water_);
+        if (!ice_.is_sheet()) piece_water_.share_out(place, ice_, world_, water_);
         lee_.look_from(place, ice_, states_);
     }
 }
@@ -397,6 +399,8 @@ void Simulation::record_motion() {
 // How a Simulation follows a field without end: floes come, wake and leave.
 
 void Simulation::start_window(const FloeSet& floes, IceAhead ahead) {
+    if (!ahead.joints.empty())
+        ice_.join(world_, {floes.floes[0].pose, floes.shape(0), floes.material(0)}, ahead.joints);
     window_.emplace(scenario_, floes, std::move(ahead));
     for (int place = 0; place < ice_.places(); ++place) {
         ice_.set_resting(place, true);
@@ -408,7 +412,7 @@ void Simulation::start_window(const FloeSet& floes, IceAhead ahead) {
 
 void Simulation::move_window() {
     if (!window_) return;
-    if (!window_->moves_to(motion_.before().position.x())) return check_way_back();
+    if (!window_->moves_to(motion_.before().position.x() + pushed())) return check_way_back();
     leave_behind();
     bool came = false;
     while (enter_ahead()) came = true;
@@ -421,12 +425,33 @@ void Simulation::move_window() {
         encounters_.enter(1);
     }
     sleeping_.list_awake();
+    if (ice_.is_sheet()) piece_water_.share_out(ice_, world_, water_);
+}
+
+/// How far level ice that is pushed on the structure has come by itself, m along -x.
+double Simulation::pushed() const {
+    return scenario_.field.level_pushed ? scenario_.structure.speed * time() : 0;
+}
+
+/// Ice at rest ahead is what pushes.
+void Simulation::push_resting() {
+    if (!window_ || !scenario_.field.level_pushed) return;
+    for (int place = 0; place < ice_.places(); ++place)
+        if (ice_.is_there(place) && sleeping_.rests(place)) push(place);
+}
+
+void Simulation::push(int place) {
+    const auto element = static_cast<std::size_t>(ice_.first_element(place));
+    BodyState& state = states_[element];
+    state.position.x() = sleeping_.middle_x(place) - pushed();
+    state.velocity.x() = -scenario_.structure.speed;
+    world_.place(ice_.elements()[element].body, state);
 }
 
 /// Only moorings, or who leads it, let a structure come so far back: of the other ways scenario/checks_field.cpp has
 /// seen the whole.
 void Simulation::check_way_back() const {
-    const double x = motion_.before().position.x();
+    const double x = motion_.before().position.x() + pushed();
     if (!window_->has_left(x)) return;
     throw MemberFailure(
         fmt::format("The structure has come back to x = {:.4g} m (t = {:.2f} s), and floes behind x = {:.4g} m "
@@ -434,26 +459,23 @@ void Simulation::check_way_back() const {
                     x, time(), window_->first()));
 }
 
-/// Floes of which no element is in the window any more. What stays in their places does not move.
+/// What stays in the places of floes that leave does not move.
 void Simulation::leave_behind() {
-    for (int place = 0; place < ice_.places(); ++place) {
-        if (!ice_.is_there(place) || sleeping_.rests(place)) continue;
-        const auto first = static_cast<std::size_t>(ice_.first_element(place));
-        const auto count = static_cast<std::size_t>(ice_.elements(place));
-        const auto elements = std::span(states_).subspan(first, count);
-        const auto is_in = [&](const BodyState& one) { return one.position.x() >= window_->first(); };
-        if (std::ranges::any_of(elements, is_in)) continue;
+    const std::vector<int> places = ice_.behind(states_, window_->first() - pushed());
+    for (const int place : places) {
         encounters_.leave(place, ice_);
         for (const CutElement& one : ice_.cut(place).elements) left_.area += one.area;
         ++left_.floes;
-        ice_.leave(world_, place);
         sleeping_.leave(place);
-        for (BodyState& one : elements) one.velocity = one.angular_velocity = Vec3::Zero();
+        const auto first = static_cast<std::size_t>(ice_.first_element(place));
+        for (BodyState& one : std::span(states_).subspan(first, static_cast<std::size_t>(ice_.elements(place))))
+            one.velocity = one.angular_velocity = Vec3::Zero();
     }
+    ice_.leave(world_, places);
 }
 
 /// A part that finds no room ends the run, not the campaign; of the first ones the campaign hears at once.
-std::vector<SingleFloe> Simulation::next_part() {
+FieldPart Simulation::next_part() {
     try {
         return window_->next_part();
     } catch (const InputError& error) {
@@ -464,9 +486,9 @@ std::vector<SingleFloe> Simulation::next_part() {
 }
 
 bool Simulation::enter_ahead() {
-    const std::vector<SingleFloe> part = next_part();
+    const FieldPart part = next_part();
     std::vector<SingleFloe>& places = window_->places();
-    for (const SingleFloe& floe : part) {
+    for (const SingleFloe& floe : part.floes) {
         const int place = ice_.enter(world_, scenario_, floe);
         places.resize(static_cast<std::size_t>(ice_.places()));
         places[static_cast<std::size_t>(place)] = floe;
@@ -476,15 +498,16 @@ bool Simulation::enter_ahead() {
             states_[i] = world_.state(ice_.elements()[i].body);
         ice_.set_resting(place, true);
         sleeping_.rest(world_, ice_, place, states_);
+        if (scenario_.field.level_pushed) push(place);
     }
-    return !part.empty();
+    if (!part.joints.empty()) ice_.join(world_, part.floes.front(), part.joints);
+    return !part.floes.empty();
 }
 
 /// All that is kept by element, for the floes that are there now.
 void Simulation::measure_anew() {
     measure_places();
-    for (int place = 0; place < ice_.places(); ++place)
-        if (ice_.is_there(place)) piece_water_.share_out(place, ice_, world_, water_);
+    piece_water_.share_out(ice_, world_, water_);
 }
 
 void Simulation::measure_places() {
@@ -512,11 +535,7 @@ void Simulation::archive(StateArchive& state) {
     state(states, world, ice);
     if (window) {
         window->archive(state, ice);
-        if (state.sets()) {
-            for (int place = 0; place < ice.places(); ++place)
-                ice.set_floe(place, window->places()[static_cast<std::size_t>(place)]);
-            measure_places();
-        }
+        if (state.sets()) measure_places();
     }
     state(motion, hull_loads, sheets, water, piece_water, lee, work, nearby, left, astern_before, sleeping, encounters,
           ice_load, loads, motions, contact_bins, steps_in_window, sweeps, swept_steps, steps);

@@ -191,11 +191,14 @@ class Simulation {
     void move_structure(const FromOutside& outside);
     void hold_edges(const FloeSet& floes);
     void start_window(const FloeSet& floes, IceAhead ahead);
+    double pushed() const;
+    void push_resting();
+    void push(int place);
     void move_window();
     void check_way_back() const;
     void leave_behind();
     bool enter_ahead();
-    std::vector<SingleFloe> next_part();
+    FieldPart next_part();
     void measure_anew();
     void measure_places();
     void wake_floes();

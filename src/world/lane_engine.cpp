@@ -394,7 +394,7 @@ void LaneEngine::lay_out() {
     std::vector<SolverJoint> awake;
     joint_in_system_.assign(joints_.size(), not_in_system);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-        if (bodies_[joints_[i].a].asleep) continue;
+        if (bodies_[joints_[i].a].asleep && bodies_[joints_[i].b].asleep) continue;
         joint_in_system_[i] = awake.size();
         awake.push_back(joints_[i]);
     }

@@ -62,8 +62,9 @@ class World {
     /// towards the configuration in which they were made.
     void place(BodyId body, const BodyState& state);
 
-    /// A sleeping body stays exactly where it is and is fixed to whoever touches it, and costs next to nothing. It must
-    /// be at rest; all bodies that joints connect sleep or none. Throws InputError with the stock solver.
+    /// A sleeping body stays exactly where it is put and is fixed to whoever touches it, and costs next to nothing.
+    /// With the direct solver others may be joined to it; else all bodies that joints connect sleep or none. Throws
+    /// InputError with the stock solver.
     void set_asleep(BodyId body, bool asleep);
 
     /// Takes an element out of the world: from now on it touches nothing and costs next to nothing. Its joints must

@@ -89,8 +89,8 @@ std::string refusal(const std::string& text) {
     try {
         const Campaign campaign = read_campaign({text, "pair.toml", {}, true}, traced);
         const Scenario& scenario = campaign.cases.front().scenario;
-        auto [floes, ahead] = lay_field(scenario, 1, 0);
-        Simulation simulation(scenario, floes, std::move(ahead));
+        LaidField laid = lay_field(scenario, 1, 0);
+        Simulation simulation(scenario, laid.laid(), std::move(laid.ahead));
         for (int step = 0; step < 20; ++step) simulation.step();
         for (const BodyState& state : simulation.element_states())
             EXPECT_TRUE(state.position.allFinite() && state.velocity.allFinite()) << text;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "ice/ice_field.hpp"
@@ -44,7 +45,7 @@ TEST(Leaving, KeepsTheCountsAndThePieces) {
     World world = scenario_world(scenario);
     IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0}, {0, 2, 0}}));
     tear(world, ice, 0);
-    ice.leave(world, 0);
+    ice.leave(world, std::array{0});
     EXPECT_FALSE(ice.is_there(0));
     EXPECT_EQ(ice.enter(world, scenario, floe_at(scenario, {0, 4, 0})), 0) << "the place is free";
     EXPECT_EQ(ice.number_of(0), 2);
@@ -95,7 +96,7 @@ TEST(Leaving, APolygonTakesThePlaceOfOneOfAsManyElements) {
         used.apply(ice.elements().front().body, {{0.1, 0.03, 0.02}, {0.01, 0.02, -0.01}});
         used.step();
     }
-    ice.leave(used, 0);
+    ice.leave(used, std::array{0});
     EXPECT_EQ(ice.enter(used, scenario, third), 1) << "of more elements";
     EXPECT_EQ(ice.enter(used, scenario, second), 0);
     EXPECT_EQ(ice.number_of(0), 2);
@@ -154,7 +155,7 @@ TEST(Leaving, GivesAFloeInAnothersPlaceTheStressThatItHasAlone) {
         later.break_joints(used.world, step);
     }
     EXPECT_FALSE(later.breaks().empty()) << "the first one is to break too";
-    later.leave(used.world, 0);
+    later.leave(used.world, std::array{0});
     ASSERT_EQ(later.enter(used.world, scenario, floe_at(scenario, {0, 0, 0})), 0);
     expect_alike(fresh, alone, used, later);
 }

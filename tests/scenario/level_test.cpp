@@ -51,11 +51,30 @@ TEST(LevelIce, IsOneSheetFromTheNearEdgeToTheFarEnd) {
         << "each arrangement has its own cut";
 }
 
+TEST(LevelIce, WithoutEndIsAsLongAsWhatIsComputed) {
+    Scenario scenario = level();
+    scenario.field.far_end = FarEnd::never;
+    EXPECT_TRUE(find_contradictions(scenario).empty());
+    const double length = scenario.characteristic_length();
+    const double radius = scenario.structure.shape.largest_radius();
+    EXPECT_NEAR(length, 0.376, 0.001);
+    EXPECT_DOUBLE_EQ(scenario.window_ahead(), radius + 8 * length);
+    EXPECT_DOUBLE_EQ(scenario.window_behind(), radius + 4 * length);
+    EXPECT_DOUBLE_EQ(floes_of(scenario).shape(0).length, scenario.window_ahead() + scenario.window_behind());
+}
+
 TEST(LevelIce, RefusesWhatItCannotBe) {
     const auto says = [](const std::function<void(Scenario&)>& change, const std::string& words) {
         EXPECT_NE(fault_of(change).find(words), std::string::npos) << fault_of(change);
     };
     says([](Scenario& s) { s.field.floes = 2; }, "level ice is one sheet");
+    const auto endless = [&](const std::function<void(Scenario&)>& change, const std::string& words) {
+        says([&](Scenario& s) { s.field.far_end = FarEnd::never, change(s); }, words);
+    };
+    endless([](Scenario& s) { s.field.level_held = LevelHeld::nowhere; }, "the sheet goes on ahead");
+    endless([](Scenario& s) { s.field.level_held = LevelHeld::far_end_and_sides; }, "would never leave");
+    endless([](Scenario& s) { s.elements.form = ElementForm::squares; }, "whose cells go on without a seam");
+    endless([](Scenario& s) { s.field.ahead = 0.8; }, "two elements");
     says([](Scenario& s) { s.field.concentration = 0.75; }, "level ice has no leads");
     says([](Scenario& s) { s.shapes.kind = ShapeKind::polygon; }, "the sheet is a rectangle");
     says([](Scenario& s) { s.floe.breadth = 4.0; }, "at either side of the field");

@@ -15,7 +15,7 @@ namespace floes {
 
 inline Simulation tow(const Scenario& scenario, std::uint32_t number = 0) {
     LaidField laid = lay_field(scenario, 1, number);
-    return {scenario, laid.floes, std::move(laid.ahead)};
+    return {scenario, laid.laid(), std::move(laid.ahead)};
 }
 
 /// Runs both, of which one is longer, and expects the loads of the shorter to be the first of the longer, to the bit.

@@ -23,7 +23,7 @@ struct SavedScene {
 
     Simulation begun() const {
         LaidField laid = lay_field(scenario, 1, arrangement);
-        return {scenario, laid.floes, std::move(laid.ahead)};
+        return {scenario, laid.laid(), std::move(laid.ahead)};
     }
     friend void PrintTo(const SavedScene& scene, std::ostream* out) { *out << scene.name; }
 };

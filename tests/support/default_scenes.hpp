@@ -42,7 +42,7 @@ struct DefaultScene {
     Simulation reached() const {
         const Scenario all = scenario();
         LaidField laid = lay_field(all, 1, arrangement);
-        Simulation simulation(all, laid.floes, std::move(laid.ahead));
+        Simulation simulation(all, laid.laid(), std::move(laid.ahead));
         while (simulation.time() < time) simulation.step();
         return simulation;
     }
