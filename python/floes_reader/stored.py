@@ -11,7 +11,7 @@ import h5py
 import numpy
 import xarray
 
-LAYOUT = (1, 18)  # the newest layout of campaign files that this reader knows (docs/campaign_file.md)
+LAYOUT = (1, 19)  # the newest layout of campaign files that this reader knows (docs/campaign_file.md)
 GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members", "pieces",
           "provenance"}  # those of that layout
 FILETYPE = "floes campaign"

@@ -354,6 +354,10 @@ inline constexpr std::array array_outputs{
                                                                 "contact force on the structure upwards", time_axis),
     history_output<&MemberResult::history, &LoadHistory::concentration>(
         "history/concentration", "1", "concentration of ice in a box round the structure", time_axis, steps_a_look),
+    history_output<&MemberResult::history, &LoadHistory::pile_height>(
+        "history/pile_height", "m", "height above the water of the highest ice in that box", time_axis, steps_a_look),
+    history_output<&MemberResult::history, &LoadHistory::pile_draught>(
+        "history/pile_draught", "m", "depth below the water of the deepest ice in that box", time_axis, steps_a_look),
     motion_output<&MotionHistory::x>("history/structure_x", "m", "x of the structure's axis", motion_axis),
     motion_output<&MotionHistory::z>("history/structure_z", "m", "z of the structure's axis", motion_axis),
     motion_output<&MotionHistory::yaw>("history/structure_yaw", "rad",

@@ -39,6 +39,8 @@ struct MemberOutputs {
     double floes_met = 0;                ///< of these, that touched the structure at any time
     double met_failure_ratio = 0;        ///< broken floes among those met / those met, 0-1
     double mean_concentration = 0;       ///< of ice round the structure, over the window
+    double pile_height = 0;              ///< m above the water of the highest point of that ice, likewise
+    double pile_draught = 0;             ///< m below it of the deepest, likewise
     double ice_flux = 0;       ///< m²/s of ice that fell astern of the structure, over the window; NaN on a path
     double floes_astern = 0;   ///< that did so; likewise
     double fracture_work = 0;  ///< J, taken by cracks over the run

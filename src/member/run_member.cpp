@@ -90,6 +90,8 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.floes_met = simulation.floes_met();
     result.met_failure_ratio = simulation.floes_met_broken() / result.floes_met;  // NaN where none was met
     result.mean_concentration = mean_of(in_window(result.history.concentration));
+    result.pile_height = mean_of(in_window(result.history.pile_height));
+    result.pile_draught = mean_of(in_window(result.history.pile_draught));
     const IceAmount astern = simulation.fallen_astern();
     const bool one_way = !scenario.path.any();
     result.ice_flux = one_way ? astern.area / scenario.analysis.window : MemberResult::not_measured;

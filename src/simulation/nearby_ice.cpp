@@ -73,15 +73,28 @@ double NearbyIce::area_in_box(const CutElement& element, const BodyState& state)
     return seen_.empty() ? 0.0 : area_of(seen_);
 }
 
+void NearbyIce::reach_to(const CutElement& element, const BodyState& state) {
+    const double half = 0.5 * thickness_ * std::abs(state.rotation(1, 1));
+    for (const Corner& one : element.corners) {
+        const double middle = state.position.y() + state.rotation(1, 0) * one.x + state.rotation(1, 2) * one.z;
+        height_ = std::max(height_, middle + half);
+        draught_ = std::max(draught_, half - middle);
+    }
+}
+
 void NearbyIce::look(int step, const IceField& ice, std::span<const BodyState> states,
                      std::span<const SheetMotion> sheets, const StructurePose& at) {
     if (step % steps_a_look != 0) return;
     lay_box(sheets, at);
     double covered = 0;
+    height_ = draught_ = 0;
     for (std::size_t i = 0; i < states.size(); ++i) {
         const IceElement& element = ice.elements()[i];
-        if (!ice.is_there(element.floe) || states[i].position.y() < -thickness_) continue;
-        covered += area_in_box(ice.cut_element(element), states[i]);
+        if (!ice.is_there(element.floe)) continue;
+        const CutElement& cut = ice.cut_element(element);
+        const double area = area_in_box(cut, states[i]);
+        if (area > 0) reach_to(cut, states[i]);
+        if (!(states[i].position.y() < -thickness_)) covered += area;
     }
     concentration_ = covered / (area_of(box_) - waterplane_);
 }
@@ -109,8 +122,9 @@ IceAmount NearbyIce::astern(const IceField& ice, std::span<const BodyState> stat
 }
 
 void NearbyIce::archive(StateArchive& state) {
-    auto& [sheets, waterline, low, high, waterplane, thickness, within, box, seen, spare, concentration] = *this;
-    state(concentration);
+    auto& [sheets, waterline, low, high, waterplane, thickness, within, box, seen, spare, concentration, height,
+           draught] = *this;
+    state(concentration, height, draught);
 }
 
 }  // namespace floes

@@ -11,18 +11,22 @@ namespace floes {
 
 /// Contact force on the structure in each step, N. Entry k belongs to the step that ends at (k + 1) Δt; where a member
 /// keeps means over `analysis.history_steps` = N steps, to the N that end at (k + 1) N Δt. The water's force on the
-/// structure is not in it, so there is no open-water resistance to subtract. Beside it, how closely ice lies there.
+/// structure is not in it, so there is no open-water resistance to subtract. Beside it, how the ice lies there at the
+/// last look (simulation/nearby_ice.hpp).
 struct LoadHistory {
     std::vector<double> surge;          ///< positive against the tow (-x)
     std::vector<double> sway;           ///< positive towards +z
     std::vector<double> heave;          ///< positive up
-    std::vector<double> concentration;  ///< of ice round the structure at the last look, simulation/nearby_ice.hpp
+    std::vector<double> concentration;  ///< of ice round the structure
+    std::vector<double> pile_height;    ///< of the highest point of that ice above the water, m
+    std::vector<double> pile_draught;   ///< of the deepest below it, m
 };
 
-inline constexpr int steps_a_look = 10;  ///< from one look at the concentration to the next
+inline constexpr int steps_a_look = 10;  ///< from one look at the ice round the structure to the next
 
-inline constexpr std::array load_histories{&LoadHistory::surge, &LoadHistory::sway, &LoadHistory::heave,
-                                           &LoadHistory::concentration};
+inline constexpr std::array load_histories{&LoadHistory::surge,       &LoadHistory::sway,
+                                           &LoadHistory::heave,       &LoadHistory::concentration,
+                                           &LoadHistory::pile_height, &LoadHistory::pile_draught};
 
 // How a structure that is not towed straight on moved, and what its moorings bore, over time.
 

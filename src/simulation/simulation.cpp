@@ -365,6 +365,8 @@ void Simulation::record() {
     loads_.sway.push_back(load.z());
     loads_.heave.push_back(load.y());
     loads_.concentration.push_back(nearby_.concentration());
+    loads_.pile_height.push_back(nearby_.height());
+    loads_.pile_draught.push_back(nearby_.draught());
     if (motion_.is_free()) record_motion();
     ++steps_;
 }

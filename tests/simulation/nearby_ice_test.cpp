@@ -70,6 +70,30 @@ TEST(Concentration, IsOfABoxThatTurnsWithTheStructure) {
     EXPECT_NEAR(concentration(scenario, {{0, -1.6, 0}, {1.2, -1, 0}}), 2 * side * side / 7, 1e-6);
 }
 
+// A floe afloat, one that leans by 30 degrees, its middle 0.05 m below the water, and one that stands outside the box.
+TEST(Pile, ReachesAsHighAndDeepAsTheIceInTheBox) {
+    const Scenario scenario = with_barge(3);
+    const FloeSet floes = floes_at(scenario, std::vector<PlanarPose>{{1.6, 0, 0}, {1.6, 0.8, 0}, {3, 0, 0}});
+    const double thickness = scenario.floe.thickness;
+    const double draught = thickness * scenario.ice.density / scenario.water.density;
+    Simulation afloat(scenario, floes);
+    afloat.step();
+    EXPECT_NEAR(afloat.loads().pile_height.back(), thickness - draught, 1e-6);
+    EXPECT_NEAR(afloat.loads().pile_draught.back(), draught, 1e-6);
+    SimulationState state = Simulation(scenario, floes).state();
+    const auto lean = [&](std::size_t element, double height, double angle) {
+        state.elements[element].position.y() = height;
+        state.elements[element].rotation = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+    };
+    lean(1, -0.05, std::numbers::pi / 6);
+    lean(2, 0, std::numbers::pi / 2);
+    Simulation leaning(scenario, floes, state);
+    leaning.step();
+    const double reach = 0.5 * (side * 0.5 + thickness * std::numbers::sqrt3 / 2);
+    EXPECT_NEAR(leaning.loads().pile_height.back(), reach - 0.05, 0.005) << "a step on, in which it turns";
+    EXPECT_NEAR(leaning.loads().pile_draught.back(), reach + 0.05, 0.005);
+}
+
 TEST(Concentration, LeavesOutWhatLiesBelowTheIceAtTheSurface) {
     const Scenario scenario = with_barge(2);
     const FloeSet floes = floes_at(scenario, std::vector<PlanarPose>{{1.6, 0, 0}, {1.6, 0.8, 0}});

@@ -97,6 +97,8 @@ inline MemberRecord record(const Campaign& campaign, int number) {
     result.mean_heave = -base - 0.8;
     result.failure_ratio = 1.0 / (number + 3);
     result.mean_concentration = 0.5 + 0.001 * number;
+    result.pile_height = 0.1 + 0.001 * number;
+    result.pile_draught = 0.3 + 0.001 * number;
     for (std::size_t mode = 0; mode < result.failures.size(); ++mode)
         result.failures[mode] = 3 * number + static_cast<double>(mode);
     result.local_order = 0.5 + 0.001 * number;
@@ -108,6 +110,8 @@ inline MemberRecord record(const Campaign& campaign, int number) {
         history.sway.push_back(base * std::cos(0.1 * k));
         history.heave.push_back(base / (k + 1));
         history.concentration.push_back(0.5 + 0.001 * number);
+        history.pile_height.push_back(0.1 + 0.001 * number);
+        history.pile_draught.push_back(0.3 + 0.001 * number);
     }
     LoadMap map{{}, {}, {}};
     for (std::size_t bin = 0; bin < LoadMap::heights * LoadMap::angles; ++bin) {
