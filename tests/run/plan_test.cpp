@@ -152,7 +152,7 @@ TEST(ExpectedMembers, HaveSmallerRecordsWithoutHistories) {
     campaign.cases[0].scenario.analysis.keep_history = false;
     const SimulatedMember without = expected_members(campaign).members[0];
     const double of_history =
-        (3 + 1.0 / steps_a_look) * measured_member_costs().history_bytes * campaign.cases[0].scenario.step_count();
+        (3 + 3.0 / steps_a_look) * measured_member_costs().history_bytes * campaign.cases[0].scenario.step_count();
     EXPECT_NEAR(with.record_bytes - without.record_bytes, of_history, 1e-9 * of_history);
     EXPECT_NEAR(with.file_bytes - without.file_bytes, of_history, 1e-9 * of_history);
     EXPECT_DOUBLE_EQ(with.packed_bytes, with.record_bytes - without.record_bytes);
