@@ -423,6 +423,7 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
         if (event.time > frame.time) break;
         failed[layout_.joint(event.floe, event.joint)] = true;
     }
+    const int sheet = is_level() ? largest_piece(frame) : -1;
     const auto colour = [&](std::size_t k) {
         switch (colouring) {
             case Colouring::piece:
@@ -434,7 +435,9 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
             case Colouring::ice:
                 break;
         }
-        return broken[static_cast<std::size_t>(layout_.elements[frame.id(k)].floe)] != 0 ? broken_ice : white_ice;
+        const bool is_broken = is_level() ? frame.pieces[k] != sheet
+                                          : broken[static_cast<std::size_t>(layout_.elements[frame.id(k)].floe)] != 0;
+        return is_broken ? broken_ice : white_ice;
     };
     Faces faces(projection, size);
     for (const auto& [box, exposed] : sheets_)
@@ -494,8 +497,10 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
                 bright, 14 * unit);
     const FloeCounts floes = stage.floes(frame);
     canvas.text({left, 72 * unit},
-                fmt::format("broken floes{}: {} of {}", subject.scenario.field.endless() ? " here" : "", floes.broken,
-                            floes.all),
+                stage.is_level()
+                    ? fmt::format("pieces broken off: {}", floes.broken)
+                    : fmt::format("broken floes{}: {} of {}", subject.scenario.field.endless() ? " here" : "",
+                                  floes.broken, floes.all),
                 bright, 14 * unit);
     if (!moment.empty()) canvas.text({left, 93 * unit}, moment, bright, 14 * unit, Align::left, true);
     if (style.view == View::plan) return;
@@ -523,7 +528,7 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
 }
 
 /// What the colours of the floes say.
-void draw_legend(Canvas& canvas, const PictureStyle& style, double bottom, double speed) {
+void draw_legend(Canvas& canvas, const Stage& stage, const PictureStyle& style, double bottom) {
     if (style.colouring == Colouring::piece) return;
     const double unit = unit_of(style);
     const double left = 16 * unit;
@@ -539,11 +544,12 @@ void draw_legend(Canvas& canvas, const PictureStyle& style, double bottom, doubl
     };
     if (style.colouring == Colouring::ice) {
         box(left, 22 * unit, white_ice);
-        const double next = word(left + 28 * unit, "whole floe") + 22 * unit;
+        const double next = word(left + 28 * unit, stage.is_level() ? "level ice" : "whole floe") + 22 * unit;
         box(next, 22 * unit, broken_ice);
-        word(next + 28 * unit, "broken floe");
+        word(next + 28 * unit, stage.is_level() ? "broken off" : "broken floe");
         return;
     }
+    const double speed = stage.subject().scenario.structure.speed;
     const bool moves = style.colouring == Colouring::speed;
     const double begin = word(left, moves ? "speed  0" : "utilisation of the worst joint  0") + 8 * unit;
     constexpr int steps = 40;
@@ -686,7 +692,7 @@ void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const 
     draw_tow(canvas, stage, frame, projection, size, unit);
     draw_forces(canvas, stage, frame, projection, metres, unit);
     draw_words(canvas, stage, frame, style);
-    draw_legend(canvas, style, size.y(), stage.subject().scenario.structure.speed);
+    draw_legend(canvas, stage, style, size.y());
     draw_scales(canvas, stage, frame, projection, size, unit, metres);
     draw_histories(canvas, stage, frame, style);
 }

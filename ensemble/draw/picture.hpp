@@ -45,7 +45,10 @@ class Stage {
     std::vector<Face> faces(const Frame& frame, const Projection& projection, const Vec2& size,
                             Colouring colouring) const;
 
-    FloeCounts floes(const Frame& frame) const { return count_floes(frame, layout_, outcome_.breaks); }
+    FloeCounts floes(const Frame& frame) const {
+        return is_level() ? count_pieces(frame) : count_floes(frame, layout_, outcome_.breaks);
+    }
+    bool is_level() const { return subject_.scenario.arrangement.level(); }
     double largest_load() const { return largest_load_; }  ///< of all steps, surge, sway and heave together, N
     /// That loads of all steps lie in, with none: as Frame::load, N.
     const Eigen::AlignedBox3d& loads() const { return loads_; }

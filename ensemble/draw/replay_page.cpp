@@ -415,6 +415,7 @@ std::string page_header(const Recording& recording, const Quanta& quanta, const 
         {"elements", recording.layout().elements.size()},
         {"floes", recording.layout().floes()},
         {"floes_there", counts(frames.floes)},
+        {"sheet", scenario.arrangement.level()},
         {"ice", ice(subject.floes)},
         {"structure", structure(scenario.structure.shape)},
         {"tow", {{"start", scenario.structure.start}, {"speed", scenario.structure.speed}}},
@@ -449,12 +450,15 @@ Attempt pack(const Recording& recording, const Quanta& quanta, int stride, std::
     FramePacker packer(quanta, static_cast<int>(recording.layout().elements.size()));
     Frame frame;
     std::vector<FloeCounts> floes;
-    const bool endless = recording.subject().scenario.field.endless();
+    const Scenario& scenario = recording.subject().scenario;
     const int last = recording.frames() - 1;
     for (int i = 0; i <= last; i = i == last ? last + 1 : std::min(i + stride, last)) {
         recording.read(i, frame);
         packer.add(frame);
-        if (endless) floes.push_back(count_floes(frame, recording.layout(), recording.outcome().breaks));
+        if (scenario.arrangement.level())
+            floes.push_back(count_pieces(frame));
+        else if (scenario.field.endless())
+            floes.push_back(count_floes(frame, recording.layout(), recording.outcome().breaks));
         if (packer.size() > most) return {std::nullopt, static_cast<double>(packer.size()) * (last + 1) / (i + 1)};
     }
     PackedFrames frames = packer.finish();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <span>
 #include <system_error>
@@ -618,6 +619,26 @@ FloeCounts count_floes(const Frame& frame, const IceLayout& layout, const std::v
         counts.broken += broken[static_cast<std::size_t>(floe)];
     }
     return counts;
+}
+
+namespace {
+
+std::map<int, int> elements_of_pieces(const Frame& frame) {
+    std::map<int, int> elements;
+    for (const int piece : frame.pieces) ++elements[piece];
+    return elements;
+}
+
+}  // namespace
+
+FloeCounts count_pieces(const Frame& frame) {
+    const auto all = static_cast<int>(elements_of_pieces(frame).size());
+    return {all - 1, all};
+}
+
+int largest_piece(const Frame& frame) {
+    const std::map<int, int> elements = elements_of_pieces(frame);
+    return std::ranges::max_element(elements, {}, [](const auto& one) { return one.second; })->first;
 }
 
 Channel RecordingSubject::channel() const {

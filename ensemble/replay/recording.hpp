@@ -65,6 +65,12 @@ struct FloeCounts {
 };
 FloeCounts count_floes(const Frame& frame, const IceLayout& layout, const std::vector<BreakEvent>& breaks);
 
+/// Of level ice: pieces, of which all but one have broken off.
+FloeCounts count_pieces(const Frame& frame);
+
+/// The piece of a frame with the most elements, of equally large ones the first: of level ice what has not broken off.
+int largest_piece(const Frame& frame);
+
 /// Writes a recording beside its place and renames it when it is finished; a recording that is not leaves nothing.
 class RecordingWriter {
   public:

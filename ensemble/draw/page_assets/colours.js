@@ -38,6 +38,13 @@ function roundNumber(value) {
   return [1, 2, 5, 10].map(k => k * power).find(k => k >= value * (1 - 1e-9));
 }
 
+// Of whole numbers from 0; of equally frequent ones the least.
+function mostFrequent(values) {
+  const counts = new Int32Array(1 + values.reduce((most, one) => Math.max(most, one), 0));
+  for (const one of values) if (one >= 0) ++counts[one];
+  return counts.reduce((best, count, one) => count > counts[best] ? one : best, 0);
+}
+
 class Colouring {
   constructor(replay) {
     this.replay = replay;
@@ -56,11 +63,12 @@ class Colouring {
 
   byPiece(frame, brokenFloes) {
     const pieces = this.replay.piecesAt(frame);
-    const {floeOf} = this.replay;
+    const {floeOf, header: {sheet}} = this.replay;
+    const whole = sheet ? mostFrequent(pieces) : -1;
     for (let e = 0; e < this.replay.elements; ++e) {
-      const floe = floeOf[e];
-      const random = (k => k - Math.floor(k))((brokenFloes.has(floe) ? pieces[e] : floe) * 0.618034);
-      const colour = brokenFloes.has(floe)
+      const broken = sheet ? pieces[e] !== whole : brokenFloes.has(floeOf[e]);
+      const random = (k => k - Math.floor(k))((broken ? pieces[e] : sheet ? 0 : floeOf[e]) * 0.618034);
+      const colour = broken
         ? hueColour(0.02 + 0.93 * random, 0.62, 0.7) : hueColour(0.57, 0.35, 0.86 + 0.09 * random);
       this.bytes.set(colour, 3 * e);
     }
@@ -88,9 +96,9 @@ class Colouring {
     const css = colour => `rgb(${colour.map(Math.round)})`;
     const line = (name, words) => `<li><span class="line" style="background:var(--${name})"></span>${words}</li>`;
     const own = {
-      piece: sample(css(hueColour(0.57, 0.35, 0.9)), 'whole floe') +
+      piece: sample(css(hueColour(0.57, 0.35, 0.9)), this.replay.header.sheet ? 'level ice' : 'whole floe') +
         sample(`linear-gradient(90deg,${[0.1, 0.35, 0.75].map(h => css(hueColour(h, 0.62, 0.7)))})`,
-          'pieces of a broken floe, a colour each'),
+          this.replay.header.sheet ? 'pieces that broke off, a colour each' : 'pieces of a broken floe, a colour each'),
       speed: `<li>speed 0 ${bar(viridis)} ${this.fastest} m/s</li>`,
       utilisation: `<li>worst joint, share of its strength: 0 ${bar(heat)} 100 %</li>` +
         sample(css(crack), 'an open crack softens'),

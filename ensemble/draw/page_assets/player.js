@@ -78,6 +78,7 @@ class Player {
     for (const name of ['surge', 'sway', 'heave', 'sum']) $(name).textContent = replay.unit.text(load[name]);
     const {floes, floes_there: there} = replay.header; // where floes come and go, of each frame
     const [broken, all] = there.length > 0 ? there[frame] : [this.stage.brokenFloes(time).size, floes];
+    if (replay.header.sheet) $('broken-of').textContent = 'Pieces broken off';
     $('broken').textContent = `${broken} of ${all}`;
     const failures = replay.failuresUntil(time);
     $('failed').textContent = failures.length;
