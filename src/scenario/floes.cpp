@@ -189,6 +189,7 @@ std::vector<FloeShape> floe_sizes(const Scenario& scenario) {
     const Sizes& sizes = scenario.sizes;
     const auto floes = static_cast<std::size_t>(scenario.field.floes);
     if (scenario.shapes.from_file()) return traced_shapes(scenario);
+    if (scenario.arrangement.level()) return {sheet_shape(scenario)};
     if (sizes.law == SizeLaw::one) return std::vector<FloeShape>(floes, scenario.floe);
     std::vector<FloeShape> shapes;
     if (sizes.law == SizeLaw::list) {

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 
 namespace floes {
 
-std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
+namespace {
+
+Contradictions contradictions_of(const Scenario& scenario) {
     Contradictions found;
     check_traced(scenario, found);
     check_level(scenario, found);
@@ -38,6 +41,15 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
     check_lattice(scenario, found);
     check_poses(scenario, found);
     return found;
+}
+
+}  // namespace
+
+std::vector<Contradiction> find_contradictions(const Scenario& scenario) {
+    if (!scenario.arrangement.level()) return contradictions_of(scenario);
+    Scenario whole = scenario;
+    whole.floe = sheet_shape(scenario);
+    return contradictions_of(whole);
 }
 
 std::string with_values(const Scenario& scenario, std::string_view sentence) {
