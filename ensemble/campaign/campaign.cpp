@@ -7,6 +7,7 @@
 
 #include "arrangement/arrangement.hpp"
 #include "campaign/campaign_keys.hpp"
+#include "core/contract.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -25,11 +26,13 @@ int member_count(const Campaign& campaign) {
 }
 
 MemberKey member_key(const Campaign& campaign, int number) {
+    FLOES_EXPECTS(number >= 0 && number < member_count(campaign));
     const int cases = static_cast<int>(campaign.cases.size());
     return {number % cases, number / cases};
 }
 
 std::uint64_t arrangement_seed(const Campaign& campaign, int case_index) {
+    FLOES_EXPECTS(case_index >= 0 && case_index < std::ssize(campaign.cases));
     if (campaign.common_arrangements) return campaign.seed;
     const std::string& name = campaign.cases[static_cast<std::size_t>(case_index)].name;
     return digest64(fmt::format("seed {} case {}", campaign.seed, name));
@@ -198,6 +201,7 @@ std::string fingerprint(const Campaign& campaign) {
 }
 
 std::string case_fingerprint(const Campaign& campaign, int case_index) {
+    FLOES_EXPECTS(case_index >= 0 && case_index < std::ssize(campaign.cases));
     const Case& one = campaign.cases[static_cast<std::size_t>(case_index)];
     return digest_hex(fmt::format("seed {}\n{}", arrangement_seed(campaign, case_index), case_text(one)));
 }

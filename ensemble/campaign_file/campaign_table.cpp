@@ -1,10 +1,11 @@
 #include "campaign_file/campaign_table.hpp"
-#include "campaign/case_words.hpp"
-#include "core/units.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "campaign/case_words.hpp"
+#include "core/contract.hpp"
+#include "core/units.hpp"
 #include "member/array_output.hpp"
 
 namespace floes {
@@ -166,6 +167,7 @@ void Sample::add(std::string_view path, std::span<const double> values, std::siz
 }
 
 double Sample::value(std::size_t member, const Quantity& quantity) const {
+    FLOES_EXPECTS(member < members());
     const auto column = columns_.find(quantity.key.view());
     return column == columns_.end() ? undefined : column->second.at(member);
 }
@@ -178,6 +180,7 @@ std::vector<double> Sample::values(const Members& members, const Quantity& quant
 }
 
 std::span<const double> Sample::along(std::string_view array, std::size_t member) const {
+    FLOES_EXPECTS(arrays_.contains(array) && member < members());
     const Array& found = arrays_.find(array)->second;
     return std::span(found.values).subspan(found.first[member], found.first[member + 1] - found.first[member]);
 }

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/units.hpp"
 #include "draw/canvas.hpp"
 #include "tables/figure.hpp"
@@ -679,6 +680,7 @@ int picture_height(const PictureStyle& style, const RecordingSubject& subject) {
 }
 
 void draw_picture(Canvas& canvas, const Stage& stage, const Frame& frame, const PictureStyle& style) {
+    FLOES_EXPECTS(canvas.width() > 0 && canvas.height() > 0);
     const double unit = unit_of(style);
     const Vec2 size(canvas.width(), canvas.height() - strip_height(style, stage.subject()));
     const Projection projection(

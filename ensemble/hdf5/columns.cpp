@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
-#include <stdexcept>
 
 #include <hdf5_hl.h>
 
+#include "core/contract.hpp"
 #include "core/units.hpp"
 
 namespace floes::hdf5 {
@@ -42,7 +42,7 @@ Handle create_texts(hid_t parent, const Label& label, const Handle& type, const 
 }
 
 void require_all(hsize_t written, hsize_t rows, const std::string& name) {
-    if (written != rows) throw std::logic_error(fmt::format("{} got {} of its {} rows", name, written, rows));
+    if (written != rows) throw ContractError(fmt::format("{} got {} of its {} rows", name, written, rows));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ class Column {
     /// Adds whole rows, in row-major order.
     void add(std::span<const Value> values);
     void add(const Value& value) { add(std::span(&value, 1)); }
-    /// Call it after the last row: writes the remaining rows and the digest. Throws std::logic_error if rows are
+    /// Call it after the last row: writes the remaining rows and the digest. Throws ContractError if rows are
     /// missing.
     void finish();
 

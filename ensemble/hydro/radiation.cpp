@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "hydro/capytaine.hpp"
 #include "hydro/radiation_tables.hpp"
@@ -144,6 +145,7 @@ std::string extent_of(const RadiationFile& radiation) {
 }
 
 RadiationPoint radiation_at(const RadiationFile& radiation, double frequency) {
+    FLOES_EXPECTS(!radiation.points.empty());
     const std::vector<RadiationPoint>& points = radiation.points;
     constexpr double rounding = 1e-9;
     if (frequency < points.front().frequency * (1 - rounding) || frequency > points.back().frequency * (1 + rounding))

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/contract.hpp"
+
 namespace floes {
 
 Projection::Projection(const Camera& camera, double width, double height)
@@ -81,6 +83,7 @@ constexpr double golden_share = 0.61803398875;
 }  // namespace
 
 Colour between(const Colour& a, const Colour& b, double share) {
+    FLOES_EXPECTS(share >= 0 && share <= 1);
     const auto mix = [share](double from, double to) { return from + share * (to - from); };
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue), mix(a.opacity, b.opacity)};
 }

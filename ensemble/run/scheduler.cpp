@@ -1,10 +1,11 @@
 #include "run/scheduler.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <tuple>
 
 #include <fmt/format.h>
+
+#include "core/contract.hpp"
 
 namespace floes {
 
@@ -15,7 +16,7 @@ constexpr double time_ahead =
 constexpr double most_rounds_ahead = 64;
 
 void require(bool holds, const char* what, int which) {
-    if (!holds) throw std::logic_error(fmt::format("scheduler: {} ({})", what, which));
+    if (!holds) throw ContractError(fmt::format("scheduler: {} ({})", what, which));
 }
 
 }  // namespace

@@ -120,10 +120,10 @@ class Scheduler {
     /// A member whose attempts failed `most_failures` times, >= 1, is set aside: its last answer is kept. Attempts that
     /// were lost with their process do not count, because the cause is usually another member; such a member is
     /// computed in an isolated process from then on, where it harms no other and its own failure shows. Throws
-    /// std::logic_error if a number comes twice or a cost is not positive and finite.
+    /// ContractError if a number comes twice or a cost is not positive and finite.
     explicit Scheduler(std::vector<MemberTask> tasks, int most_failures = 1);
 
-    /// Handles the event and returns the commands to obey, in order. Throws std::logic_error on an impossible event: a
+    /// Handles the event and returns the commands to obey, in order. Throws ContractError on an impossible event: a
     /// worker that joins twice or without cores. A late answer is not an error: see late_answers().
     std::vector<Command> handle(const Event& event);
 
@@ -141,7 +141,7 @@ class Scheduler {
     double done_cost() const { return done_cost_; }  ///< sum over done members
     double remaining_cost() const;                   ///< sum over all others
 
-    /// Throws std::logic_error naming the first inconsistency of the state. O(members + workers); for tests.
+    /// Throws ContractError naming the first inconsistency of the state. O(members + workers); for tests.
     void check_invariants() const;
 
   private:

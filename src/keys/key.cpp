@@ -10,17 +10,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/contract.hpp"
 #include "keys/meant.hpp"
 
 namespace floes {
 
 Range Range::at_most(double bound) const {
+    FLOES_EXPECTS(bound >= low);
     Range range = *this;
     range.high = bound;
     return range;
 }
 
 Range Range::below(double bound) const {
+    FLOES_EXPECTS(bound > low);
     Range range = at_most(bound);
     range.high_included = false;
     return range;

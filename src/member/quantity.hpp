@@ -7,10 +7,10 @@
 #include <optional>
 #include <ranges>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
+#include "core/contract.hpp"
 #include "member/member_outputs.hpp"
 
 namespace floes {
@@ -20,9 +20,9 @@ class ShortText {
   public:
     constexpr ShortText() = default;
     constexpr ShortText(const char* text) : ShortText(std::string_view{text}) {}
-    /// Throws std::length_error for one that is too long.
+    /// Throws ContractError for one that is too long.
     constexpr explicit ShortText(std::string_view text) : size_(text.size()) {
-        if (text.size() > letters_.size()) throw std::length_error("A short text is too long.");
+        if (text.size() > letters_.size()) throw ContractError("A short text is too long.");
         text.copy(letters_.data(), text.size());
     }
 

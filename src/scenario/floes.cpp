@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
 #include "core/turn.hpp"
@@ -155,6 +156,7 @@ std::function<double(double)> diameters(const Sizes& sizes) {
 }  // namespace
 
 double element_side(const Scenario& scenario, double breadth) {
+    FLOES_EXPECTS(breadth > 0);
     switch (scenario.sizes.element) {
         case ElementSide::of_floe:
             return breadth / scenario.sizes.elements_across;
@@ -166,6 +168,7 @@ double element_side(const Scenario& scenario, double breadth) {
 }
 
 std::vector<int> listed_counts(const Scenario& scenario) {
+    FLOES_EXPECTS(!scenario.sizes.list.empty());
     const std::vector<ListedSize>& list = scenario.sizes.list;
     std::vector<double> wanted;
     for (const ListedSize& one : list)
@@ -182,6 +185,7 @@ std::vector<int> listed_counts(const Scenario& scenario) {
     std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t k) { return wanted[k] - counts[k]; });
     int left = scenario.field.floes - std::accumulate(counts.begin(), counts.end(), 0);
     for (std::size_t k = 0; left > 0; --left, ++k) ++counts[order[k % order.size()]];
+    FLOES_ENSURES(std::accumulate(counts.begin(), counts.end(), 0) == scenario.field.floes);
     return counts;
 }
 

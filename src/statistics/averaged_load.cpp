@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <set>
-#include <stdexcept>
 
 #include "core/contract.hpp"
 #include "statistics/load_statistics.hpp"
@@ -87,8 +86,8 @@ AveragedLoad averaged_over(std::span<const double> window, double time, const Av
         const std::size_t begin = std::max(part_begin(window.size(), k, segments), steps - 1);
         const std::size_t end = part_begin(window.size(), k + 1, segments);
         if (begin >= end)
-            throw std::invalid_argument(fmt::format("An averaging time of {} steps is longer than a segment of {}.",
-                                                    steps, window.size() / segments));
+            throw ContractError(fmt::format("An averaging time of {} steps is longer than a segment of {}.", steps,
+                                            window.size() / segments));
         const auto ending_here = std::span(means).subspan(begin - (steps - 1), end - begin);
         result.segment_maximum.push_back(std::ranges::max(ending_here));
     }

@@ -47,7 +47,7 @@ std::vector<double> running_means(std::span<const double> values, std::size_t co
 
 /// One for each of the times, which are rounded to whole steps, at least one. The running means of a window are those
 /// of which every step lies in the window; each belongs to the segment in which it ends, so the first segment has fewer
-/// by the averaging time less one step. `window`: as load_statistics() takes it; throws std::invalid_argument for a
+/// by the averaging time less one step. `window`: as load_statistics() takes it; throws ContractError for a
 /// time longer than a segment.
 std::vector<AveragedLoad> averaged_load(std::span<const double> window, const Averaging& how);
 

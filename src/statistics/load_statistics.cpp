@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <vector>
 
 #include "core/contract.hpp"
@@ -124,15 +123,13 @@ double slope_p_value(std::span<const double> window) {
 
 LoadStatistics load_statistics(std::span<const double> window, double time_step, int segments) {
     if (segments < 1 || window.size() < 2 * static_cast<std::size_t>(segments)) {
-        throw std::invalid_argument(
+        throw ContractError(
             fmt::format("A window of {} samples cannot be cut into {} segments of at least 2 samples each.",
                         window.size(), segments));
     }
-    if (!(time_step > 0))
-        throw std::invalid_argument(fmt::format("The time step is {} s; it must be above 0.", time_step));
+    if (!(time_step > 0)) throw ContractError(fmt::format("The time step is {} s; it must be above 0.", time_step));
     if (!std::ranges::all_of(window, [](double value) { return std::isfinite(value); })) {
-        throw std::invalid_argument(
-            "The load in the window is not finite everywhere, so the member has no statistics.");
+        throw ContractError("The load in the window is not finite everywhere, so the member has no statistics.");
     }
     LoadStatistics result;
     result.mean = mean_of(window);

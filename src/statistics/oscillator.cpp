@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "core/contract.hpp"
 
@@ -27,8 +26,7 @@ double Oscillator::decay_rate() const {
 OscillatorStep::OscillatorStep(const Oscillator& oscillator, double step) : stiffness_(oscillator.stiffness) {
     const bool real = oscillator.stiffness >= 0 && oscillator.mass > 0 && oscillator.damping_ratio >= 0 &&
                       oscillator.damping_ratio < 1 && step > 0;
-    if (!real)
-        throw std::invalid_argument("An oscillator has stiffness and mass, damping below the critical, and a step.");
+    if (!real) throw ContractError("An oscillator has stiffness and mass, damping below the critical, and a step.");
     if (stiffness_ == 0) {
         offset_of_velocity_ = step;
         velocity_of_load_ = step / oscillator.mass;

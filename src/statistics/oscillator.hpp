@@ -36,7 +36,7 @@ struct OscillatorState {
     double velocity = 0;  ///< ẋ, m/s
 };
 
-/// What an interval of `step` s makes of a state under a constant load. Throws std::invalid_argument as motion_under().
+/// What an interval of `step` s makes of a state under a constant load. Throws ContractError as motion_under().
 class OscillatorStep {
   public:
     OscillatorStep(const Oscillator& oscillator, double step);
@@ -61,7 +61,7 @@ class OscillatorStep {
 
 /// The states at the ends of the intervals, in their order: between two ends, the offset may be larger by at most
 /// 1 - cos(ωh/2) of its swing, which is 1.2 % where a period has 20 intervals. `load`: N, constant in each interval of
-/// `step` s, > 0; `start`: before the first. Throws std::invalid_argument for an oscillator or a step outside these
+/// `step` s, > 0; `start`: before the first. Throws ContractError for an oscillator or a step outside these
 /// ranges.
 std::vector<OscillatorState> motion_under(const Oscillator& oscillator, std::span<const double> load, double step,
                                           OscillatorState start = {});

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/state_archive.hpp"
 #include "shapes/convex_solid.hpp"
@@ -291,40 +292,48 @@ JointId World::add_joint(const JointDefinition& joint) {
 }
 
 void World::remove_joint(JointId joint) {
+    FLOES_EXPECTS(joint.index() < parts_->joints);
     parts_->engine->remove_joint(joint);
 }
 
 void World::soften_joint(JointId joint, double sound) {
+    FLOES_EXPECTS(joint.index() < parts_->joints);
     check_softening(sound, parts_->solver);
     parts_->engine->soften_joint(joint, sound);
 }
 
 void World::set_piece(BodyId body, int piece) {
+    FLOES_EXPECTS(body.index() < parts_->bodies);
     parts_->engine->set_piece(body, piece);
 }
 
 void World::set_water(BodyId body, const CarriedWater& water) {
+    FLOES_EXPECTS(body.index() < parts_->bodies);
     check(water, parts_->solver);
     parts_->engine->set_water(body, parts_->units.to_own(water));
 }
 
 void World::set_asleep(BodyId body, bool asleep) {
+    FLOES_EXPECTS(body.index() < parts_->bodies);
     check_sleep(parts_->solver);
     parts_->engine->set_asleep(body, asleep);
 }
 
 void World::take_out(BodyId element) {
+    FLOES_EXPECTS(element.index() < parts_->bodies);
     check_sleep(parts_->solver);
     parts_->engine->take_out(element);
 }
 
 void World::put_in(BodyId element, const ElementDefinition& definition) {
+    FLOES_EXPECTS(element.index() < parts_->bodies);
     check_sleep(parts_->solver);
     check(definition);
     parts_->engine->put_in(element, parts_->units.to_own(definition));
 }
 
 void World::put_in(JointId joint, const JointDefinition& definition) {
+    FLOES_EXPECTS(joint.index() < parts_->joints);
     check_sleep(parts_->solver);
     check(definition, parts_->bodies, parts_->solver);
     parts_->engine->put_in(joint, parts_->units.to_own(definition));
@@ -335,14 +344,17 @@ std::vector<BodyId> World::touched_asleep() const {
 }
 
 void World::place(BodyId body, const BodyState& state) {
+    FLOES_EXPECTS(body.index() < parts_->bodies);
     parts_->engine->place(body, parts_->units.to_own(state));
 }
 
 void World::move_structure(const Pose& pose) {
+    FLOES_EXPECTS(parts_->has_structure);
     parts_->engine->move_structure(parts_->units.to_own(pose));
 }
 
 void World::apply(BodyId body, const Wrench& wrench) {
+    FLOES_EXPECTS(body.index() < parts_->bodies);
     parts_->engine->apply(body, parts_->units.to_own(wrench));
 }
 
@@ -351,6 +363,7 @@ void World::step() {
 }
 
 BodyState World::state(BodyId body) const {
+    FLOES_EXPECTS(body.index() < parts_->bodies);
     return parts_->units.to_si(parts_->engine->state(body));
 }
 
@@ -359,10 +372,12 @@ int World::sweeps() const {
 }
 
 JointReaction World::reaction(JointId joint) const {
+    FLOES_EXPECTS(joint.index() < parts_->joints);
     return parts_->units.to_si(parts_->engine->reaction(joint));
 }
 
 Vec3 World::contact_force(BodyId body) const {
+    FLOES_EXPECTS(body.index() < parts_->bodies);
     Vec3 impulse = Vec3::Zero();
     for (const SolverContact& contact : parts_->engine->contacts()) {
         const double side = contact.a == body.index() ? 1.0 : contact.b == body.index() ? -1.0 : 0.0;

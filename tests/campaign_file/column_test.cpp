@@ -1,12 +1,12 @@
 // Columns that get their rows one by one hold what is written whole.
 
+#include "core/contract.hpp"
 #include "hdf5/columns.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 
 #include "hdf5/dataset.hpp"
 #include "support/temporary_folder.hpp"
@@ -61,7 +61,7 @@ TEST(Column, IsNotFinishedBeforeItsLastRow) {
     const hdf5::Scale row = hdf5::write_index_scale(file.id(), "row", "row", 2);
     hdf5::Column<std::int32_t> column(file.id(), {"numbers", "1", "numbers"}, {row});
     column.add(1);
-    EXPECT_THROW(column.finish(), std::logic_error);
+    EXPECT_THROW(column.finish(), ContractError);
     column.add(2);
     column.finish();
 }

@@ -1,8 +1,8 @@
 #include "run/scheduler.hpp"
 
-#include <stdexcept>
-
 #include <gtest/gtest.h>
+
+#include "core/contract.hpp"
 
 namespace floes {
 namespace scheduler_test {
@@ -174,12 +174,12 @@ TEST(Scheduler, KnowsWhatIsLeftToPayFor) {
 }
 
 TEST(Scheduler, RefusesWhatCannotBe) {
-    EXPECT_THROW(Scheduler({{1, 1.0}, {1, 1.0}}), std::logic_error);
-    EXPECT_THROW(Scheduler({{1, 0.0}}), std::logic_error);
+    EXPECT_THROW(Scheduler({{1, 1.0}, {1, 1.0}}), ContractError);
+    EXPECT_THROW(Scheduler({{1, 0.0}}), ContractError);
     Scheduler scheduler({{1, 1.0}});
-    EXPECT_THROW(scheduler.handle(WorkerJoined{0, 0, 0}), std::logic_error);
+    EXPECT_THROW(scheduler.handle(WorkerJoined{0, 0, 0}), ContractError);
     scheduler.handle(WorkerJoined{0, 1, 0});
-    EXPECT_THROW(scheduler.handle(WorkerJoined{0, 1, 0}), std::logic_error);
+    EXPECT_THROW(scheduler.handle(WorkerJoined{0, 1, 0}), ContractError);
 }
 
 }  // namespace scheduler_test

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
+#include "core/contract.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
@@ -112,8 +112,8 @@ TEST(RunningMeans, AreNoneOfFewerValues) {
 TEST(AveragedLoad, RefusesATimeLongerThanASegment) {
     const std::vector<double> load(9, 1.0);
     EXPECT_NO_THROW(over(load, 3 * step));
-    EXPECT_THROW(over(load, 4 * step), std::invalid_argument);
-    EXPECT_THROW(over(load, 20 * step), std::invalid_argument);
+    EXPECT_THROW(over(load, 4 * step), ContractError);
+    EXPECT_THROW(over(load, 20 * step), ContractError);
 }
 
 }  // namespace averaged_load_test

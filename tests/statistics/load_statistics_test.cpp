@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "core/contract.hpp"
 
 namespace floes {
 namespace load_statistics_test {
@@ -108,12 +109,12 @@ TEST(LoadStatistics, AutocorrelationDoesNotMakeATrend) {
 
 TEST(LoadStatistics, RefusesWhatHasNoStatistics) {
     const std::vector<double> window(6, 1.0);
-    EXPECT_THROW(load_statistics(window, 0.02, 0), std::invalid_argument);
-    EXPECT_THROW(load_statistics(window, 0.02, 4), std::invalid_argument);
-    EXPECT_THROW(load_statistics(window, 0, 3), std::invalid_argument);
+    EXPECT_THROW(load_statistics(window, 0.02, 0), ContractError);
+    EXPECT_THROW(load_statistics(window, 0.02, 4), ContractError);
+    EXPECT_THROW(load_statistics(window, 0, 3), ContractError);
     std::vector<double> broken = window;
     broken[3] = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THROW(load_statistics(broken, 0.02, 3), std::invalid_argument);
+    EXPECT_THROW(load_statistics(broken, 0.02, 3), ContractError);
 }
 
 }  // namespace load_statistics_test

@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
+
+#include "core/contract.hpp"
 
 namespace floes {
 namespace oscillator_test {
@@ -184,8 +185,8 @@ TEST(Oscillator, RefusesWhatIsNone) {
     const std::vector<double> load{1, 2};
     for (const Oscillator& none :
          {Oscillator{-1, 1, 0.1}, Oscillator{1, 0, 0.1}, Oscillator{1, 1, 1}, Oscillator{1, 1, -0.1}})
-        EXPECT_THROW(motion_under(none, load, 0.1), std::invalid_argument);
-    EXPECT_THROW(motion_under(of_a_second(0.1), load, 0), std::invalid_argument);
+        EXPECT_THROW(motion_under(none, load, 0.1), ContractError);
+    EXPECT_THROW(motion_under(of_a_second(0.1), load, 0), ContractError);
     EXPECT_TRUE(motion_under(of_a_second(0.1), {}, 0.1).empty());
 }
 
