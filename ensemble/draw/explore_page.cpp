@@ -13,6 +13,7 @@
 
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "draw/page_parts.hpp"
 #include "findings/conditions.hpp"
 #include "findings/evidence.hpp"
@@ -264,7 +265,7 @@ void write_explore_page(std::ostream& page, const Evidence& evidence, const Camp
         asset("explore.html").value(), [&](std::string_view text) { page << text; },
         [&](std::string_view name) {
             if (name == "title") {
-                page << html_escaped(evidence.summary.title);
+                page << markup_escaped(evidence.summary.title);
             } else if (name == "header") {
                 page << in_a_script(header(evidence, columns, histories, options.file));
             } else if (name == "streams") {

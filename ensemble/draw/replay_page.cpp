@@ -15,6 +15,7 @@
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "draw/page_parts.hpp"
 #include "draw/picture.hpp"
@@ -512,7 +513,7 @@ void write_replay_page(std::ostream& page, const Recording& recording, const Pag
         pattern(), [&](std::string_view text) { page << text; },
         [&](std::string_view name) {
             if (name == "title")
-                page << html_escaped(
+                page << markup_escaped(
                     fmt::format("{}: case {}, member {}", subject.campaign, subject.case_name, subject.member));
             else if (name == "header")
                 page << in_a_script(page_header(recording, quanta, frames, options.start));

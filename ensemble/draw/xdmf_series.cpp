@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "hdf5/columns.hpp"
 #include "replay/view.hpp"
@@ -166,8 +167,7 @@ XdmfMesh moorings_part(const Frame& frame, const Moorings& moorings) {
 
 }  // namespace
 
-XdmfMesh structure_part(const Shape& shape, const StructurePose& pose) {
-    const SurfaceMesh surface = shape.mesh(96);
+XdmfMesh structure_part(const SurfaceMesh& surface, const StructurePose& pose) {
     XdmfMesh mesh;
     const Mat3 turn = pose.orientation().toRotationMatrix();
     for (const Vec3& point : surface.points) append(mesh.points, pose.position + turn * point);
@@ -410,12 +410,13 @@ XdmfSeries::XdmfSeries(const std::filesystem::path& path, const RecordingSubject
       layout_(subject.floes),
       breaks_(breaks),
       sheets_(ice_sheets_part(subject.channel())),
+      hull_(subject.scenario.structure.shape.mesh(96)),
       state_{.file = path.filename().string()} {}
 
 void XdmfSeries::add(const Frame& frame) {
     // First what every frame has: ParaView takes its times from the first part.
     write("ice", ice_part(frame, layout_, broken_floes(breaks_, layout_.floes(), frame.time)), frame.time);
-    write("structure", structure_part(subject_.scenario.structure.shape, frame.structure), frame.time);
+    write("structure", structure_part(hull_, frame.structure), frame.time);
     write("load", load_part(frame), frame.time);
     write("contacts", contacts_part(frame), frame.time);
     write("ice_sheets", sheets_, frame.time);
@@ -471,7 +472,7 @@ std::string XdmfSeries::item(const std::string& part, const XdmfArray& array) {
     const std::string sizes =
         array.components == 1 ? fmt::to_string(values) : fmt::format("{} {}", values / 3, array.components);
     last = {array.values, fmt::format(R"(<DataItem Format="HDF" {} Dimensions="{}">{}:/{}</DataItem>)",
-                                      type_words(array.values), sizes, html_escaped(state_.file) + ".h5", name)};
+                                      type_words(array.values), sizes, markup_escaped(state_.file) + ".h5", name)};
     return last.item;
 }
 

@@ -56,8 +56,8 @@ XdmfMesh contacts_part(const Frame& frame);
 /// component: 0 surge, 1 heave, 2 sway (along x, y, z), 3 their sum.
 XdmfMesh load_part(const Frame& frame);
 
-/// The surface of the structure with its axis there.
-XdmfMesh structure_part(const Shape& shape, const StructurePose& pose);
+/// The surface of the structure, given about its axis, with its axis there.
+XdmfMesh structure_part(const SurfaceMesh& surface, const StructurePose& pose);
 
 // A script for ParaView that shows a series as Fig. 5 shows a run.
 
@@ -103,6 +103,7 @@ class XdmfSeries {
     IceLayout layout_;
     const std::vector<BreakEvent>& breaks_;
     XdmfMesh sheets_;
+    SurfaceMesh hull_;
     std::vector<std::pair<std::string, std::string>> grids_;  ///< parts as they come, and their grids in XML
     std::map<std::string, Written> written_;                  ///< the last of each array
     int frames_ = 0;

@@ -118,7 +118,7 @@ struct SimulatedDesign {
 /// simulated_peaks() does.
 std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request);
 
-/// Sentences on cases in which lines broke, so that the force is limited by that of the lines left, and on those that
+/// Sentences on cases in which lines broke, so that fewer hold the hull from then on, and on those that
 /// thrusters alone hold, so that there is none; empty without such cases.
 std::string mooring_notes(const Evidence& evidence);
 

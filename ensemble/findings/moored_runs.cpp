@@ -418,8 +418,9 @@ std::string mooring_notes(const Evidence& evidence) {
             std::ranges::count_if(evidence.sample.values(members, broken), [](double lines) { return lines > 0; });
         if (count > 0)
             text += fmt::format(
-                "! {}: lines broke in {} of {} members: their force is limited by that of what was left, and no design "
-                "force of lines that hold.\n",
+                "! {}: lines broke in {} of {} members: they are held by fewer lines from then on, and their force is "
+                "no "
+                "design force of lines that hold.\n",
                 label, count, members.size());
     }
     return text;

@@ -2,28 +2,15 @@
 
 #include <fmt/format.h>
 
-namespace floes {
+#include "core/text.hpp"
 
-std::string xml_escaped(std::string_view text) {
-    std::string made;
-    for (const char c : text) {
-        if (c == '&')
-            made += "&amp;";
-        else if (c == '<')
-            made += "&lt;";
-        else if (c == '"')
-            made += "&quot;";
-        else
-            made += c;
-    }
-    return made;
-}
+namespace floes {
 
 namespace {
 
 std::string start_of(const FmuVariable& one, const FmuDescription& of) {
     if (one.reference == fmu_reference::arrangement) return fmt::format("{}", of.arrangement);
-    if (one.reference == fmu_reference::case_name) return xml_escaped(of.case_name);
+    if (one.reference == fmu_reference::case_name) return markup_escaped(of.case_name);
     return one.type == FmuType::string ? "" : "0";
 }
 
@@ -35,7 +22,7 @@ std::string_view variability_of(const FmuVariable& one) {
 
 std::string common_attributes(const FmuVariable& one) {
     return fmt::format(R"(name="{}" valueReference="{}" description="{}" causality="{}"{})", one.name, one.reference,
-                       xml_escaped(one.words), fmu_role_words.at(static_cast<std::size_t>(one.role)),
+                       markup_escaped(one.words), fmu_role_words.at(static_cast<std::size_t>(one.role)),
                        variability_of(one));
 }
 
@@ -84,7 +71,7 @@ std::string text_2(const FmuDescription& of) {
         "variableNamingConvention=\"flat\">\n"
         "  <CoSimulation modelIdentifier=\"{}\" canHandleVariableCommunicationStepSize=\"false\" "
         "canNotUseMemoryManagementFunctions=\"true\" canGetAndSetFMUstate=\"{}\" canSerializeFMUstate=\"{}\"/>\n",
-        xml_escaped(of.model_name), of.token, of.program, fmu_identifier, of.can_be_saved, of.can_be_saved);
+        markup_escaped(of.model_name), of.token, of.program, fmu_identifier, of.can_be_saved, of.can_be_saved);
     text += units_text();
     text += categories;
     text += experiment(of) + "  <ModelVariables>\n";
@@ -108,7 +95,7 @@ std::string text_3(const FmuDescription& of) {
         "variableNamingConvention=\"flat\">\n"
         "  <CoSimulation modelIdentifier=\"{}\" canHandleVariableCommunicationStepSize=\"false\" "
         "fixedInternalStepSize=\"{}\" canGetAndSetFMUState=\"{}\" canSerializeFMUState=\"{}\"/>\n",
-        xml_escaped(of.model_name), of.token, of.program, fmu_identifier, of.time_step, of.can_be_saved,
+        markup_escaped(of.model_name), of.token, of.program, fmu_identifier, of.time_step, of.can_be_saved,
         of.can_be_saved);
     text += units_text();
     text += categories;

@@ -27,7 +27,4 @@ struct FmuDescription {
 
 std::string fmu_description(const FmuDescription& of, FmiVersion version);
 
-/// The text within XML, HTML or an attribute of theirs.
-std::string xml_escaped(std::string_view text);
-
 }  // namespace floes

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace floes {
 
@@ -49,6 +51,7 @@ std::string zip_archive(const std::vector<ArchivedFile>& files) {
     std::string archive;
     std::string central;
     for (const auto& [name, bytes] : files) {
+        FLOES_EXPECTS(!name.empty() && name.front() != '/');
         if (bytes.size() > std::numeric_limits<std::int32_t>::max())
             throw RunError(fmt::format("{} has {} bytes, more than an FMU can hold.", name, bytes.size()));
         const std::string packed = deflated(bytes);
@@ -97,14 +100,14 @@ std::string index_page(const FmuDescription& of) {
     std::string rows;
     for (const FmuVariable& one : fmu_variables(of.mover)) {
         rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", one.name,
-                            fmu_role_words.at(static_cast<std::size_t>(one.role)), one.unit, xml_escaped(one.words));
+                            fmu_role_words.at(static_cast<std::size_t>(one.role)), one.unit, markup_escaped(one.words));
     }
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title></head><body>\n"
         "<h1>{0}</h1>\n<p>The load of ice floes on a hull that is moved {1} this FMU, made by {2}. Axes: X along the "
         "channel as the tow goes, Y to port, Z up, from where the tow has the hull; forces on the hull, at its axis at "
         "the height of the calm water.</p>\n<table>\n{3}</table>\n</body></html>\n",
-        xml_escaped(of.model_name), hull_mover_words.at(static_cast<std::size_t>(of.mover)), of.program, rows);
+        markup_escaped(of.model_name), hull_mover_words.at(static_cast<std::size_t>(of.mover)), of.program, rows);
 }
 
 }  // namespace

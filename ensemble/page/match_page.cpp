@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "match/matching.hpp"
 #include "page/section_html.hpp"
@@ -97,7 +98,7 @@ std::string fill(const Band& band, const std::string& shape) {
 std::string words(double x, double y, const char* anchor, const std::string& text, const char* style = "small") {
     if (text.empty()) return "";
     return fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, x, y, anchor,
-                       html_escaped(text));
+                       markup_escaped(text));
 }
 
 /// One panel, on the screen: coordinates -1 to 1 from left to right and from the floor up.
@@ -299,7 +300,7 @@ std::string match_grid(const MatchData& data, const Matching& found) {
             body += fmt::format(
                 "<text class=\"small label\" transform=\"translate({:.1f} {:.1f}) rotate(-90)\" "
                 "text-anchor=\"middle\">{}</text>",
-                10 + down, y + side / 2, html_escaped(names[axis][line]));
+                10 + down, y + side / 2, markup_escaped(names[axis][line]));
         }
     }
     return fmt::format(
@@ -345,7 +346,7 @@ std::string match_page(const MatchPageData& told) {
     for (const Section& one : told.predictions) body += titled(one);
     body += titled(check_section(told.targets));
     if (told.trail.size() > 1) body += trail(told.trail);
-    body += section("How it was computed", fmt::format("<pre>{}</pre>\n", html_escaped(told.command)));
+    body += section("How it was computed", fmt::format("<pre>{}</pre>\n", markup_escaped(told.command)));
     return html_page("What the measured loads leave possible", "", body);
 }
 

@@ -27,7 +27,7 @@ namespace {
 std::string embedded(const MomentPicture& picture) {
     std::ostringstream text;
     write_base64(text, std::as_bytes(std::span(picture.png)));
-    const std::string caption = html_escaped(picture.caption);
+    const std::string caption = markup_escaped(picture.caption);
     return fmt::format(
         "<figure><img alt=\"{0}\" src=\"data:image/png;base64,{1}\"><figcaption>{0}</figcaption></figure>\n", caption,
         text.str());
@@ -39,14 +39,14 @@ std::string worst_moments(const ReportData& data) {
     for (const Moment& moment : data.moments) {
         const MemberRow& row = data.evidence.table.members[static_cast<std::size_t>(moment.member)];
         body += fmt::format("<h3>{}: member {}</h3>\n",
-                            html_escaped(data.evidence.summary.name_of(static_cast<std::size_t>(row.case_index))),
+                            markup_escaped(data.evidence.summary.name_of(static_cast<std::size_t>(row.case_index))),
                             moment.member);
         for (const MomentPicture& picture : moment.pictures) body += embedded(picture);
         if (!moment.differences.empty())
             body += note("The member computed for these pictures is not to the bit the one in the file: " +
                          moment.differences.front());
         body += fmt::format("<p>To watch it: <code>{}</code></p>\n",
-                            html_escaped(replay_command(data.evidence, moment.member, moment.of)));
+                            markup_escaped(replay_command(data.evidence, moment.member, moment.of)));
     }
     if (body.empty()) return "";
     return section(data.moments.size() > 1 ? "The worst moments" : "The worst moment", body);
@@ -74,15 +74,15 @@ std::string findings_html(Evidence& evidence, const std::string& after_loads) {
 std::string provenance(const ReportData& data) {
     std::string rows;
     for (const auto& [name, value] : data.evidence.origin.facts)
-        rows +=
-            fmt::format("<tr><td>{}</td><td class=\"words\">{}</td></tr>\n", html_escaped(name), html_escaped(value));
+        rows += fmt::format("<tr><td>{}</td><td class=\"words\">{}</td></tr>\n", markup_escaped(name),
+                            markup_escaped(value));
     return section(
         "How it was computed",
         fmt::format("<p>To repeat this campaign, save the configuration below as <code>{}.toml</code> and run</p>\n"
                     "<pre>{}</pre>\n<div class=\"wide\"><table>{}</table></div>\n"
                     "<details><summary>Configuration</summary><pre>{}</pre></details>\n",
-                    html_escaped(data.evidence.summary.title), html_escaped(data.command), rows,
-                    html_escaped(data.evidence.origin.configuration)));
+                    markup_escaped(data.evidence.summary.title), markup_escaped(data.command), rows,
+                    markup_escaped(data.evidence.origin.configuration)));
 }
 
 /// "Moored hull of 31000 t, 150 m x 28 m at the waterline"; of cases that differ, that they do.
@@ -119,9 +119,9 @@ std::string title_block(const ReportData& data) {
     if (const std::string date = fact(data.evidence, "date"); !date.empty()) made.push_back(date.substr(0, 10));
     if (const std::string version = fact(data.evidence, "floes"); !version.empty()) made.push_back("floes " + version);
     return fmt::format("<header class=\"title\"><h1>{}</h1>\n<p>{}</p>\n<p class=\"note\">{}</p></header>\n",
-                       html_escaped(data.title.empty() ? "Ice loads: " + campaign : data.title),
-                       html_escaped(hull_words(data.evidence.campaign)),
-                       html_escaped(fmt::format("{}", fmt::join(made, " · "))));
+                       markup_escaped(data.title.empty() ? "Ice loads: " + campaign : data.title),
+                       markup_escaped(hull_words(data.evidence.campaign)),
+                       markup_escaped(fmt::format("{}", fmt::join(made, " · "))));
 }
 
 }  // namespace
@@ -158,7 +158,7 @@ std::string counts_of(const std::vector<CaseStatus>& cases) {
         "<tr><th>case</th><th></th><th></th><th>done</th><th>failed</th><th>to do</th><th>members</th></tr>\n";
     for (const CaseStatus& one : cases)
         rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                            html_escaped(one.name), bar(one), one.done, one.failed, one.missing, members_of(one));
+                            markup_escaped(one.name), bar(one), one.done, one.failed, one.missing, members_of(one));
     return "<div class=\"wide\"><table>" + rows + "</table></div>\n";
 }
 
@@ -245,7 +245,7 @@ std::string next_step(const CampaignStatus& status, const std::string& file) {
     const std::string command = total_of(status).missing > 0 ? fmt::format("./floes run {} -o {} --resume",
                                                                            shell_word(status.title + ".toml"), word)
                                                              : fmt::format("./floes report {}", word);
-    return fmt::format("<pre>{}</pre>\n", html_escaped(command));
+    return fmt::format("<pre>{}</pre>\n", markup_escaped(command));
 }
 
 }  // namespace
@@ -265,10 +265,10 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
     const std::string refresh =
         status.at_work ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", status_page_seconds) : "";
     const std::string drawn = fmt::format("<p>To see what is computed: <code>./floes show {}</code></p>\n",
-                                          html_escaped(shell_word(status.title + ".toml")));
+                                          markup_escaped(shell_word(status.title + ".toml")));
     return html_page(counts_sentence(status), refresh,
-                     fmt::format("<h1>{}</h1>\n<p>{}</p>\n", html_escaped(counts_sentence(status)),
-                                 html_escaped(work_sentence(status))) +
+                     fmt::format("<h1>{}</h1>\n<p>{}</p>\n", markup_escaped(counts_sentence(status)),
+                                 markup_escaped(work_sentence(status))) +
                          drawn + next_step(status, campaign_file.string()) + counts(status) + note(when) +
                          page_one_html(whole ? "The answer" : "The answer so far", find_page_one(evidence),
                                        find_answer(evidence), evidence.units) +

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "core/contract.hpp"
+#include "core/text.hpp"
 #include "findings/design_points.hpp"
 #include "tables/table.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 constexpr std::size_t most_open_rows = 40;
 
 std::string warning_html(const std::string& text) {
-    return fmt::format("<p class=\"warning\">{}</p>\n", html_escaped(text));
+    return fmt::format("<p class=\"warning\">{}</p>\n", markup_escaped(text));
 }
 
 /// A paragraph for each block of lines, and one for each warning.
@@ -38,14 +39,14 @@ std::string paragraphs(const std::string& text) {
         if (warning)
             html += warning_html(line.substr(warns.size()));
         else if (!line.empty())
-            block.push_back(html_escaped(line));
+            block.push_back(markup_escaped(line));
     }
     end_block();
     return html;
 }
 
 std::string closed_table(const std::string& title, const Table& table) {
-    return fmt::format("<details><summary>{}</summary>{}</details>\n", html_escaped(title), html_table(table));
+    return fmt::format("<details><summary>{}</summary>{}</details>\n", markup_escaped(title), html_table(table));
 }
 
 std::string open_table(const Table& table) {
@@ -107,10 +108,10 @@ std::string strip_svg(const Estimate& one, const StripScale& scale, double limit
 }
 
 std::string drawn_cell(const Cell& cell, const std::string& heading, const std::string& strip, bool words) {
-    std::string content = html_escaped(cell.value);
+    std::string content = markup_escaped(cell.value);
     if (cell.range && *cell.range != "–" && !cell.range->empty())
-        content += fmt::format(" <small>{}</small>", html_escaped(*cell.range));
-    return fmt::format("<td{} data-head=\"{}\">{}{}</td>", words ? " class=\"words\"" : "", html_escaped(heading),
+        content += fmt::format(" <small>{}</small>", markup_escaped(*cell.range));
+    return fmt::format("<td{} data-head=\"{}\">{}{}</td>", words ? " class=\"words\"" : "", markup_escaped(heading),
                        content, strip);
 }
 
@@ -142,7 +143,7 @@ std::string drawn_table(const Results& results, const Units& units) {
     std::vector<StripScale> scales;
     for (const std::size_t column : shown) scales.emplace_back(results, column);
     std::string rows;
-    for (const Cell& cell : table.front()) rows += fmt::format("<th>{}</th>", html_escaped(cell.value));
+    for (const Cell& cell : table.front()) rows += fmt::format("<th>{}</th>", markup_escaped(cell.value));
     rows = "<tr>" + rows + "</tr>\n";
     for (std::size_t r = 0; r < results.rows.size(); ++r) {
         rows += "<tr>";
@@ -190,7 +191,7 @@ std::string figures_html(const std::vector<Figure>& figures, const Units& units)
 
 std::string section_html(const Section& told, std::string_view heading, const Units& units) {
     std::string html;
-    if (!heading.starts_with(told.title)) html = fmt::format("<h3>{}</h3>\n", html_escaped(told.title));
+    if (!heading.starts_with(told.title)) html = fmt::format("<h3>{}</h3>\n", markup_escaped(told.title));
     html += paragraphs(told.before);
     for (const Results& one : told.results) html += results_html(one, units);
     if (!told.after.empty()) html += note(told.after);
@@ -205,18 +206,18 @@ std::string page_one_html(const std::string& heading, const PageOne& page, const
     if (page.sentence.empty()) return section(heading, body + paragraph("No member is done yet."));
     body += section_html(page.table, heading, units);
     if (page.lines) body += section_html(*page.lines, heading, units);
-    body += fmt::format("<p class=\"quote\">{}</p>\n", html_escaped(page.sentence));
+    body += fmt::format("<p class=\"quote\">{}</p>\n", markup_escaped(page.sentence));
     for (const auto& [what, command] : page.next)
-        body += fmt::format("<p>{}: <code>{}</code></p>\n", html_escaped(capital(what)), html_escaped(command));
+        body += fmt::format("<p>{}: <code>{}</code></p>\n", markup_escaped(capital(what)), markup_escaped(command));
     if (!answer.changes.empty()) body += "<h3>What changes the load</h3>\n" + listed(answer.changes);
     return section(heading, body + "<h3>Conditions</h3>\n<div class=\"two\">" + listed(answer.basis) + "</div>\n");
 }
 
 std::string sections_page(const std::string& title, std::span<const Section> sections, const std::string& command,
                           const Units& units) {
-    std::string body = fmt::format("<h1>{}</h1>\n", html_escaped(title));
+    std::string body = fmt::format("<h1>{}</h1>\n", markup_escaped(title));
     for (const Section& one : sections) body += section_html(one, title, units);
-    body += section("How it was computed", fmt::format("<pre>{}</pre>\n", html_escaped(command)));
+    body += section("How it was computed", fmt::format("<pre>{}</pre>\n", markup_escaped(command)));
     return html_page(title, "", body);
 }
 
@@ -306,7 +307,7 @@ class Drawing {
     }
     void write(double x, double y, std::string_view words, std::string_view anchor, std::string_view style = {}) {
         body_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, x, y,
-                             anchor, html_escaped(words));
+                             anchor, markup_escaped(words));
     }
     void draw_axes();
     void draw_legend();
@@ -346,7 +347,7 @@ void Drawing::draw_axes() {
     write((left_ + end_) / 2, figure_.size.height - 8, units_.heading(x.label, x.unit), "middle", "label");
     body_ += fmt::format(
         "<text class=\"label\" transform=\"translate(14 {:.1f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-        (top + floor_) / 2, html_escaped(units_.heading(y.label, y.unit)));
+        (top + floor_) / 2, markup_escaped(units_.heading(y.label, y.unit)));
 }
 
 std::string Drawing::path(const Figure::Points& points, bool closed) const {
@@ -425,7 +426,7 @@ std::string svg(const Figure& figure, const Units& units) {
     const Drawing drawing(figure, units);
     return fmt::format(
         "<svg viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" role=\"img\" aria-label=\"{2}\">{3}</svg>\n",
-        figure.size.width, figure.size.height + drawing.above(), html_escaped(figure.description), drawing.body());
+        figure.size.width, figure.size.height + drawing.above(), markup_escaped(figure.description), drawing.body());
 }
 
 namespace {
@@ -448,7 +449,7 @@ std::string file_of(double width, double height, const std::string& description,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
         "role=\"img\" aria-label=\"{2}\"><style>{3}</style><rect width=\"100%\" height=\"100%\" "
         "fill=\"#fff\"/>{4}</svg>\n",
-        width, height, html_escaped(description), style_with_colours(), body);
+        width, height, markup_escaped(description), style_with_colours(), body);
 }
 
 }  // namespace
@@ -468,8 +469,8 @@ std::string figures_file(const Section& told) {
     const auto write = [&](const std::string& words, std::string_view style) {
         std::istringstream lines(wrapped(words, static_cast<int>((width - 2 * margin) / letter)));
         for (std::string one; std::getline(lines, one); y += line)
-            body +=
-                fmt::format("<text class=\"{}\" x=\"{:g}\" y=\"{:g}\">{}</text>", style, margin, y, html_escaped(one));
+            body += fmt::format("<text class=\"{}\" x=\"{:g}\" y=\"{:g}\">{}</text>", style, margin, y,
+                                markup_escaped(one));
     };
     write(told.title, "key");
     write(told.before, "");

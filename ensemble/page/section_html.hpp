@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
 #include "findings/answer.hpp"
 #include "findings/page_one.hpp"
 #include "tables/figure.hpp"
@@ -75,13 +76,13 @@ figure figcaption{break-before:avoid}table{font-size:.62rem}th,td{padding:.1rem 
 )";
 
 inline std::string section(const std::string& title, const std::string& body) {
-    return fmt::format("<section><h2>{}</h2>\n{}</section>\n", html_escaped(title), body);
+    return fmt::format("<section><h2>{}</h2>\n{}</section>\n", markup_escaped(title), body);
 }
 
 /// Nothing without a picture.
 inline std::string figure(const std::string& svg, const std::string& caption) {
     if (svg.empty()) return "";
-    return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n", svg, html_escaped(caption));
+    return fmt::format("<figure>\n{}<figcaption>{}</figcaption></figure>\n", svg, markup_escaped(caption));
 }
 
 /// Pictures side by side, as many as there is room for.
@@ -92,16 +93,16 @@ inline std::string panels(const std::vector<std::string>& svgs, const std::strin
 }
 
 inline std::string paragraph(const std::string& text) {
-    return fmt::format("<p>{}</p>\n", html_escaped(text));
+    return fmt::format("<p>{}</p>\n", markup_escaped(text));
 }
 
 inline std::string note(const std::string& text) {
-    return fmt::format("<p class=\"note\">{}</p>\n", html_escaped(text));
+    return fmt::format("<p class=\"note\">{}</p>\n", markup_escaped(text));
 }
 
 inline std::string listed(const std::vector<std::string>& sentences) {
     std::string items;
-    for (const std::string& one : sentences) items += fmt::format("<li>{}</li>\n", html_escaped(one));
+    for (const std::string& one : sentences) items += fmt::format("<li>{}</li>\n", markup_escaped(one));
     return "<ul>\n" + items + "</ul>\n";
 }
 
@@ -112,7 +113,7 @@ inline std::string html_page(const std::string& title, const std::string& head, 
         "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n{}"
         "<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n<style>:root{{color-scheme:light "
         "dark;{}}}{}{}</style></head>\n<body>\n{}</body></html>\n",
-        head, html_escaped(title), light_colours, picture_style, page_style, body);
+        head, markup_escaped(title), light_colours, picture_style, page_style, body);
 }
 
 // A section as HTML, as tables/section writes it as text. For this module only.

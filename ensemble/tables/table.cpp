@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
+
 namespace floes {
 
 namespace {
@@ -126,30 +128,13 @@ std::string html_table(const Table& table) {
         const char* kind = rows.empty() ? "th" : "td";
         rows += "<tr>";
         for (const Cell& cell : row) {
-            std::string content = (cell.value.starts_with("  ") ? "&emsp;" : "") + html_escaped(cell.value);
-            if (cell.range) content += fmt::format("<br><small>{}</small>", html_escaped(*cell.range));
+            std::string content = (cell.value.starts_with("  ") ? "&emsp;" : "") + markup_escaped(cell.value);
+            if (cell.range) content += fmt::format("<br><small>{}</small>", markup_escaped(*cell.range));
             rows += fmt::format("<{0}>{1}</{0}>", kind, content);
         }
         rows += "</tr>\n";
     }
     return "<div class=\"wide\"><table>" + rows + "</table></div>\n";
-}
-
-std::string html_escaped(std::string_view text) {
-    std::string escaped;
-    for (const char c : text) {
-        if (c == '<')
-            escaped += "&lt;";
-        else if (c == '>')
-            escaped += "&gt;";
-        else if (c == '&')
-            escaped += "&amp;";
-        else if (c == '"')
-            escaped += "&quot;";
-        else
-            escaped += c;
-    }
-    return escaped;
 }
 
 namespace {

@@ -38,9 +38,6 @@ std::string html_table(const Table& table);
 /// Width on the screen in characters.
 std::size_t text_width(std::string_view text);
 
-/// The text with HTML markup characters escaped.
-std::string html_escaped(std::string_view text);
-
 /// The text with lines of at most `width` characters, broken at spaces; not wider than people like to read. Lines that
 /// begin with a space are commands to copy, and stand as they are; what two spaces part from such a command goes to a
 /// line of its own where there is no room for it.

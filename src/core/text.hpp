@@ -19,6 +19,9 @@ bool is_utf8(std::string_view text);
 /// Whether a text begins as UTF-16 does: with its byte order mark, or with a zero beside a letter.
 bool is_utf16(std::string_view text);
 
+/// The text within HTML, XML or an attribute of theirs.
+std::string markup_escaped(std::string_view text);
+
 /// The first bytes of a text, `most` or so many fewer that no letter is cut apart.
 std::string_view beginning(std::string_view text, std::size_t most);
 

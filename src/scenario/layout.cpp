@@ -94,15 +94,15 @@ FloeMeasures measures_of_floes(const Scenario& scenario) {
     return floes;
 }
 
-/// The longest swing of a moored hull that moorings end, not the load.
-struct Swing {
+/// The slowest swing of a moored hull that moorings end, not the load.
+struct SlowestSwing {
     double period = 0;  ///< s; 0: it does not swing
     std::string_view motion;
 
     std::string words() const { return fmt::format("natural periods of {:.3g} s in {}", period, motion); }
 };
 
-Swing longest_swing(const Scenario& scenario) {
+SlowestSwing slowest_swing(const Scenario& scenario) {
     if (!scenario.moorings.give_way()) return {};
     Scenario alone = scenario;  // its moorings are to be without fault; what they meet is looked at later
     alone.sizes = {};
@@ -115,7 +115,7 @@ Swing longest_swing(const Scenario& scenario) {
     check_moorings(alone, found);
     if (!found.empty()) return {};
     const std::optional<NaturalMode> longest = longest_mode(scenario.moorings, scenario.water_stiffness());
-    return longest ? Swing{longest->period, motion_names.at(at(longest->motion))} : Swing{};
+    return longest ? SlowestSwing{longest->period, motion_names.at(at(longest->motion))} : SlowestSwing{};
 }
 
 /// A length of a field, which all cases share, and why.
@@ -151,7 +151,7 @@ class Layout {
           scenario_(*one.scenario),
           hull_(reach_of_hull(scenario_.structure.shape)),
           floes_(measures_of_floes(scenario_)),
-          swing_(longest_swing(scenario_)) {
+          swing_(slowest_swing(scenario_)) {
         const Analysis& analysis = scenario_.analysis;
         stride_ = analysis.keep_history ? analysis.history_stride : 1;
         if (scenario_.arrangement.given()) one_.open.reset(index(LaidKey::half_width)).reset(index(LaidKey::begin));
@@ -505,7 +505,7 @@ class Layout {
     Scenario& scenario_;
     HullReach hull_;
     FloeMeasures floes_;
-    Swing swing_;
+    SlowestSwing swing_;
     Wishes own_;
     int stride_ = 1;
     std::vector<PathPlace> places_;  ///< of a path

@@ -12,8 +12,14 @@
 
 namespace floes {
 
-/// What a hull is given by. Those up to cone_down are bodies of revolution.
+/// What a hull is given by.
 enum class HullKind { profile, cylinder, cone_up, cone_down, four_legs, wedge_bow, drillship, barge, file };
+
+/// About the vertical axis.
+constexpr bool is_of_revolution(HullKind kind) {
+    using enum HullKind;
+    return kind == profile || kind == cylinder || kind == cone_up || kind == cone_down;
+}
 
 /// Lengths m, angles rad, from the horizontal; 0: not given.
 struct HullSizes {

@@ -134,7 +134,7 @@ class Shape {
     /// Names of the parts of kind file, divided by commas.
     std::string& part_list() { return part_list_; }
 
-    bool is_of_revolution() const { return kind_ <= HullKind::cone_down; }
+    bool is_of_revolution() const { return floes::is_of_revolution(kind_); }
 
     /// Names of its parts; a body of revolution is one.
     std::vector<std::string> parts() const;

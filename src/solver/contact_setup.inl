@@ -335,7 +335,7 @@ inline Limit crushing_limit(const V3& normal, const double* point, const Box& a,
     const Pack area = smaller ? of_a.area : of_b.area;
     const Pack of_boxes = smaller ? of_a.growth : of_b.growth;
     const Pack given = load(point, point_field::section);
-    const auto is_given = given > -0.5;
+    const auto is_given = given >= 0.0;
     const Pack growth = is_given ? load(point, point_field::section_growth) : of_boxes;
     const Pack impulse = share * (is_given ? given : area + of_boxes * (reached - depth));
     const Pack k = share * growth * (0.25 * time_step) / (scale * scale);
