@@ -54,18 +54,32 @@ std::vector<SharedMembers> find_pairs(const Sample& sample, const PairOptions& o
     return pairs;
 }
 
-PairRow compare(const Sample& sample, const SharedMembers& pair, const Quantity& quantity, const PairOptions& options) {
-    std::vector<double> first;
-    std::vector<double> second;
-    std::vector<int> arrangements;
+std::vector<double> values_of(const Sample& sample, std::size_t of_case, const Quantity& quantity) {
+    return measured(sample.values(sample.done(of_case), quantity));
+}
+
+/// The finite values of both cases, beside each other.
+struct Beside {
+    std::vector<double> first = {};
+    std::vector<double> second = {};
+    std::vector<int> arrangements = {};
+};
+
+Beside beside(const Sample& sample, const SharedMembers& pair, const Quantity& quantity) {
+    Beside found;
     for (const auto& [member, partner] : pair.members) {
         const double before = sample.value(member, quantity);
         const double after = sample.value(partner, quantity);
-        if (std::isnan(before) || std::isnan(after)) continue;  // an older version did not measure it
-        first.push_back(before);
-        second.push_back(after);
-        arrangements.push_back(sample.number_of(member));
+        if (!std::isfinite(before) || !std::isfinite(after)) continue;  // an older version did not measure it
+        found.first.push_back(before);
+        found.second.push_back(after);
+        found.arrangements.push_back(sample.number_of(member));
     }
+    return found;
+}
+
+PairRow compare(const Sample& sample, const SharedMembers& pair, const Quantity& quantity, const PairOptions& options) {
+    const auto [first, second, arrangements] = beside(sample, pair, quantity);
     PairRow row{.quantity = quantity, .first = pair.first, .second = pair.second};
     row.found = compare_paired(first, second);
     for (const std::vector<std::size_t>* side : {&row.found.apart.above, &row.found.apart.below})
@@ -267,15 +281,12 @@ std::vector<PairRow> compare_with(const Evidence& evidence, std::size_t referenc
 
 std::vector<ApartRow> compare_apart(const Evidence& evidence, std::size_t reference, const Quantity& quantity,
                                     std::size_t most) {
-    const auto values_of = [&](std::size_t of_case) {
-        return measured(evidence.sample.values(evidence.sample.done(of_case), quantity));
-    };
     std::vector<ApartRow> all;
     if (reference >= evidence.sample.cases.size()) return all;
-    const std::vector<double> first = values_of(reference);
+    const std::vector<double> first = values_of(evidence.sample, reference, quantity);
     for (std::size_t k = 0; k < std::min(most, evidence.sample.cases.size()); ++k) {
         if (k == reference || !shared(evidence.sample, reference, k).members.empty()) continue;
-        const std::vector<double> second = values_of(k);
+        const std::vector<double> second = values_of(evidence.sample, k, quantity);
         if (first.empty() || second.empty()) continue;
         all.push_back({k, difference_of_means(first, second), static_cast<int>(std::min(first.size(), second.size()))});
     }
@@ -341,35 +352,15 @@ Figure strips_figure(std::span<const Strip> strips, const std::string& words, co
 
 namespace {
 
-/// Finite values of done members by arrangement.
-std::map<int, double> values_of(const Sample& sample, std::size_t of_case, const Quantity& quantity) {
-    std::map<int, double> values;
-    for (const std::size_t member : sample.done(of_case))
-        if (const double value = sample.value(member, quantity); std::isfinite(value))
-            values[sample.arrangement_of(member)] = value;
-    return values;
-}
-
-std::vector<double> plain(const std::map<int, double>& values) {
-    const auto all = std::views::values(values);
-    return {all.begin(), all.end()};
-}
-
-LoadChange change_between(const std::map<int, double>& base, const std::map<int, double>& other) {
-    std::vector<double> first;
-    std::vector<double> second;
-    for (const auto& [arrangement, value] : other) {
-        const auto partner = base.find(arrangement);
-        if (partner == base.end()) continue;
-        first.push_back(partner->second);
-        second.push_back(value);
-    }
-    if (first.size() > 1) {
-        const PairedComparison found = compare_paired(first, second);
-        return {within(found.difference, found.interval), found.sd / std::sqrt(static_cast<double>(first.size())),
+LoadChange change_between(const Sample& sample, std::size_t base, std::size_t other, const Quantity& quantity) {
+    const Beside pairs = beside(sample, shared(sample, base, other), quantity);
+    if (pairs.first.size() > 1) {
+        const PairedComparison found = compare_paired(pairs.first, pairs.second);
+        return {within(found.difference, found.interval), found.sd / std::sqrt(static_cast<double>(pairs.first.size())),
                 true};
     }
-    const MeanDifference found = difference_of_means(plain(base), plain(other));
+    const MeanDifference found =
+        difference_of_means(values_of(sample, base, quantity), values_of(sample, other, quantity));
     return {within(found.difference, found.interval), found.standard_error, false};
 }
 
@@ -429,28 +420,27 @@ std::optional<ModelWidth> find_model_width(const Evidence& evidence) {
     if (!base) return {};
     ModelWidth width;
     width.base = *base;
-    std::vector<std::map<int, double>> of_base;
+    const Sample& sample = evidence.sample;
     for (const LoadColumn& load : load_columns(evidence.summary)) {
-        of_base.push_back(values_of(evidence.sample, *base, load.quantity));
-        const Interval mean = mean_interval(plain(of_base.back()));
+        const std::vector<double> values = values_of(sample, *base, load.quantity);
+        if (width.widths.empty() && values.size() < 2) return {};
+        const Interval mean = mean_interval(values);
         width.widths.push_back({load.quantity, load.words, mean.estimate, mean.high - mean.estimate, 0, 0});
     }
-    if (of_base.front().size() < 2) return {};
     const std::vector<Case>& cases = evidence.campaign.cases;
     std::set<std::string> inputs;
     for (std::size_t k = 0; k < cases.size(); ++k) {
-        if (k == *base || evidence.sample.done(k).size() < 2) continue;
+        if (k == *base || sample.done(k).size() < 2) continue;
         VariationRow& row =
             width.variations.emplace_back(VariationRow{k, input_of(cases[*base].scenario, cases[k].scenario), {}});
-        for (std::size_t load = 0; load < of_base.size(); ++load)
-            row.changes.push_back(
-                change_between(of_base[load], values_of(evidence.sample, k, width.widths[load].quantity)));
+        for (const WidthRow& load : width.widths)
+            row.changes.push_back(change_between(sample, *base, k, load.quantity));
         inputs.insert(row.input);
     }
     if (width.variations.empty()) return {};
     std::ranges::stable_sort(width.variations, std::ranges::greater{},
                              [](const VariationRow& row) { return std::abs(row.changes.front().change.value); });
-    for (std::size_t load = 0; load < of_base.size(); ++load) {
+    for (std::size_t load = 0; load < width.widths.size(); ++load) {
         width.widths[load].down = together(width.variations, load, -1);
         width.widths[load].up = together(width.variations, load, 1);
     }
