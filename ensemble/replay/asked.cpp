@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/contract.hpp"
+#include "member/design_of.hpp"
 #include "shapes/moorings.hpp"
 
 namespace floes {
@@ -35,9 +37,11 @@ std::string Asked::words() const {
 void HullHistory::add_last(const Simulation& run, const Moorings& moorings) {
     if (!moorings.give_way()) return;
     const MotionHistory& motion = run.motions();
-    mooring_force.push_back(std::hypot(motion.surge_mooring.back(), motion.sway_mooring.back()));
-    offset.push_back(
-        horizontal_offset(moorings, motion.surge_offset.back(), motion.sway_offset.back(), motion.yaw.back()));
+    const auto last = [&](std::string_view of) {
+        return find_design_of(of)->value(moorings, motion, motion.surge_offset.size() - 1);
+    };
+    mooring_force.push_back(last("mooring_force"));
+    offset.push_back(last("offset"));
     yaw.push_back(motion.yaw.back());
     if (moorings.line_count() == 0) return;
     double most = 0;
@@ -48,6 +52,7 @@ void HullHistory::add_last(const Simulation& run, const Moorings& moorings) {
 }
 
 std::vector<double> running_mean(std::span<const double> values, std::size_t count) {
+    FLOES_EXPECTS(count > 0);
     const std::size_t whole = std::min(count, values.size());
     std::vector<double> sums{0};
     for (const double value : values) sums.push_back(sums.back() + value);
@@ -56,10 +61,12 @@ std::vector<double> running_mean(std::span<const double> values, std::size_t cou
         const std::size_t first = std::min(k - std::min(k, whole / 2), values.size() - whole);
         means.push_back((sums[first + whole] - sums[first]) / static_cast<double>(whole));
     }
+    FLOES_ENSURES(means.size() == values.size());
     return means;
 }
 
 std::size_t averaged_values(const Asked& asked, double step) {
+    FLOES_EXPECTS(step > 0);
     return asked.averaged() ? static_cast<std::size_t>(std::max(1.0, std::round(asked.averaging / step))) : 1;
 }
 

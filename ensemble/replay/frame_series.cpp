@@ -133,8 +133,8 @@ void write_floes(hid_t file, const FloeSet& floes, const std::vector<int>& numbe
         for (std::size_t i = 0; i < floes.size(); ++i) values.push_back(of(floes.shape(i)));
         hdf5::write_values(group.id(), {name, "m", text}, {floe}, values);
     };
-    hdf5::write_values(group.id(), {"number", "1", "the how-manieth to enter, from 0, as the breaks have it"}, {floe},
-                       std::vector<std::int32_t>(numbers.begin(), numbers.end()));
+    hdf5::write_values(group.id(), {"number", "1", "place in the order of entry, from 0, as the breaks have it"},
+                       {floe}, std::vector<std::int32_t>(numbers.begin(), numbers.end()));
     write("length", "extent along the floe's own x", [](const FloeShape& one) { return one.length; });
     write("breadth", "extent along its own z", [](const FloeShape& one) { return one.breadth; });
     write("thickness", "thickness", [](const FloeShape& one) { return one.thickness; });
@@ -207,56 +207,51 @@ void put(std::vector<float>& values, const Vec3& v, int bits) {
 
 }  // namespace
 
-FrameSeries::Elements::Elements(hid_t group, const RecordScales& scales)
-    : position(group, {"position", "m", "centre of each element"}, of_element(scales, &scales.coordinate),
-               elements_a_chunk(scales)),
-      orientation(group, {"orientation", "1", "unit quaternion from the element's axes to world axes"},
-                  of_element(scales, &scales.quaternion), elements_a_chunk(scales)),
-      velocity(group, {"velocity", "m s-1", "velocity of the centre"}, of_element(scales, &scales.coordinate),
-               elements_a_chunk(scales)),
-      piece(group, {"piece", "1", "first element of the connected piece that the element belongs to"},
-            of_element(scales), elements_a_chunk(scales)),
-      utilisation(group,
-                  {"utilisation", "1",
-                   "largest utilisation of the element's joints, 0 to 1; a crack has 1 and the share of its stiffness "
-                   "that is gone"},
-                  of_element(scales), elements_a_chunk(scales)) {}
+namespace {
 
-FrameSeries::States::States(hid_t frames, hid_t states)
-    : first(frames, {"first_state", "1", "row of /states with the frame's first element"}, {}, numbers_a_chunk),
-      count(frames, {"states", "1", "number of elements that are there"}, {}, numbers_a_chunk),
-      element(states, {"element", "1", "which element it is"}, {}, states_a_chunk) {}
+ElementColumns<hdf5::Series> element_columns(hid_t group, const RecordScales& scales) {
+    const hsize_t chunk = elements_a_chunk(scales);
+    const hdf5::Dimensions vector = of_element(scales, &scales.coordinate);
+    return {{group, {"position", "m", "centre of each element"}, vector, chunk},
+            {group,
+             {"orientation", "1", "unit quaternion from the element's axes to world axes"},
+             of_element(scales, &scales.quaternion),
+             chunk},
+            {group, {"velocity", "m s-1", "velocity of the centre"}, vector, chunk},
+            {group,
+             {"piece", "1", "first element of the connected piece that the element belongs to"},
+             of_element(scales),
+             chunk},
+            {group,
+             {"utilisation", "1",
+              "largest utilisation of the element's joints, 0 to 1; a crack has 1 and the share of its stiffness that "
+              "is gone"},
+             of_element(scales),
+             chunk}};
+}
+
+ContactColumns<hdf5::Series> contact_columns(hid_t group, const hdf5::Scale& coordinate) {
+    constexpr hsize_t chunk = contacts_a_chunk;
+    return {{group, {"element", "1", "element that the forces act on"}, {}, chunk},
+            {group, {"other", "1", "what touches it: an element, -1 the structure, -2 an ice sheet"}, {}, chunk},
+            {group, {"point", "m", "point of contact"}, {coordinate}, chunk},
+            {group, {"normal_force", "N", "normal force on the element"}, {coordinate}, chunk},
+            {group, {"friction_force", "N", "friction force on the element"}, {coordinate}, chunk}};
+}
+
+}  // namespace
 
 FrameSeries::Numbers::Numbers(hid_t group)
     : step(group, {"step", "1", "steps completed"}, {}, numbers_a_chunk),
-      structure(group, {"structure", "m", "x of the structure's axis"}, {}, numbers_a_chunk),
-      across(group, {"structure_z", "m", "z of the structure's axis"}, {}, numbers_a_chunk),
-      yaw(group, {"structure_yaw", "rad", "yaw of the structure, positive where +z turns to +x"}, {}, numbers_a_chunk),
-      up(group, {"structure_y", "m", "heave of the structure, upwards"}, {}, numbers_a_chunk),
-      pitch(group, {"structure_pitch", "rad", "pitch of the structure, positive with the bow up"}, {}, numbers_a_chunk),
-      roll(group, {"structure_roll", "rad", "roll of the structure, positive with starboard (+z) down"}, {},
-           numbers_a_chunk),
-      surge(group, {"surge_load", "N", "load of the step, positive against the tow"}, {}, numbers_a_chunk),
-      sway(group, {"sway_load", "N", "load of the step, positive towards +z"}, {}, numbers_a_chunk),
-      heave(group, {"heave_load", "N", "load of the step, positive up"}, {}, numbers_a_chunk),
+      each([group] {
+          std::deque<hdf5::Series<double>> all;
+          for (const FrameNumber& one : frame_numbers)
+              all.emplace_back(group, hdf5::Label{one.name, one.unit, one.text}, hdf5::Dimensions{}, numbers_a_chunk);
+          return all;
+      }()),
       first_contact(group, {"first_contact", "1", "row of /contacts with the frame's first contact"}, {},
                     numbers_a_chunk),
       contacts(group, {"contacts", "1", "number of contacts"}, {}, numbers_a_chunk) {}
-
-FrameSeries::Contacts::Contacts(hid_t group, const hdf5::Scale& coordinate)
-    : element(group, {"element", "1", "element that the forces act on"}, {}, contacts_a_chunk),
-      other(group, {"other", "1", "what touches it: an element, -1 the structure, -2 an ice sheet"}, {},
-            contacts_a_chunk),
-      point(group, {"point", "m", "point of contact"}, {coordinate}, contacts_a_chunk),
-      normal(group, {"normal_force", "N", "normal force on the element"}, {coordinate}, contacts_a_chunk),
-      friction(group, {"friction_force", "N", "friction force on the element"}, {coordinate}, contacts_a_chunk) {}
-
-FrameSeries::Lines::Lines(hid_t group, const hdf5::Scale& line, const hdf5::Scale& coordinate)
-    : count(static_cast<std::size_t>(line.size())),
-      fairlead(group, {"line_fairlead", "m", "fairlead of each mooring line; NaN: it has broken"}, {line, coordinate},
-               numbers_a_chunk),
-      anchor(group, {"line_anchor", "m", "anchor of each mooring line"}, {line, coordinate}, numbers_a_chunk),
-      tension(group, {"line_tension", "N", "tension of each mooring line"}, {line}, numbers_a_chunk) {}
 
 FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
     : time_(file, {"time", "s", "time of each frame"}, {}, numbers_a_chunk),
@@ -264,49 +259,57 @@ FrameSeries::FrameSeries(hid_t file, const RecordScales& scales)
       frames_group_(hdf5::create_group(file, "frames")),
       contacts_group_(hdf5::create_group(file, "contacts")),
       states_group_(scales.element ? std::optional<hdf5::Handle>() : hdf5::create_group(file, "states")),
-      elements_(states_group_ ? states_group_->id() : frames_group_.id(), scales),
+      elements_(element_columns(states_group_ ? states_group_->id() : frames_group_.id(), scales)),
       numbers_(frames_group_.id()),
-      contacts_(contacts_group_.id(), scales.coordinate) {
+      contacts_(contact_columns(contacts_group_.id(), scales.coordinate)) {
+    const hid_t frames = frames_group_.id();
     if (!scales.element) {
         state_.emplace(file, hdf5::Label{"state", "1", "element that is there, frame by frame"}, hdf5::Dimensions{},
                        states_a_chunk);
-        states_.emplace(frames_group_.id(), states_group_->id());
+        states_.emplace(
+            States{{frames, {"first_state", "1", "row of /states with the frame's first element"}, {}, numbers_a_chunk},
+                   {frames, {"states", "1", "number of elements that are there"}, {}, numbers_a_chunk},
+                   {states_group_->id(), {"element", "1", "which element it is"}, {}, states_a_chunk}});
         state_->become_scale();
         state_->scales(states_->element.id());
+        std::apply([this](auto&... series) { (state_->scales(series.id()), ...); }, elements_.all());
     }
-    if (scales.line) lines_.emplace(frames_group_.id(), *scales.line, scales.coordinate);
+    if (scales.line) {
+        line_count_ = static_cast<std::size_t>(scales.line->size());
+        const hdf5::Dimensions vector{*scales.line, scales.coordinate};
+        lines_.emplace(LineColumns<hdf5::Series>{
+            {frames,
+             {"line_fairlead", "m", "fairlead of each mooring line; NaN: it has broken"},
+             vector,
+             numbers_a_chunk},
+            {frames, {"line_anchor", "m", "anchor of each mooring line"}, vector, numbers_a_chunk},
+            {frames, {"line_tension", "N", "tension of each mooring line"}, {*scales.line}, numbers_a_chunk}});
+    }
     time_.become_scale();
-    if (lines_)
-        for (const hid_t dataset : {lines_->fairlead.id(), lines_->anchor.id(), lines_->tension.id()})
-            time_.scales(dataset);
-    for (const hid_t dataset : {elements_.position.id(), elements_.orientation.id(), elements_.velocity.id(),
-                                elements_.piece.id(), elements_.utilisation.id()})
-        state_ ? state_->scales(dataset) : time_.scales(dataset);
-    if (states_)
-        for (const hid_t dataset : {states_->first.id(), states_->count.id()}) time_.scales(dataset);
-    for (const hid_t dataset :
-         {numbers_.step.id(), numbers_.structure.id(), numbers_.across.id(), numbers_.yaw.id(), numbers_.up.id(),
-          numbers_.pitch.id(), numbers_.roll.id(), numbers_.surge.id(), numbers_.sway.id(), numbers_.heave.id(),
-          numbers_.first_contact.id(), numbers_.contacts.id()})
-        time_.scales(dataset);
+    for_each_of_frames([this](auto& series) { time_.scales(series.id()); });
     contact_.become_scale();
-    for (const hid_t dataset : {contacts_.element.id(), contacts_.other.id(), contacts_.point.id(),
-                                contacts_.normal.id(), contacts_.friction.id()})
-        contact_.scales(dataset);
+    std::apply([this](auto&... series) { (contact_.scales(series.id()), ...); }, contacts_.all());
+}
+
+void FrameSeries::for_each_of_frames(const auto& use) {
+    const auto each = [&use](auto&... series) { (use(series), ...); };
+    if (lines_) std::apply(each, lines_->all());
+    if (states_)
+        each(states_->first, states_->count);
+    else
+        std::apply(each, elements_.all());
+    use(numbers_.step);
+    for (hdf5::Series<double>& one : numbers_.each) use(one);
+    each(numbers_.first_contact, numbers_.contacts);
 }
 
 void FrameSeries::add(const Frame& frame) {
     time_.append(frame.time);
     numbers_.step.append(frame.step);
-    numbers_.structure.append(frame.structure.position.x());
-    numbers_.across.append(frame.structure.position.z());
-    numbers_.yaw.append(frame.structure.yaw);
-    numbers_.up.append(frame.structure.position.y());
-    numbers_.pitch.append(frame.structure.pitch);
-    numbers_.roll.append(frame.structure.roll);
-    numbers_.surge.append(-frame.load.x());
-    numbers_.sway.append(frame.load.z());
-    numbers_.heave.append(frame.load.y());
+    StructurePose structure = frame.structure;
+    Vec3 load = frame.load;
+    for (std::size_t k = 0; k < frame_numbers.size(); ++k)
+        numbers_.each[k].append(frame_numbers[k].sign * frame_numbers[k].of(structure, load));
     numbers_.first_contact.append(static_cast<std::int32_t>(contacts_.element.rows()));
     numbers_.contacts.append(static_cast<std::int32_t>(frame.contacts.size()));
     if (states_) add_states(frame);
@@ -316,18 +319,14 @@ void FrameSeries::add(const Frame& frame) {
 }
 
 void FrameSeries::finish() {
-    time_.finish();
-    contact_.finish();
-    const auto finish_all = [](auto&... series) { (series.finish(), ...); };
+    const auto finish = [](auto&... series) { (series.finish(), ...); };
+    finish(time_, contact_);
     if (states_) {
-        state_->finish();
-        finish_all(states_->first, states_->count, states_->element);
+        finish(*state_, states_->element);
+        std::apply(finish, elements_.all());
     }
-    if (lines_) finish_all(lines_->fairlead, lines_->anchor, lines_->tension);
-    finish_all(elements_.position, elements_.orientation, elements_.velocity, elements_.piece, elements_.utilisation);
-    finish_all(numbers_.step, numbers_.structure, numbers_.across, numbers_.yaw, numbers_.up, numbers_.pitch,
-               numbers_.roll, numbers_.surge, numbers_.sway, numbers_.heave, numbers_.first_contact, numbers_.contacts);
-    finish_all(contacts_.element, contacts_.other, contacts_.point, contacts_.normal, contacts_.friction);
+    for_each_of_frames(finish);
+    std::apply(finish, contacts_.all());
 }
 
 void FrameSeries::add_states(const Frame& frame) {
@@ -361,9 +360,9 @@ void FrameSeries::add_elements(const Frame& frame) {
 
 void FrameSeries::add_lines(const std::vector<FrameLine>& lines) {
     constexpr float broken = std::numeric_limits<float>::quiet_NaN();
-    std::vector<float> fairlead(3 * lines_->count, broken);
-    std::vector<float> anchor(3 * lines_->count, broken);
-    std::vector<float> tension(lines_->count, broken);
+    std::vector<float> fairlead(3 * line_count_, broken);
+    std::vector<float> anchor(3 * line_count_, broken);
+    std::vector<float> tension(line_count_, broken);
     for (const FrameLine& one : lines) {
         const auto at = static_cast<std::size_t>(one.line);
         for (std::size_t k = 0; k < 3; ++k) {

@@ -3,9 +3,12 @@
 // those that have left; a record gives each floe that it ever shows elements and joints of its own, floe by floe in the
 // order in which they entered, and a frame says which of them are there.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 #include "hdf5/columns.hpp"
@@ -52,6 +55,56 @@ struct RecordScales {
     std::optional<hdf5::Scale> line;     ///< mooring lines; none: there are none
 };
 
+/// A number of each frame, in the order in which the file has them.
+struct FrameNumber {
+    const char* name;
+    const char* unit;
+    const char* text;
+    double& (*of)(StructurePose& structure, Vec3& load);
+    double sign = 1;    ///< of what the file has
+    bool late = false;  ///< missing in records of versions in which structures went straight on only: zeros
+};
+inline constexpr std::array<FrameNumber, 9> frame_numbers{
+    {{"structure", "m", "x of the structure's axis", [](auto& at, auto&) -> double& { return at.position.x(); }},
+     {"structure_z", "m", "z of the structure's axis", [](auto& at, auto&) -> double& { return at.position.z(); }, 1,
+      true},
+     {"structure_yaw", "rad", "yaw of the structure, positive where +z turns to +x",
+      [](auto& at, auto&) -> double& { return at.yaw; }, 1, true},
+     {"structure_y", "m", "heave of the structure, upwards", [](auto& at, auto&) -> double& { return at.position.y(); },
+      1, true},
+     {"structure_pitch", "rad", "pitch of the structure, positive with the bow up",
+      [](auto& at, auto&) -> double& { return at.pitch; }, 1, true},
+     {"structure_roll", "rad", "roll of the structure, positive with starboard (+z) down",
+      [](auto& at, auto&) -> double& { return at.roll; }, 1, true},
+     {"surge_load", "N", "load of the step, positive against the tow",
+      [](auto&, auto& load) -> double& { return load.x(); }, -1},
+     {"sway_load", "N", "load of the step, positive towards +z", [](auto&, auto& load) -> double& { return load.z(); }},
+     {"heave_load", "N", "load of the step, positive up", [](auto&, auto& load) -> double& { return load.y(); }}}};
+
+// Columns that grow with the frames. Column: hdf5::Series, which is written, or hdf5::RowReader.
+
+template <template <class> class Column>
+struct ElementColumns {
+    Column<float> position, orientation, velocity;
+    Column<std::int32_t> piece;
+    Column<float> utilisation;
+    auto all() { return std::tie(position, orientation, velocity, piece, utilisation); }
+};
+
+template <template <class> class Column>
+struct ContactColumns {
+    Column<std::int32_t> element, other;
+    Column<float> point, normal, friction;
+    auto all() { return std::tie(element, other, point, normal, friction); }
+};
+
+/// NaN where a line has broken.
+template <template <class> class Column>
+struct LineColumns {
+    Column<float> fairlead, anchor, tension;
+    auto all() { return std::tie(fairlead, anchor, tension); }
+};
+
 class FrameSeries {
   public:
     FrameSeries(hid_t file, const RecordScales& scales);
@@ -66,56 +119,20 @@ class FrameSeries {
     void add_contacts(const std::vector<FrameContact>& contacts);
     void add_lines(const std::vector<FrameLine>& lines);
 
-    struct Elements {
-        Elements(hid_t group, const RecordScales& scales);
-        hdf5::Series<float> position;
-        hdf5::Series<float> orientation;
-        hdf5::Series<float> velocity;
-        hdf5::Series<std::int32_t> piece;
-        hdf5::Series<float> utilisation;
-    };
-
     /// Which rows of the elements are of a frame, and what elements they are.
     struct States {
-        States(hid_t frames, hid_t states);
-        hdf5::Series<std::int32_t> first;
-        hdf5::Series<std::int32_t> count;
-        hdf5::Series<std::int32_t> element;
+        hdf5::Series<std::int32_t> first, count, element;
     };
 
     struct Numbers {
         explicit Numbers(hid_t group);
         hdf5::Series<std::int32_t> step;
-        hdf5::Series<double> structure;
-        hdf5::Series<double> across;
-        hdf5::Series<double> yaw;
-        hdf5::Series<double> up;
-        hdf5::Series<double> pitch;
-        hdf5::Series<double> roll;
-        hdf5::Series<double> surge;
-        hdf5::Series<double> sway;
-        hdf5::Series<double> heave;
-        hdf5::Series<std::int32_t> first_contact;
-        hdf5::Series<std::int32_t> contacts;
+        std::deque<hdf5::Series<double>> each;  ///< of frame_numbers
+        hdf5::Series<std::int32_t> first_contact, contacts;
     };
 
-    struct Contacts {
-        Contacts(hid_t group, const hdf5::Scale& coordinate);
-        hdf5::Series<std::int32_t> element;
-        hdf5::Series<std::int32_t> other;
-        hdf5::Series<float> point;
-        hdf5::Series<float> normal;
-        hdf5::Series<float> friction;
-    };
-
-    /// NaN where a line has broken.
-    struct Lines {
-        Lines(hid_t group, const hdf5::Scale& line, const hdf5::Scale& coordinate);
-        std::size_t count;
-        hdf5::Series<float> fairlead;
-        hdf5::Series<float> anchor;
-        hdf5::Series<float> tension;
-    };
+    /// Calls `use` with every column that has a row for each frame.
+    void for_each_of_frames(const auto& use);
 
     hdf5::Series<double> time_;
     hdf5::Series<std::int32_t> contact_;
@@ -123,11 +140,12 @@ class FrameSeries {
     hdf5::Handle contacts_group_;
     std::optional<hdf5::Handle> states_group_;  ///< of elements that come and go; of others there is none
     std::optional<hdf5::Series<std::int32_t>> state_;
-    Elements elements_;
+    ElementColumns<hdf5::Series> elements_;
     Numbers numbers_;
-    Contacts contacts_;
+    ContactColumns<hdf5::Series> contacts_;
     std::optional<States> states_;
-    std::optional<Lines> lines_;
+    std::size_t line_count_ = 0;
+    std::optional<LineColumns<hdf5::Series>> lines_;
 };
 
 // The part of a recording that says what the ice is, written. For this module only.

@@ -169,33 +169,35 @@ class Recording::File {
         : file_(opened(path)),
           subject(read_subject(file_.id())),
           layout(subject.floes),
-          elements_(file_.id(), hdf5::exists(file_.id(), "states") ? "states/" : "frames/"),
-          contacts_(file_.id()) {
+          elements_(element_columns(file_.id(), hdf5::exists(file_.id(), "states") ? "states/" : "frames/")),
+          contacts_{{file_.id(), "contacts/element"},
+                    {file_.id(), "contacts/other"},
+                    {file_.id(), "contacts/point"},
+                    {file_.id(), "contacts/normal_force"},
+                    {file_.id(), "contacts/friction_force"}} {
         times = hdf5::read_values<double>(file_.id(), "time");
         outcome = read_outcome(file_.id(), layout);
         step_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
-        structure_ = hdf5::read_values<double>(file_.id(), "frames/structure");
-        across_ = read_unless_old("frames/structure_z");
-        yaw_ = read_unless_old("frames/structure_yaw");
-        up_ = read_unless_old("frames/structure_y");
-        pitch_ = read_unless_old("frames/structure_pitch");
-        roll_ = read_unless_old("frames/structure_roll");
-        surge_ = hdf5::read_values<double>(file_.id(), "frames/surge_load");
-        sway_ = hdf5::read_values<double>(file_.id(), "frames/sway_load");
-        heave_ = hdf5::read_values<double>(file_.id(), "frames/heave_load");
+        for (const FrameNumber& one : frame_numbers) {
+            const std::string name = fmt::format("frames/{}", one.name);
+            numbers_.push_back(one.late && !hdf5::exists(file_.id(), name)
+                                   ? std::vector<double>(times.size(), 0.0)
+                                   : hdf5::read_values<double>(file_.id(), name));
+        }
         first_contact_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
         contact_count_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
         if (subject.scenario.field.endless()) states_.emplace(file_.id());
-        if (hdf5::exists(file_.id(), "frames/line_tension")) lines_.emplace(file_.id());
+        if (hdf5::exists(file_.id(), "frames/line_tension"))
+            lines_.emplace(LineColumns<hdf5::RowReader>{{file_.id(), "frames/line_fairlead"},
+                                                        {file_.id(), "frames/line_anchor"},
+                                                        {file_.id(), "frames/line_tension"}});
         if (times.empty()) throw InputError(fmt::format("{} has no frames.", path.string()));
         check_sizes();
     }
 
     StructurePose structure(std::size_t number) const {
-        return {.position = {structure_.at(number), up_.at(number), across_.at(number)},
-                .yaw = yaw_.at(number),
-                .pitch = pitch_.at(number),
-                .roll = roll_.at(number)};
+        Vec3 load = Vec3::Zero();
+        return moment(number, load);
     }
 
     std::vector<FrameLine> lines(std::size_t number) {
@@ -214,8 +216,7 @@ class Recording::File {
     void read(std::size_t number, Frame& frame) {
         frame.step = step_.at(number);
         frame.time = times.at(number);
-        frame.structure = structure(number);
-        frame.load = {-surge_.at(number), heave_.at(number), sway_.at(number)};
+        frame.structure = moment(number, frame.load);
         read_elements(number, frame);
         read_contacts(number, frame);
         frame.lines = lines(number);
@@ -232,19 +233,13 @@ class Recording::File {
     std::vector<double> times;
 
   private:
-    struct Elements {
-        Elements(hid_t file, const std::string& group)
-            : position(file, group + "position"),
-              orientation(file, group + "orientation"),
-              velocity(file, group + "velocity"),
-              utilisation(file, group + "utilisation"),
-              piece(file, group + "piece") {}
-        hdf5::RowReader<float> position;
-        hdf5::RowReader<float> orientation;
-        hdf5::RowReader<float> velocity;
-        hdf5::RowReader<float> utilisation;
-        hdf5::RowReader<std::int32_t> piece;
-    };
+    static ElementColumns<hdf5::RowReader> element_columns(hid_t file, const std::string& group) {
+        return {{file, group + "position"},
+                {file, group + "orientation"},
+                {file, group + "velocity"},
+                {file, group + "piece"},
+                {file, group + "utilisation"}};
+    }
 
     /// In a field without end, which rows of the elements are of a frame.
     struct States {
@@ -257,40 +252,18 @@ class Recording::File {
         hdf5::RowReader<std::int32_t> element;
     };
 
-    struct Contacts {
-        explicit Contacts(hid_t file)
-            : element(file, "contacts/element"),
-              other(file, "contacts/other"),
-              point(file, "contacts/point"),
-              normal(file, "contacts/normal_force"),
-              friction(file, "contacts/friction_force") {}
-        hdf5::RowReader<std::int32_t> element;
-        hdf5::RowReader<std::int32_t> other;
-        hdf5::RowReader<float> point;
-        hdf5::RowReader<float> normal;
-        hdf5::RowReader<float> friction;
-    };
-
-    struct Lines {
-        explicit Lines(hid_t file)
-            : fairlead(file, "frames/line_fairlead"),
-              anchor(file, "frames/line_anchor"),
-              tension(file, "frames/line_tension") {}
-        hdf5::RowReader<float> fairlead;
-        hdf5::RowReader<float> anchor;
-        hdf5::RowReader<float> tension;
-    };
-
     static hdf5::Handle opened(const std::filesystem::path& path) {
         hdf5::Handle file = hdf5::open_for_reading(path);
         hdf5::check_kind(file.id(), recording_kind, path);
         return file;
     }
 
-    /// Zeros where the recording is of a version in which structures went straight on only.
-    std::vector<double> read_unless_old(const std::string& name) const {
-        if (!hdf5::exists(file_.id(), name)) return std::vector<double>(times.size(), 0.0);
-        return hdf5::read_values<double>(file_.id(), name);
+    /// The structure and the load on it.
+    StructurePose moment(std::size_t number, Vec3& load) const {
+        StructurePose structure;
+        for (std::size_t k = 0; k < frame_numbers.size(); ++k)
+            frame_numbers[k].of(structure, load) = frame_numbers[k].sign * numbers_[k].at(number);
+        return structure;
     }
 
     void check_sizes() const {
@@ -312,10 +285,10 @@ class Recording::File {
         hdf5::check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
         for (const hdf5::RowReader<float>* one : {&contacts_.point, &contacts_.normal, &contacts_.friction})
             hdf5::check_count(file_.id(), "a vector of contacts", one->width(), 3);
-        for (const std::size_t found :
-             {step_.size(), structure_.size(), across_.size(), yaw_.size(), up_.size(), pitch_.size(), roll_.size(),
-              surge_.size(), sway_.size(), heave_.size(), first_contact_.size(), contact_count_.size()})
-            hdf5::check_count(file_.id(), "a number of frames", found, times.size());
+        for (const std::vector<double>& one : numbers_)
+            hdf5::check_count(file_.id(), "a number of frames", one.size(), times.size());
+        for (const std::vector<std::int32_t>* one : {&step_, &first_contact_, &contact_count_})
+            hdf5::check_count(file_.id(), "a number of frames", one->size(), times.size());
     }
 
     void read_elements(std::size_t number, Frame& frame) {
@@ -362,17 +335,12 @@ class Recording::File {
         }
     }
 
-    Elements elements_;
-    Contacts contacts_;
-    std::optional<States> states_;  ///< of a field without end
-    std::optional<Lines> lines_;    ///< of a structure with mooring lines
+    ElementColumns<hdf5::RowReader> elements_;
+    ContactColumns<hdf5::RowReader> contacts_;
+    std::optional<States> states_;                       ///< of a field without end
+    std::optional<LineColumns<hdf5::RowReader>> lines_;  ///< of a structure with mooring lines
+    std::vector<std::vector<double>> numbers_;           ///< of frame_numbers
     std::vector<std::int32_t> step_;
-    std::vector<double> structure_;
-    std::vector<double> across_;
-    std::vector<double> yaw_, up_, pitch_, roll_;
-    std::vector<double> surge_;
-    std::vector<double> sway_;
-    std::vector<double> heave_;
     std::vector<std::int32_t> first_contact_;
     std::vector<std::int32_t> contact_count_;
 };
