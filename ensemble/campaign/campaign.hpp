@@ -121,7 +121,8 @@ std::vector<int> sharing_groups(const Campaign& campaign);
 /// The case's value of a key that takes numbers, in the key's unit.
 double numeric_value(const Case& one, const std::string& path);
 
-/// Steps x elements of the member: what its run time is expected to be proportional to.
+/// Steps x elements of the member, in level ice also for its breaks: what its run time is expected to be proportional
+/// to.
 double expected_cost(const Campaign& campaign, int number);
 
 // Whether the lists of all cases can be held in memory. For this module only.

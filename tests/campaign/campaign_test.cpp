@@ -87,6 +87,26 @@ TEST(Campaign, CostIsStepsTimesElements) {
     EXPECT_EQ(expected_cost(campaign, 1), 4 * expected_cost(campaign, 0));
 }
 
+// Of level ice half as much for a step, and for each element in the channel what it costs that the sheet breaks there.
+TEST(Campaign, CostOfLevelIceIsOfItsStepsAndOfItsBreaks) {
+    Campaign campaign = sample();
+    Scenario& scenario = campaign.cases[0].scenario;
+    scenario.arrangement.method = ArrangementMethod::level;
+    scenario.field.floes = 1;
+    scenario.floe.length = scenario.floe.breadth = 2;
+    scenario.floe.element = 0.1;
+    const auto cost = [&](double speed) {
+        scenario.structure.speed = speed;
+        return expected_cost(campaign, 0);
+    };
+    const double width = 2 * scenario.structure.shape.waterline_radius() + scenario.characteristic_length();
+    const double still = cost(0);
+    EXPECT_EQ(still, 0.5 * 400 * scenario.step_count());
+    const double slow = cost(0.02);
+    EXPECT_NEAR(slow - still, 0.6 * scenario.towed() * width / 0.01 * 8000, 1);
+    EXPECT_NEAR(cost(0.04) - slow, slow - still, 1);
+}
+
 TEST(Fingerprint, EveryKeyCounts) {
     const Campaign campaign = sample();
     Campaign changed = sample();
