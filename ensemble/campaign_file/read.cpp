@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "campaign/read.hpp"
+#include "campaign_file/array_reader.hpp"
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
 #include "member/design_of.hpp"
@@ -56,46 +57,6 @@ std::int64_t CampaignFile::id() const {
 }
 
 namespace {
-
-// The arrays of members in a campaign file, by their list.
-
-/// An array with a row for each member, or for each arrangement, read row by row.
-class ArrayReader {
-  public:
-    /// `places`: of the file's campaign. Of an array that the file does not have every read is empty. Throws RunError
-    /// where its rows do not fit the campaign.
-    ArrayReader(const CampaignFile& file, const ArrayOutput& array, const ArrayPlaces& places)
-        : array_(&array), places_(&places) {
-        const std::string name(array.path);
-        if (!hdf5::exists(file.id(), name)) return;
-        rows_.emplace(file.id(), name);
-        std::size_t known = 1;
-        for (const ArrayAxis* axis : array.axes)
-            if (axis != nullptr && axis->kind != AxisKind::longest) known *= places.axis(*axis).places.size();
-        for (const ArrayAxis* axis : array.axes) {
-            if (axis == nullptr) break;
-            const bool longest = axis->kind == AxisKind::longest;
-            sizes_.push_back(longest ? rows_->width() / std::max<std::size_t>(known, 1)
-                                     : places.axis(*axis).places.size());
-        }
-        std::size_t width = 1;
-        for (const std::size_t size : sizes_) width *= size;
-        hdf5::check_count(file.id(), name, rows_->width(), width);
-    }
-
-    ArrayValues read(std::size_t row, int case_index) {
-        if (!rows_) return {std::vector<std::size_t>(2, 0), {}};
-        return places_->own(*array_, case_index, rows_->read(row), sizes_);
-    }
-
-    void read(std::size_t row, int case_index, MemberResult& into) { array_->access.set(into, read(row, case_index)); }
-
-  private:
-    const ArrayOutput* array_;
-    const ArrayPlaces* places_;
-    std::vector<std::size_t> sizes_;
-    std::optional<hdf5::RowReader<double>> rows_;
-};
 
 /// Readers of the arrays of one group, or of one array.
 std::vector<ArrayReader> array_readers(const CampaignFile& file, std::string_view group_or_path,
@@ -259,8 +220,6 @@ void for_each_load_map(const CampaignFile& file, const std::function<void(int, c
     }
 }
 
-namespace {
-
 std::vector<MemberResult> read_quantities(const CampaignFile& file, std::size_t count) {
     std::vector<MemberResult> results(count);
     for (const Quantity& one : quantities) {
@@ -275,6 +234,8 @@ std::vector<MemberResult> read_quantities(const CampaignFile& file, std::size_t 
     }
     return results;
 }
+
+namespace {
 
 /// Those that are read with the quantities. Times of averaged loads are what the scenario says.
 void read_table_arrays(const CampaignFile& file, const std::vector<RowStatus>& states,

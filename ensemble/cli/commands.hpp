@@ -28,6 +28,10 @@ struct CampaignStatus;
 inline constexpr const char* program_description =
     "floes: the load of managed ice floes on a structure, over many random arrangements";
 
+inline constexpr const char* keep_journal_words =
+    "Keep the journal also when the campaign file has every member; by default it goes then, and --resume with more "
+    "arrangements goes on from the file";
+
 /// Adds all verbs and --version. `command`: the command line of this process.
 void add_verbs(CommandLine& line, std::span<char* const> command);
 

@@ -124,6 +124,7 @@ struct RunVerb {
     int ranks = 0;
     int writers = 0;
     bool no_file = false;
+    bool keep_journal = false;
     std::string part;
     std::string isolation;
     std::string until;
@@ -166,6 +167,7 @@ std::string resume_command(const RunVerb& verb, const std::string& program, cons
     if (ranks > 1 && launcher != nullptr) command += fmt::format("--ranks {} ", ranks);
     command += fmt::format("{} -o {} --resume", shell_word(verb.config), shell_word(output_of(verb).string()));
     if (!verb.part.empty()) command += " --part " + verb.part;
+    if (verb.keep_journal) command += " --keep-journal";
     if (link != nullptr) {
         if (verb.retry_failed) command += " --retry-failed";
         if (verb.threads > 0) command += fmt::format(" --threads {}", verb.threads);
@@ -197,7 +199,9 @@ Existing existing_of(const RunVerb& verb) {
     return verb.overwrite ? Existing::replace : Existing::refuse;
 }
 
-int lead(const RunVerb& verb, const std::string& program, Link& link, const MemberFunction& compute, Helper& helper) {
+/// `ended`: gets the campaign's name and the members of a run that has begun.
+int lead(const RunVerb& verb, const std::string& program, Link& link, const MemberFunction& compute, Helper& helper,
+         CampaignStatus& ended) {
     if (verb.ranks > 0 && verb.ranks != link.size())
         throw InputError(fmt::format("--ranks {} inside mpirun, which started {}; leave --ranks out there.", verb.ranks,
                                      counted(link.size(), "rank")));
@@ -209,12 +213,17 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, const Memb
                                   .part = part_of(verb, campaign),
                                   .with_file = !verb.no_file,
                                   .metrics = verb.metrics,
-                                  .retry_failed = verb.retry_failed},
+                                  .retry_failed = verb.retry_failed,
+                                  .keep_journal = verb.keep_journal},
                        .threads = verb.threads,
                        .writers = verb.writers,
                        .resume_command = resume_command(verb, program, &link),
                        .walltime = walltime,
-                       .saves_every = saves_every(verb)};
+                       .saves_every = saves_every(verb),
+                       .at_end = [&](const CaseStatus& total) {
+                           ended.title = campaign.name;
+                           ended.cases = {total};
+                       }};
     expect_no_other_file(options.places.campaign_file);
     int status = 0;
     {
@@ -246,7 +255,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, const Memb
 constexpr Seconds longest_message{60};
 
 /// What the command of --on-end finds in its environment.
-void tell_environment(const RunVerb& verb, int status) {
+void tell_environment(const RunVerb& verb, int status, const CampaignStatus& ended) {
     const char* outcome = status == 0              ? "done"
                           : status == exit_stopped ? "stopped"
                           : status == 2            ? "refused"
@@ -255,15 +264,9 @@ void tell_environment(const RunVerb& verb, int status) {
     setenv("FLOES_OUTCOME", outcome, 1);
     setenv("FLOES_EXIT_STATUS", std::to_string(status).c_str(), 1);
     setenv("FLOES_CAMPAIGN_FILE", file.c_str(), 1);
-    CaseStatus total;
-    std::string words = fmt::format("floes run {}: {}", verb.config, outcome);
-    try {
-        const CampaignStatus campaign = read_status(file);
-        total = total_of(campaign);
-        words = counts_sentence(campaign);
-    } catch (const std::exception&) {
-        // The run was refused, or its file cannot be read; the words say how it ended.
-    }
+    const CaseStatus total = total_of(ended);
+    const std::string words =
+        ended.cases.empty() ? fmt::format("floes run {}: {}", verb.config, outcome) : counts_sentence(ended);
     setenv("FLOES_DONE", std::to_string(total.done).c_str(), 1);
     setenv("FLOES_FAILED", std::to_string(total.failed).c_str(), 1);
     setenv("FLOES_MISSING", std::to_string(total.missing).c_str(), 1);
@@ -271,9 +274,9 @@ void tell_environment(const RunVerb& verb, int status) {
 }
 
 /// Starts the command of --on-end, and waits for it.
-void tell_of_end(const RunVerb& verb, int status) {
+void tell_of_end(const RunVerb& verb, int status, const CampaignStatus& ended) {
     if (verb.on_end.empty()) return;
-    tell_environment(verb, status);
+    tell_environment(verb, status, ended);
     StartedProgram command({"/bin/sh", "-c", verb.on_end}, {.out = STDERR_FILENO, .errors = STDERR_FILENO});
     if (!command.fault().empty()) {
         note("the command of --on-end could not be started: {}", command.fault());
@@ -290,8 +293,9 @@ int run(const RunVerb& verb, const std::string& program) {
     Helper helper(compute, verb.checkpoint > 0 ? longest_save : 0);  // before MPI and the first thread
     const std::unique_ptr<Link> link = open_link();
     if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute, &helper);
-    const int status = lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, compute, helper); });
-    tell_of_end(verb, status);
+    CampaignStatus ended;
+    const int status = lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, compute, helper, ended); });
+    tell_of_end(verb, status, ended);
     return status;
 }
 
@@ -335,6 +339,7 @@ void add_run(CommandLine& line, std::span<char* const> command) {
     verb.flag("--no-file", options->no_file,
               "End with the results in the journal, while many cores wait for the campaign file; --resume on one core "
               "writes it");
+    verb.flag("--keep-journal", options->keep_journal, keep_journal_words);
     verb.option("--part", options->part,
                 "K/N: run only part K of N of the arrangements, into a separate file; floes merge merges the parts");
     verb.option("--isolation", options->isolation,

@@ -292,6 +292,7 @@ struct MergeOptions {
     std::vector<std::string> parts;
     std::string output;
     bool overwrite = false;
+    bool keep_journal = false;
 };
 
 /// A merge leaves out damaged records; their members count as missing.
@@ -320,6 +321,8 @@ int merge(const MergeOptions& options) {
             "the same command adds what the parts compute from now on; floes run CONFIG.toml -o {} --resume computes "
             "the missing members",
             shell_word(options.output));
+    if (!options.keep_journal && done == member_count(parts.whole_campaign()))
+        remove_journal(journal_path(options.output));
     print({summary_section(summarise(table))}, "table");
     return failed + missing > 0 ? 1 : 0;
 }
@@ -333,6 +336,7 @@ void add_merge(CommandLine& line) {
         .required();
     verb.option("-o,--output", options->output, "The merged campaign file; one that exists is added to").required();
     verb.flag("--overwrite", options->overwrite, "Replace what the merged campaign file has, instead of adding to it");
+    verb.flag("--keep-journal", options->keep_journal, keep_journal_words);
     verb.runs([options] { return merge(*options); });
 }
 

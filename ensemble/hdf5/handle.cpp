@@ -43,10 +43,6 @@ void Handle::close(std::string_view call, std::string_view about) {
 }
 
 QuietErrors::QuietErrors() {
-    // A damaged file can leave HDF5 with objects that it cannot close; it would complain of them when the program ends.
-    // All files are closed by then.
-    static const bool left_alone = H5dont_atexit() >= 0;
-    static_cast<void>(left_alone);
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -58,8 +54,22 @@ QuietErrors::~QuietErrors() {
 namespace {
 
 /// H5Pset_file_locking() does not reach the sources of virtual datasets, and HDF5 gives NaN for one that is open
-/// without locks already. This does; HDF5 reads it when it is used first.
-[[maybe_unused]] const int told_hdf5 = ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
+/// without locks already. A variable of the environment does, which HDF5 reads when it is used first; it is set for
+/// that moment only, before there are threads, so that programs that this one starts do not inherit it.
+bool open_without_locks() {
+    constexpr const char* name = "HDF5_USE_FILE_LOCKING";
+    const char* const given = std::getenv(name);
+    const std::string before = given == nullptr ? "" : given;
+    ::setenv(name, "FALSE", 1);
+    // A damaged file can leave HDF5 with objects that it cannot close; it would complain of them when the program ends.
+    // All files are closed by then.
+    const bool is_told = H5dont_atexit() >= 0 && H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_FILE) >= 0;
+    if (given == nullptr) ::unsetenv(name);
+    if (given != nullptr) ::setenv(name, before.c_str(), 1);
+    return is_told;
+}
+
+[[maybe_unused]] const bool told_hdf5 = open_without_locks();
 
 }  // namespace
 

@@ -159,17 +159,19 @@ std::string intention(const Task& task) {
 std::string finding(const Task& task) {
     return fmt::format("calibrated {}: Σ = {:.4g} gives {:.6g} MPa (ceiling {:.4g} MPa){}", task.cases,
                        task.record.found.cfm, task.scenario.ice.elastic_modulus / unit::megapascal,
-                       task.record.found.ceiling / unit::megapascal, task.kept ? ", from the journal" : "");
+                       task.record.found.ceiling / unit::megapascal, task.kept ? ", as before" : "");
 }
 
 }  // namespace
 
 std::vector<CalibrationRecord> kept_calibrations(const Recorder::Places& places) {
     const std::filesystem::path journal = journal_path(places.campaign_file);
-    if (places.existing != Existing::resume || !std::filesystem::exists(journal)) return {};
+    if (places.existing != Existing::resume) return {};
     try {
-        return read_journal(journal).calibrations;
-    } catch (const InputError&) {
+        if (std::filesystem::exists(journal)) return read_journal(journal).calibrations;
+        if (std::filesystem::exists(places.campaign_file)) return places.filed(places.campaign_file).calibrations;
+        return {};
+    } catch (const std::runtime_error&) {
         return {};  // nothing usable; whether the run can resume from it is decided when it is opened
     }
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "campaign/read.hpp"
+#include "campaign_file/filed_campaign.hpp"
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -311,11 +312,13 @@ CampaignSnapshot snapshot_of(const Parts& parts) {
 }
 
 CampaignSnapshot snapshot_of_file(const std::filesystem::path& path) {
-    const CampaignFile file(path);
-    CampaignTable table = read_campaign_file(file);
-    Campaign campaign = file.campaign();
+    CampaignTable table = read_campaign_file(path);
+    FiledCampaign filed = read_filed(path);
+    Campaign& campaign = filed.campaign;
     CampaignStatus status = status_of(table);
     status.stop = stop_status(campaign, stop_rule_of(campaign, table));
+    status.sessions = std::move(filed.sessions);
+    status.slowest = slowest(campaign, filed.notes, match_records(campaign, filed.notes));
     return {std::move(status), std::move(campaign), std::move(table)};
 }
 

@@ -15,6 +15,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/write.hpp"
+#include "campaign_file/filed_campaign.hpp"
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -61,7 +62,7 @@ Parts::Part read_part(const fs::path& file) {
     if (!fs::exists(part.journal))
         throw InputError(
             fmt::format("there is no journal {} beside {}; parts are read from their journals, so the two "
-                        "files stay together.",
+                        "files stay together. A campaign that has all its members needs no journal, and no other part.",
                         part.journal.string(), file.string()));
     part.contents = read_journal(part.journal);
     part.campaign = read_stored_campaign(part.contents, part.journal);
@@ -446,6 +447,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The journal of a campaign that is whole in a file without one.
+void make_journal(const fs::path& journal, const fs::path& campaign_file) {
+    const FiledCampaign filed = read_filed(campaign_file);
+    Journal made = open_journal(journal, filed.campaign, Existing::resume);
+    take_in(filed, filed.campaign, made);
+}
+
 void remove_pieces(const fs::path& journal) {
     for (const int number : pieces_of(journal)) fs::remove(piece_path(journal, number));
 }
@@ -464,12 +472,14 @@ bool check_output(std::span<const fs::path> parts, const fs::path& output, bool 
             throw InputError(fmt::format("{} is being written by a run.", path.string()));
     if (overwrite) return false;
     if (fs::exists(journal)) return true;
-    if (fs::exists(output) || written.size() > 1)
+    if (written.size() > 1)
         throw InputError(
             fmt::format("{} exists already but not its journal {}, so nothing can be added to it: --overwrite replaces "
                         "it, -o names another file.",
-                        fs::exists(output) ? output.string() : written.back().string(), journal.string()));
-    return false;
+                        written.back().string(), journal.string()));
+    if (!fs::exists(output)) return false;
+    make_journal(journal, output);
+    return true;
 }
 
 /// Copies the block unchanged, because the order of sessions and attempts matters.
@@ -492,14 +502,26 @@ void write_journal(const Parts& parts, const fs::path& aside) {
     sync_data(out, aside);
 }
 
+void publish_merged(const Parts& read, const fs::path& output) {
+    const Journal merged = open_journal(journal_path(output), read.whole_campaign(), Existing::resume);
+    publish(output, read.campaign(), merged.members(), merged.sessions(), merged.calibrations());
+}
+
 }  // namespace
 
 Parts merge_campaigns(std::span<const fs::path> parts, const fs::path& output, bool overwrite) {
     const bool adds = check_output(parts, output, overwrite);
+    const fs::path journal = journal_path(output);
+    if (!adds && parts.size() == 1 && fs::exists(parts.front()) && !fs::exists(journal_path(parts.front()))) {
+        remove_journal(journal);
+        make_journal(journal, parts.front());
+        Parts read(std::span(&output, 1), true);
+        publish_merged(read, output);
+        return read;
+    }
     std::vector<fs::path> files(parts.begin(), parts.end());
     if (adds) files.insert(files.begin(), output);
     Parts read(files, adds);
-    const fs::path journal = journal_path(output);
     const fs::path aside = journal.string() + ".tmp";
     try {
         write_journal(read, aside);
@@ -511,8 +533,7 @@ Parts merge_campaigns(std::span<const fs::path> parts, const fs::path& output, b
     if (!adds) remove_pieces(journal);
     rename_into_place(aside, journal);
     remove_pieces(journal);  // the journal has their members now
-    const Journal merged = open_journal(journal, read.whole_campaign(), Existing::resume);
-    publish(output, read.campaign(), merged.members(), merged.sessions(), merged.calibrations());
+    publish_merged(read, output);
     return read;
 }
 

@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <optional>
+#include <span>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign/campaign.hpp"
+#include "campaign/write.hpp"
 #include "campaign_file/pieces.hpp"
 #include "core/error.hpp"
 #include "run/parts.hpp"
@@ -44,17 +48,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool has_journal(const Recorder::Places& places) {
+    const fs::path journal = journal_path(places.campaign_file);
+    return is_there(journal, places.system) || !pieces_of(journal, places.system).empty();
+}
+
+/// The campaign file that a run goes on from; none where there is no file, or a damaged one beside a journal, which
+/// makes it anew. Throws InputError where the file alone cannot be continued.
+std::optional<FiledCampaign> filed_before(const Campaign& campaign, const Recorder::Places& places) {
+    if (places.existing != Existing::resume || !is_there(places.campaign_file, places.system)) return {};
+    if (has_journal(places)) {
+        try {
+            return places.filed(places.campaign_file);
+        } catch (const std::runtime_error&) {
+            return {};
+        }
+    }
+    FiledCampaign filed = places.filed(places.campaign_file);
+    expect_to_continue(filed.campaign, campaign, places.campaign_file);
+    return filed;
+}
+
 /// Opens the journal of the campaign file after checking that nothing is overwritten or mixed up by accident.
 Journal open(const Campaign& campaign, const Recorder::Places& places) {
     stop_rule_of(campaign, places.part);  // refuses an invalid rule before a file is created
     Recorder::check(places);
-    Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing, places.system);
+    const std::optional<FiledCampaign> filed = filed_before(campaign, places);
+    const fs::path journal = journal_path(places.campaign_file);
+    if (filed && !has_journal(places))  // begins as it did, so that it is told what the campaign has grown by
+        open_journal(journal, write_campaign(filed->campaign), Existing::resume, places.system);
+    Journal opened = open_journal(journal, campaign, places.existing, places.system);
     if (places.existing == Existing::replace) {
         remove_file(places.campaign_file, places.system);
         if (&places.system == &this_system()) remove_pieces(places.campaign_file);
         remove_saved(
             places.campaign_file, [](const MemberIdentity&) { return false; }, places.system);
     }
+    if (filed) take_in(*filed, campaign, opened);
     return opened;
 }
 
@@ -65,8 +95,7 @@ void Recorder::check(const Places& places) {
     const std::string file = places.campaign_file.string();
     const bool has_file = is_there(places.campaign_file, places.system);
     const std::vector<int> pieces = pieces_of(journal, places.system);
-    const bool has_journal = is_there(journal, places.system) || !pieces.empty();
-    if (places.existing == Existing::refuse && (has_file || has_journal)) {
+    if (places.existing == Existing::refuse && (has_file || has_journal(places))) {
         throw InputError(
             fmt::format("{} exists already: --resume continues it, --overwrite starts afresh and replaces it, "
                         "-o names another file.",
@@ -74,16 +103,19 @@ void Recorder::check(const Places& places) {
                         : is_there(journal, places.system) ? journal.string()
                                                            : piece_path(journal, pieces[0]).string()));
     }
-    if (places.existing == Existing::resume && has_file && !has_journal) {
-        throw InputError(
-            fmt::format("{} exists but its journal {} does not, so it cannot be resumed: "
-                        "--overwrite starts afresh and replaces it, -o names another file.",
-                        file, journal.string()));
-    }
-    const int may_write = has_journal ? 0 : places.system.may_write_in(folder_of(journal));
+    const int may_write = has_journal(places) ? 0 : places.system.may_write_in(folder_of(journal));
     if (may_write < 0)
         throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", journal.string(),
                                      std::strerror(-may_write)));
+}
+
+bool Recorder::is_over(const Campaign& campaign, const Places& places) {
+    if (places.existing != Existing::resume || places.part.of > 1 || has_journal(places)) return false;
+    if (!is_there(places.campaign_file, places.system)) return false;
+    const FiledCampaign filed = places.filed(places.campaign_file);
+    const bool same_names = std::ranges::equal(filed.campaign.cases, campaign.cases, {}, &Case::name, &Case::name);
+    return filed.is_whole() && same_names && filed.campaign.stop == campaign.stop &&
+           fingerprint(filed.campaign) == fingerprint(campaign);
 }
 
 Recorder::Recorder(const Campaign& campaign, Places places)
@@ -219,6 +251,18 @@ void Recorder::finish(const std::string& outcome, const std::function<bool()>& t
         remove_saved_of_done();
     places_.system.remove(heartbeat_path(places_.campaign_file));
     write_metrics_now(places_.system.now(), false);
+    if (!places_.keep_journal && outcome == "complete" && is_whole_in_file())
+        remove_journal(journal_path(places_.campaign_file), places_.system);
+}
+
+bool Recorder::is_whole_in_file() const {
+    if (!places_.with_file || places_.part.of > 1 || tally_.done() < member_count(campaign_)) return false;
+    try {
+        const FiledCampaign filed = places_.filed(places_.campaign_file);
+        return filed.is_whole() && filed.campaign.arrangements == campaign_.arrangements;
+    } catch (const std::runtime_error&) {
+        return false;  // a journal that is left does no harm
+    }
 }
 
 void Recorder::write_metrics_now(Time now, bool at_work) const {

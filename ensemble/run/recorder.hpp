@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign_file/filed_campaign.hpp"
 #include "campaign_file/publish.hpp"
 #include "run/inventory.hpp"
 #include "run/messages.hpp"
@@ -66,13 +67,19 @@ class Recorder {
                                                ///< not be thread-safe
         const System& system = this_system();  ///< that has the files
         ContentWriter content = write_content;
+        ContentReader filed = read_filed;
+        bool keep_journal = true;  ///< also where the file has all members of the campaign
     };
 
     /// Throws InputError if the files exist and `existing` does not allow it.
     static void check(const Places& places);
 
-    /// Opens the journal and takes its inventory. `campaign` must outlive the recorder. Throws InputError as check()
-    /// and take_inventory() do, and if the journal belongs to another campaign or another run is writing it.
+    /// Whether a campaign that is to be resumed is published, every member done, and has no journal any more.
+    static bool is_over(const Campaign& campaign, const Places& places);
+
+    /// Opens the journal, gives it what only the campaign file has, and takes its inventory. `campaign` must outlive
+    /// the recorder. Throws InputError as check() and take_inventory() do, and if the journal belongs to another
+    /// campaign or another run is writing it.
     Recorder(const Campaign& campaign, Places places);
 
     const Tally& tally() const { return tally_; }
@@ -118,13 +125,16 @@ class Recorder {
     void give_up() noexcept;
 
     /// Ends the session and publishes, if there is to be a file. Throws RunError if that fails. `together`: publishes
-    /// by several ranks, or returns false where this one has to.
+    /// by several ranks, or returns false where this one has to. Then removes the journal of a campaign that is whole
+    /// in its file, unless it is to be kept.
     void finish(const std::string& outcome, const std::function<bool()>& together = {});
 
     const Places& places() const { return places_; }
 
   private:
     void publish_now();
+    /// Every member of the campaign is done, and in the published file.
+    bool is_whole_in_file() const;
     /// The other writers' journals are as long as they have told.
     bool has_all_pieces() const;
     void write_metrics_now(Time now, bool at_work) const;

@@ -24,6 +24,7 @@
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "run/campaign_status.hpp"
 #include "run/crew.hpp"
 #include "run/hands.hpp"
 #include "run/messages.hpp"
@@ -640,6 +641,12 @@ std::string imprecise_sentence(const Campaign& campaign, PrecisionStop precision
                        100 * precision.target(), reached);
 }
 
+CaseStatus total_of(const Tally& tally) {
+    const int total = tally.precise() ? member_count(tally.published()) : tally.found().total;
+    const int done = tally.precise() ? total - tally.failed() : tally.done();
+    return {"all", done, tally.failed(), total - done - tally.failed()};
+}
+
 /// Prints the final messages and returns the exit status.
 int conclude(const Campaign& campaign, const RunOptions& options, Recorder& recorder, Progress& progress,
              Master& master) {
@@ -650,7 +657,7 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     const int lost = taken_in ? recorder.take_in_pieces(master.lost_a_writer()) : 0;
     const bool resumed = recorder.journal().sessions().size() > 1;
     const std::string file = options.places.campaign_file.string();
-    const int total = tally.precise() ? member_count(tally.published()) : tally.found().total;
+    const int total = members_of(total_of(tally));
     if (lost > 0 && stopped_by.empty()) {
         progress.say(
             fmt::format("{} of this run {} in no journal, since a rank that kept results was lost; to resume: {}",
@@ -695,6 +702,12 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
                  Progress& progress, Helper* helper) {
     const StopSignals signals;
     const System& system = options.places.system;
+    if (Recorder::is_over(campaign, options.places)) {
+        progress.say(fmt::format("{} has all of {}: nothing is left to compute", options.places.campaign_file.string(),
+                                 counted(member_count(campaign), "member")));
+        options.at_end({"all", member_count(campaign), 0, 0});
+        return 0;
+    }
     Recorder recorder(campaign, options.places);
     const Hello own{threads_of(link, options.threads), host_name(), fingerprint(campaign), ::getpid()};
     const Groups groups(link.size(), options.writers);
@@ -709,7 +722,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     if (recorder.journal().damaged_bytes() > 0) {
         progress.say(
             fmt::format("{} bytes of the journal are damaged and were skipped; the members in them are computed "
-                        "again. Is the disk failing?",
+                        "again, unless the campaign file has them. Is the disk failing?",
                         recorder.journal().damaged_bytes()));
     }
     for (const std::string& line : recorder.journal().extension()) {
@@ -728,8 +741,10 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         master.run();
     } catch (...) {
         recorder.give_up();
+        options.at_end(total_of(recorder.tally()));
         throw;
     }
+    options.at_end(total_of(recorder.tally()));
     const int status = conclude(campaign, options, recorder, progress, master);
     master.part();
     return status;

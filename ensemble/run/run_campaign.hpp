@@ -16,6 +16,8 @@
 
 namespace floes {
 
+struct CaseStatus;
+
 struct RunOptions {
     Recorder::Places places;
     int threads = 0;             ///< members at a time on this rank; 0: its cores
@@ -25,6 +27,8 @@ struct RunOptions {
     SilenceLimits patience = {};
     double saves_every = 0;  ///< s of wall clock, as long_members() (run/saved_members.hpp) has it
     SharedCores cores = {};  ///< of runs in one process; `threads` are then those of the pool
+    /// Told once the members of this campaign, or part, that are done, failed and missing, also where the run fails.
+    std::function<void(const CaseStatus&)> at_end = [](const CaseStatus&) {};
 };
 
 /// `helper` computes members in isolated processes: all of them if campaign.run says so, otherwise those that were lost

@@ -173,6 +173,13 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
             contents.add_done({case_key, in.i32()});
             break;
         }
+        case RecordType::session_counts: {
+            if (contents.sessions.empty()) break;
+            ByteReader in(payload);
+            contents.sessions.back().computed = in.i32();
+            contents.sessions.back().set_aside = in.i32();
+            break;
+        }
     }
 }
 
@@ -419,6 +426,17 @@ void sync_pieces(const std::filesystem::path& journal, const JournalContents& co
     }
 }
 
+/// Removes those whose writers were stopped inside the header: when the campaign has grown, nobody knows any more what
+/// a power cut has torn of it.
+void remove_unbegun(const std::filesystem::path& journal, JournalContents& contents, const System& system) {
+    const auto is_unbegun = [](const JournalContents::Piece& piece) { return piece.good_bytes == 0; };
+    if (std::ranges::none_of(contents.pieces, is_unbegun)) return;
+    for (const JournalContents::Piece& piece : contents.pieces)
+        if (is_unbegun(piece)) remove_file(piece_path(journal, piece.number), system);
+    std::erase_if(contents.pieces, is_unbegun);
+    sync_folder_of(journal, system);
+}
+
 /// A file system without locks lets both in (docs/campaign_file.md).
 void lock_for_writing(const OpenFile& file, const std::filesystem::path& path) {
     if (file.system().lock(file.get()) == -EAGAIN) refuse_second_writer(path);
@@ -473,6 +491,13 @@ std::vector<int> pieces_of(const std::filesystem::path& journal, const System& s
     return numbers;
 }
 
+void remove_journal(const std::filesystem::path& path, const System& system) {
+    const std::vector<int> pieces = pieces_of(path, system);
+    for (const int number : pieces) remove_file(piece_path(path, number), system);
+    if (!pieces.empty()) sync_folder_of(path, system);  // or a power cut leaves them without it
+    remove_file(path, system);                          // the last: its lock keeps others out meanwhile
+}
+
 Journal::Journal(std::filesystem::path path, OpenFile file, JournalContents contents)
     : path_(std::move(path)), file_(std::move(file)), contents_(std::move(contents)) {}
 
@@ -502,6 +527,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
             sync_data(file, path);
             sync_folder_of(path, system);
             journal_format::read_pieces(path, reading.contents, system);
+            remove_unbegun(path, reading.contents, system);
             sync_pieces(path, reading.contents, system);
             reading.contents.attempts.close_session();  // no other run is active, because we hold the lock
             return {path, std::move(file), std::move(reading.contents)};
@@ -517,6 +543,7 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     contents.good_bytes = header.size();
     contents.first_record = contents.good_bytes;
     journal_format::read_pieces(path, contents, system);  // of a journal that was lost
+    remove_unbegun(path, contents, system);
     sync_pieces(path, contents, system);
     return {path, std::move(file), std::move(contents)};
 }
@@ -527,21 +554,22 @@ Journal open_journal(const std::filesystem::path& path, const Campaign& campaign
     Journal journal = open_journal(path, here, existing, system);
     if (journal.campaign_text() == here) return journal;
     const Campaign there = read_text(journal.campaign_text(), path);
-    const bool same_members = fingerprint(there) == fingerprint(campaign);
-    if (same_members && there.stop == campaign.stop) return journal;
-    if (same_members || is_part_of(there, campaign)) {
-        journal.extend(there, campaign);
-        return journal;
-    }
-    if (is_part_of(campaign, there))
+    expect_to_continue(there, campaign, path);
+    if (fingerprint(there) != fingerprint(campaign) || there.stop != campaign.stop) journal.extend(there, campaign);
+    return journal;
+}
+
+void expect_to_continue(const Campaign& there, const Campaign& here, const std::filesystem::path& path) {
+    if (fingerprint(there) == fingerprint(here) || is_part_of(there, here)) return;
+    if (is_part_of(here, there))
         throw InputError(fmt::format(
             "{} has more members than this configuration: {}. A campaign may grow but not shrink: ask for at least as "
             "many, or choose another output file with -o.",
-            path.string(), fmt::join(differences(there, campaign), "; ")));
+            path.string(), fmt::join(differences(there, here), "; ")));
     throw InputError(
         fmt::format("{} belongs to another campaign: {}. Give the configuration it was started with, choose "
                     "another output file with -o, or start afresh with --overwrite.",
-                    path.string(), fmt::join(differences(there, campaign), "; ")));
+                    path.string(), fmt::join(differences(there, here), "; ")));
 }
 
 void Journal::extend(const Campaign& there, const Campaign& here) {
@@ -590,6 +618,18 @@ void Journal::append(const CalibrationRecord& record) {
     if (find_calibration(contents_.calibrations, record.key) != nullptr) return;
     write_record(static_cast<std::uint32_t>(RecordType::calibration), encode(record));
     contents_.calibrations.push_back(record);
+}
+
+void Journal::append(std::span<const Session> earlier) {
+    for (const Session& session : earlier) {
+        const std::uint64_t at = contents_.good_bytes;
+        write_record(static_cast<std::uint32_t>(RecordType::session_begin), encode(session));
+        contents_.begin(session, at);
+        ByteWriter counts;
+        counts.i32(session.computed);
+        counts.i32(session.set_aside);
+        write_record(static_cast<std::uint32_t>(RecordType::session_counts), counts.bytes());
+    }
 }
 
 void Journal::done_in_piece(const MemberIdentity& member) {

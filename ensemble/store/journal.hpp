@@ -80,7 +80,8 @@ enum class RecordType : std::uint32_t {
     campaign = 6,
     member = 8,  ///< 7 was that of floes 1.0
     session_surroundings = 9,
-    done_in_piece = 10
+    done_in_piece = 10,
+    session_counts = 11  ///< of a session whose members were appended before it
 };
 
 /// A whole journal, of a schema that only a newer floes reads.
@@ -152,6 +153,8 @@ class Journal {
     /// The same by what their writers have told, without reading them: the member's record is at `place` in a piece
     /// that is on the disk.
     void take_in(const MemberIdentity& member, const MemberNote& note, const JournalContents::Place& place);
+    /// Notes earlier sessions that the campaign file knows and this journal, which is not the first, does not.
+    void append(std::span<const Session> earlier);
     /// Notes that an attempt at the member begins. Needs no sync(): a lost note only costs one more attempt.
     void started(const MemberIdentity& member, int attempt);
     /// Passes everything appended so far to the operating system by one write(), so that it survives the end of this
@@ -204,6 +207,13 @@ std::filesystem::path piece_path(const std::filesystem::path& journal, int numbe
 
 /// The numbers of the pieces that are there, in order.
 std::vector<int> pieces_of(const std::filesystem::path& journal, const System& system = this_system());
+
+/// Removes a journal and its pieces. What was in them must be on the disk elsewhere.
+void remove_journal(const std::filesystem::path& path, const System& system = this_system());
+
+/// Throws InputError, which names the keys that differ, unless `here` has all members of the campaign `there`, that the
+/// file at `path` is of.
+void expect_to_continue(const Campaign& there, const Campaign& here, const std::filesystem::path& path);
 
 /// Opens for writing. refuse: throws InputError if the journal exists; replace: starts afresh; resume: keeps every
 /// whole record, cuts a torn tail, and starts afresh if there is no journal. Throws InputError if another process is

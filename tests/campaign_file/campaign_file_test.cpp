@@ -1,3 +1,4 @@
+#include "campaign_file/filed_campaign.hpp"
 #include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"
 
@@ -187,6 +188,68 @@ TEST(CampaignFile, TakesRecordsFromTheJournal) {
     journal.hand_over();
     publish(folder / "b.h5", campaign, journal.members(), {});
     EXPECT_EQ(compare(folder / "a.h5", folder / "b.h5"), 0);
+}
+
+TEST(CampaignFile, GivesBackTheRecordsThatItWasMadeOf) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    const std::vector<MemberRecord> records = synthetic::records(campaign);
+    const CalibrationRecord calibration = synthetic::calibration(campaign);
+    Session session = synthetic::session();
+    session.ended = "2026-01-01T11:00:00Z";
+    session.outcome = "complete";
+    session.reused = 1;
+    session.computed = 10;
+    session.software.push_back({"compiler_flags", "-O2 -DNDEBUG"});
+    const std::vector<Session> sessions{session, synthetic::session(1)};
+    publish(folder / "a.h5", campaign, records, sessions, std::span(&calibration, 1));
+
+    const FiledCampaign filed = read_filed(folder / "a.h5");
+    EXPECT_EQ(fingerprint(filed.campaign), fingerprint(campaign));
+    EXPECT_FALSE(filed.is_whole());
+    EXPECT_EQ(filed.sessions, sessions);
+    std::size_t k = 0;
+    for (const MemberRecord& one : records) {
+        if (one.result.status != MemberStatus::done) continue;
+        EXPECT_EQ(encode(filed.read(k)), encode(one)) << "member " << k;
+        EXPECT_EQ(filed.notes[k].wall_time, one.result.wall_time);
+        EXPECT_EQ(filed.notes[k].attempt, one.attempt);
+        ++k;
+    }
+    EXPECT_EQ(filed.notes.size(), k);
+    ASSERT_EQ(filed.calibrations.size(), 1u);
+    EXPECT_EQ(filed.calibrations[0].key, calibration.key);
+    EXPECT_EQ(filed.calibrations[0].found.cfm, calibration.found.cfm);
+    ASSERT_EQ(filed.calibrations[0].found.curve.size(), calibration.found.curve.size());
+    EXPECT_EQ(filed.calibrations[0].found.curve[2].slope, calibration.found.curve[2].slope);
+    EXPECT_EQ(filed.calibrations[0].found.curve[2].iterations, calibration.found.curve[2].iterations);
+}
+
+TEST(CampaignFile, MakesTheJournalAgainThatItWasPublishedFrom) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    const std::vector<MemberRecord> records = synthetic::all_done_records(campaign);
+    const std::vector<Session> sessions{synthetic::session(), synthetic::session(1)};
+    publish(folder / "a.h5", campaign, records, sessions);
+    const FiledCampaign filed = read_filed(folder / "a.h5");
+    EXPECT_TRUE(filed.is_whole());
+    {
+        Journal journal = open_journal(folder / "a.journal", campaign, Existing::refuse);
+        journal.append(records[3]);
+        take_in(filed, campaign, journal);
+        EXPECT_EQ(journal.sessions(), sessions);
+    }
+    Journal journal = open_journal(folder / "a.journal", campaign, Existing::resume);
+    EXPECT_EQ(journal.contents().members.size(), records.size()) << "each once";
+    EXPECT_EQ(journal.sessions(), sessions);
+    take_in(filed, campaign, journal);
+    EXPECT_EQ(journal.contents().members.size(), records.size()) << "nothing is new";
+    EXPECT_EQ(journal.sessions().size(), sessions.size());
+    publish(folder / "again.h5", campaign, journal.members(), journal.sessions());
+    const auto digests = [&](const char* name) {
+        return hdf5::read_contents_digests(hdf5::open_for_reading(folder / name).id()).contents;
+    };
+    EXPECT_EQ(digests("a.h5"), digests("again.h5"));
 }
 
 TEST(CampaignFile, RefusesWhatIsNoCampaignFile) {

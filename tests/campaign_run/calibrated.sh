@@ -17,8 +17,13 @@ same alone.h5 ranks.h5
 expect 0 curve h5dump -d /calibration/elastic_modulus alone.h5
 
 expect 0 again "$FLOES" run campaign.toml -o alone.h5 --resume "${COARSE[@]}"
-said again "from the journal"
-said again "4 members reused, 0 to compute"
+said again "as before"
+said again "alone.h5 has all of 4 members: nothing is left to compute"
+same alone.h5 ranks.h5
+expect 0 more "$FLOES" run campaign.toml -o alone.h5 --resume "${COARSE[@]}" --set campaign.arrangements=3
+said more "as before"
+said more "4 members reused, 2 to compute"
+expect 0 ranks "$FLOES" run campaign.toml -o ranks.h5 --overwrite "${COARSE[@]}" --set campaign.arrangements=3
 same alone.h5 ranks.h5
 
 # A stop before the first member: nothing is there yet, and the same command begins again.

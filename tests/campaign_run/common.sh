@@ -45,6 +45,7 @@ said() {
 # wait_for_a_member FILE.journal: until the journal has a member (or the campaign is over); a header takes less.
 wait_for_a_member() {
     for _ in $(seq 3000); do
+        [ ! -e "${1%.journal}.h5" ] || [ -e "$1" ] || return 0
         if [ "$(stat -c %s "$1" 2> /dev/null || echo 0)" -gt 30000 ]; then return; fi
         sleep 0.02
     done

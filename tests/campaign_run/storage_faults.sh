@@ -1,7 +1,7 @@
 # What a disk can do to a campaign: full, gone, used by another run. A sentence and a status, and --resume completes it.
 source "$(dirname "$0")/common.sh"
 
-expect 0 whole "$FLOES" run campaign.toml -o whole.h5
+expect 0 whole "$FLOES" run campaign.toml -o whole.h5 --keep-journal
 
 # Full in the middle of the journal, a file size limit standing for the disk; then full while publishing.
 size=$(($(stat -c %s whole.journal) / 1024))

@@ -8,6 +8,7 @@
 #include <ostream>
 #include <set>
 #include <span>
+#include <sstream>
 #include <streambuf>
 
 #include <fmt/format.h>
@@ -67,9 +68,10 @@ std::string with_digest(const std::string& lines) {
     return lines + digest_hex(lines);
 }
 
+constexpr std::size_t digest_length = 32;
+
 bool is_whole(const std::string& content) {
-    constexpr std::size_t digest = 32;
-    return content.size() >= digest && with_digest(content.substr(0, content.size() - digest)) == content;
+    return content.size() >= digest_length && with_digest(content.substr(0, content.size() - digest_length)) == content;
 }
 
 /// As match_records(), which takes the fingerprints of all cases anew, most of the time of a history.
@@ -87,7 +89,7 @@ std::vector<std::optional<std::size_t>> records_that_count(const Subject& subjec
     return kept;
 }
 
-/// Stands for HDF5.
+/// Stands for HDF5, as the next does.
 void write_text(const System& system, const fs::path& path, const Subject& subject, const StoredMembers& members) {
     std::string lines;
     const auto kept = records_that_count(subject, members.notes());
@@ -103,6 +105,32 @@ void write_text(const System& system, const fs::path& path, const Subject& subje
     write_all(file, path, bytes.subspan(bytes.size() / 2));
 }
 
+FiledCampaign read_text(const Subject& subject, const std::string& text) {
+    if (!is_whole(text)) throw RunError("the campaign file is damaged");
+    FiledCampaign filed{.campaign = subject.campaign, .notes = {}, .read = {}, .sessions = {}, .calibrations = {}};
+    std::vector<MemberRecord> records;
+    std::istringstream lines(text);
+    int arrangements = 0;
+    for (std::string line; std::getline(lines, line);) {
+        int number = 0;
+        double mean = 0;
+        const int found = std::sscanf(line.c_str(), "%d done %lf", &number, &mean);
+        if (found < 1 || line.size() == digest_length) continue;
+        const MemberKey key = member_key(subject.campaign, number);
+        arrangements = key.arrangement + 1;
+        if (found < 2) continue;
+        MemberRecord& record = records.emplace_back();
+        record.case_key = subject.case_keys[static_cast<std::size_t>(key.case_index)];
+        record.arrangement = key.arrangement;
+        record.result = result_of(subject.campaign, number);
+        record.result.load.mean = mean;
+        filed.notes.add(record);
+    }
+    filed.campaign.arrangements = arrangements;
+    filed.read = [records = std::move(records)](std::size_t k) { return records.at(k); };
+    return filed;
+}
+
 std::string text_of(const System& system, const fs::path& path) {
     const OpenFile file = open_file(path, O_RDONLY, system);
     Bytes bytes(file_size(file, path));
@@ -115,8 +143,13 @@ class Session;
 /// What outlives a session.
 class World {
   public:
-    World(const Subject& subject, std::uint64_t seed, const Mutant& mutant)
-        : subject(subject), dice(seed), disk(dice, mutant), reader(disk, time, dice) {}
+    World(const Subject& of, std::uint64_t seed, const Mutant& mutant)
+        : subject(&of),
+          keeps_journals(seed % 2 == 1),
+          grows(seed % 4 == 2),
+          dice(seed),
+          disk(dice, mutant),
+          reader(disk, time, dice) {}
 
     std::string run();
 
@@ -129,7 +162,7 @@ class World {
     void told(int count, std::int64_t awake, bool at_once) {
         told_.push_back({count, awake});
         most_told_ = std::max(most_told_, count);
-        if (count > member_count(subject.campaign)) fault(fmt::format("{} members are counted", count));
+        if (count > member_count(subject->campaign)) fault(fmt::format("{} members are counted", count));
         if (at_once) promised_ = std::max(promised_, count);
     }
     void forget_told() {
@@ -154,7 +187,9 @@ class World {
         *account += fmt::format(form, std::forward<Words>(words)...) + "\n";
     }
 
-    const Subject& subject;
+    const Subject* subject;     ///< later one with more arrangements, where the campaign grows
+    const bool keeps_journals;  ///< also of a campaign that is whole in its file
+    const bool grows;
     Dice dice;
     Timeline time;
     Disk disk;
@@ -166,8 +201,10 @@ class World {
   private:
     bool one_session(bool undisturbed);
     int kept_members();
+    void keep_those_of_journal(std::vector<bool>& kept);
+    void end_undisturbed();
     void check_kept();
-    void check_end(int status);
+    void check_end();
 
     std::string fault_;
     std::vector<std::pair<int, std::int64_t>> told_;  // of this session
@@ -368,8 +405,8 @@ void PlayedRank::obey(const Message& message) {
             return;
         }
         case Tag::campaign:
-            if (!journal_.empty()) writer_.emplace(link, world_.subject.campaign, journal_, process);
-            link.send(master_rank, Tag::hello, encode(Hello{1, "elsewhere", world_.subject.fingerprint, rank_}));
+            if (!journal_.empty()) writer_.emplace(link, world_.subject->campaign, journal_, process);
+            link.send(master_rank, Tag::hello, encode(Hello{1, "elsewhere", world_.subject->fingerprint, rank_}));
             return;
         case Tag::assign:
             for (const Assignment& one : decode_assignments(message.bytes)) waiting_.push_back(one);
@@ -422,9 +459,9 @@ void PlayedRank::finish(const Assignment& assignment) {
     busy_ = false;
     if (dismissed_) return say_farewell();
     MemberRecord record;
-    const Campaign& campaign = world_.subject.campaign;
+    const Campaign& campaign = world_.subject->campaign;
     const MemberKey key = member_key(campaign, assignment.number);
-    record.case_key = world_.subject.case_keys[static_cast<std::size_t>(key.case_index)];
+    record.case_key = world_.subject->case_keys[static_cast<std::size_t>(key.case_index)];
     record.arrangement = key.arrangement;
     record.attempt = assignment.attempt;
     record.rank = rank_;
@@ -519,7 +556,7 @@ MemberFunction Session::compute() {
         if (saves_) {
             const fs::path path =
                 saved_path(campaign_file,
-                           {world.subject.case_keys[static_cast<std::size_t>(member_key(campaign, number).case_index)],
+                           {world.subject->case_keys[static_cast<std::size_t>(member_key(campaign, number).case_index)],
                             member_key(campaign, number).arrangement});
             try {
                 const std::optional<SavedMember> before = read_saved(path, saved_stamp_here, master);
@@ -544,8 +581,10 @@ RunOptions Session::options(int writers) {
                    .content =
                        [this](const fs::path& path, const Campaign&, const StoredMembers& members,
                               std::span<const floes::Session>, std::span<const CalibrationRecord>) {
-                           write_text(master, path, world.subject, members);
-                       }},
+                           write_text(master, path, *world.subject, members);
+                       },
+                   .filed = [this](const fs::path& path) { return read_text(*world.subject, text_of(master, path)); },
+                   .keep_journal = world.keeps_journals},
         .threads = threads_,
         .writers = writers,
         .resume_command = "the same",
@@ -621,10 +660,12 @@ void Session::somebody_starts_another() {
     const Process other(world.disk, world.time, world.dice);
     constexpr std::array ways{Existing::resume, Existing::replace, Existing::refuse};
     try {
-        const Recorder recorder(world.subject.campaign,
-                                {.campaign_file = campaign_file,
-                                 .existing = ways[static_cast<std::size_t>(world.dice.below(3))],
-                                 .system = other});
+        const Recorder recorder(
+            world.subject->campaign,
+            {.campaign_file = campaign_file,
+             .existing = ways[static_cast<std::size_t>(world.dice.below(3))],
+             .system = other,
+             .filed = [&](const fs::path& path) { return read_text(*world.subject, text_of(other, path)); }});
         world.fault("a second run was let into the file of the first");
     } catch (const InputError&) {
         // as it should be
@@ -686,7 +727,7 @@ std::optional<int> Session::run() {
     std::optional<int> status;
     try {
         Progress progress(out, Progress::Style::plain);
-        status = run_campaign(world.subject.campaign, options(writers), link_, compute(), progress);
+        status = run_campaign(world.subject->campaign, options(writers), link_, compute(), progress);
     } catch (const Killed&) {
         // no status
     } catch (const RunError& error) {
@@ -723,20 +764,33 @@ void World::read_meanwhile() {
     }
 }
 
+/// In the journal or in the campaign file.
 int World::kept_members() {
+    std::vector<bool> kept(static_cast<std::size_t>(member_count(subject->campaign)));
+    keep_those_of_journal(kept);
+    if (is_there(campaign_file, reader)) {
+        const std::string content = text_of(reader, campaign_file);
+        const MemberNotes notes = is_whole(content) ? read_text(*subject, content).notes : MemberNotes();
+        const auto records = records_that_count(*subject, notes);
+        for (std::size_t k = 0; k < kept.size(); ++k) kept[k] = kept[k] || records[k];
+    }
+    return static_cast<int>(std::ranges::count(kept, true));
+}
+
+void World::keep_those_of_journal(std::vector<bool>& kept) {
     const fs::path journal = journal_path(campaign_file);
-    if (!is_there(journal, reader)) return 0;
+    if (!is_there(journal, reader)) return;
     std::optional<JournalContents> contents;
     try {
         contents = read_journal(journal, reader);
     } catch (const InputError&) {
-        return 0;  // a journal that is not begun; others have members, which are missed then
+        return;  // a journal that is not begun; others have members, which are missed then
     }
-    int count = 0;
-    for (const auto& record : records_that_count(subject, contents->members)) {
-        if (!record) continue;
-        const MemberNote& note = contents->members[*record];
-        if (note.done() || note.attempt >= subject.campaign.run.attempts) ++count;
+    const auto records = records_that_count(*subject, contents->members);
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        if (!records[k]) continue;
+        const MemberNote& note = contents->members[*records[k]];
+        kept[k] = note.done() || note.attempt >= subject->campaign.run.attempts;
     }
     std::set<std::pair<int, int>> done;
     for (std::size_t k = 0; k < contents->members.size(); ++k) {
@@ -744,7 +798,6 @@ int World::kept_members() {
         if (contents->places[k].piece == 0 && note.done() && !done.emplace(note.key, note.arrangement).second)
             fault("a member is twice in the journal");
     }
-    return count;
 }
 
 void World::check_kept() {
@@ -786,10 +839,25 @@ bool World::one_session(bool undisturbed) {
     return complete;
 }
 
-void World::check_end(int) {
+void World::check_end() {
     if (!is_there(campaign_file, reader)) return fault("there is no campaign file at the end");
     const std::string content = text_of(reader, campaign_file);
-    if (content != subject.content) fault(fmt::format("the file is not that of an undisturbed run:\n{}", content));
+    if (content != subject->content) fault(fmt::format("the file is not that of an undisturbed run:\n{}", content));
+}
+
+void World::end_undisturbed() {
+    time.pass(time.now() + 10 * second,
+              [&] { return std::ranges::all_of(sessions, [](const auto& session) { return session->is_over(); }); });
+    if (!fault_.empty() || !one_session(true)) return;
+    check_end();
+    const fs::path journal = journal_path(campaign_file);
+    if (!keeps_journals && subject->set_aside == 0 &&
+        (is_there(journal, reader) || !pieces_of(journal, reader).empty()))
+        fault("a journal is left of a campaign that is whole in its file");
+    promise_all();
+    power_cut();
+    check_kept();
+    check_end();
 }
 
 std::string World::run() {
@@ -800,16 +868,35 @@ std::string World::run() {
         const bool waits = dice.one_in(2);
         time.pass(time.now() + (waits ? 4 * second : dice.between(0, 300'000)), [] { return false; });
     }
-    time.pass(time.now() + 10 * second,
-              [&] { return std::ranges::all_of(sessions, [](const auto& session) { return session->is_over(); }); });
-    if (fault_.empty() && one_session(true)) {
-        check_end(0);
-        promise_all();
-        power_cut();
-        check_kept();
-        check_end(0);
-    }
+    end_undisturbed();
+    if (!grows || !fault_.empty()) return fault_;
+    note("the campaign grows");
+    subject = subject->grown.get();
+    one_session(false);
+    if (dice.one_in(2)) power_cut(), check_kept();
+    end_undisturbed();
     return fault_;
+}
+
+}  // namespace
+
+namespace {
+
+Subject make_subject(const char* name, int arrangements, std::size_t cases) {
+    Campaign campaign = synthetic::campaign(arrangements);
+    campaign.name = name;
+    campaign.cases.resize(cases);
+    campaign.run.member_deadline = 0;
+    Subject subject{campaign, fingerprint(campaign), case_fingerprints(campaign), {}, 0, {}};
+    std::string lines;
+    for (int number = 0; number < member_count(campaign); ++number) {
+        MemberRecord record;
+        record.result.load.mean = mean_of(campaign, number);
+        if (always_fails(campaign, number)) record.result.status = MemberStatus::failed, ++subject.set_aside;
+        lines += line_of(number, &record);
+    }
+    subject.content = with_digest(lines);
+    return subject;
 }
 
 }  // namespace
@@ -818,20 +905,9 @@ std::vector<Subject> make_subjects() {
     std::vector<Subject> subjects;
     for (const char* name : {"sound", "failing"}) {
         for (const int arrangements : {1, 3, 5}) {
-            Campaign campaign = synthetic::campaign(arrangements);
-            campaign.name = name;
-            campaign.cases.resize(arrangements == 3 ? 2 : 1);
-            campaign.run.member_deadline = 0;
-            Subject subject{campaign, fingerprint(campaign), case_fingerprints(campaign), {}, 0};
-            std::string lines;
-            for (int number = 0; number < member_count(campaign); ++number) {
-                MemberRecord record;
-                record.result.load.mean = mean_of(campaign, number);
-                if (always_fails(campaign, number)) record.result.status = MemberStatus::failed, ++subject.set_aside;
-                lines += line_of(number, &record);
-            }
-            subject.content = with_digest(lines);
-            subjects.push_back(std::move(subject));
+            const std::size_t cases = arrangements == 3 ? 2 : 1;
+            Subject& subject = subjects.emplace_back(make_subject(name, arrangements, cases));
+            subject.grown = std::make_shared<Subject>(make_subject(name, arrangements + 1, cases));
         }
     }
     return subjects;

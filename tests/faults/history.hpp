@@ -2,9 +2,10 @@
 // One history of a campaign on a simulated machine (support/simulated_system.hpp), told by its seed: sessions that are
 // killed, cut off from power, stopped, given a full or a failing disk, whose other ranks die, sleep, come late or
 // answer twice, whose clock is set, into whose file a second run is started, and which others read meanwhile; then one
-// that is left alone. The driver of rank 0 is the real one, run_campaign() with all that it uses, and so is the Writer
-// of other ranks; what else these do is played, and the campaign file's content is a text, since HDF5 writes to a real
-// disk only.
+// that is left alone. Half of the histories keep the journal of a campaign that is whole in its file, and a fourth
+// go on with an arrangement more. The driver of rank 0 is the real one, run_campaign() with all that it uses, and so is
+// the Writer of other ranks; what else these do is played, and the campaign file's content is a text, since HDF5 writes
+// to a real disk only.
 
 #include <cstdint>
 #include <memory>
@@ -21,8 +22,9 @@ struct Subject {
     Campaign campaign;
     std::string fingerprint;
     std::vector<std::string> case_keys;
-    std::string content;  ///< of the file of an undisturbed run
-    int set_aside = 0;    ///< members that always fail
+    std::string content;                   ///< of the file of an undisturbed run
+    int set_aside = 0;                     ///< members that always fail
+    std::shared_ptr<const Subject> grown;  ///< with an arrangement more; none of one that has grown
 };
 
 std::vector<Subject> make_subjects();

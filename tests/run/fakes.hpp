@@ -56,12 +56,13 @@ class Run {
     int on(Link& link, const MemberFunction& compute, Existing existing = Existing::refuse, int threads = 2,
            Helper* helper = nullptr) {
         std::ostringstream out;
-        const RunOptions options{.places = {.campaign_file = file, .existing = existing, .part = part},
-                                 .threads = threads,
-                                 .writers = writers,
-                                 .resume_command = "RESUME COMMAND",
-                                 .walltime = walltime,
-                                 .patience = patience};
+        const RunOptions options{
+            .places = {.campaign_file = file, .existing = existing, .part = part, .keep_journal = keep_journal},
+            .threads = threads,
+            .writers = writers,
+            .resume_command = "RESUME COMMAND",
+            .walltime = walltime,
+            .patience = patience};
         try {
             Progress progress(out, Progress::Style::plain);
             const int status = run_campaign(campaign, options, link, compute, progress, helper);
@@ -97,6 +98,7 @@ class Run {
     std::string said;
     CampaignPart part;
     int writers = 0;
+    bool keep_journal = true;
     Walltime walltime;
     SilenceLimits patience;
 };

@@ -224,15 +224,25 @@ TEST_F(PartsOfACampaign, OfASmallerCampaignAreNamedAndOfAnotherRefused) {
                 HasSubstr("campaign.seed: 7 there, 8"));
 }
 
-TEST_F(PartsOfACampaign, AreNotMergedIntoAFileWithoutJournal) {
-    const std::vector<fs::path> parts{run(1)};
-    merge_campaigns(parts, folder_ / "a.h5", false);
+TEST_F(PartsOfACampaign, AreMergedIntoAFileWithoutJournal) {
+    const auto results = [](const fs::path& file) {
+        std::vector<double> means;
+        for (const MemberRow& row : read_campaign_file(file).members) means.push_back(row.done() ? row.load.mean : -1);
+        return means;
+    };
+    const std::vector<fs::path> first{run(1)};
+    merge_campaigns(first, folder_ / "a.h5", false);
     fs::remove(folder_ / "a.journal");
-    EXPECT_THAT(refusal([&] { merge_campaigns(parts, folder_ / "a.h5", false); }), HasSubstr("but not its journal"));
-    merge_campaigns(parts, folder_ / "a.h5", true);
+    const std::vector<fs::path> second{run(2)};
+    merge_campaigns(second, folder_ / "a.h5", false);
+    const std::vector<fs::path> both{file(1), file(2)};
+    merge_campaigns(both, folder_ / "both.h5", false);
+    EXPECT_EQ(results(folder_ / "a.h5"), results(folder_ / "both.h5"));
     fs::remove(journal_path(file(1)));
-    EXPECT_THAT(refusal([&] { merge_campaigns(parts, folder_ / "a.h5", false); }),
+    EXPECT_THAT(refusal([&] { merge_campaigns(both, folder_ / "a.h5", false); }),
                 HasSubstr("the two files stay together"));
+    merge_campaigns(first, folder_ / "alone.h5", false);
+    EXPECT_EQ(results(folder_ / "alone.h5"), results(file(1)));
 }
 
 /// As in precision_test: of all members of arrangements 0 to 26 it is known that they are enough.

@@ -156,13 +156,17 @@ TEST(RunCampaign, ResumingAFinishedCampaignComputesNothing) {
     EXPECT_TRUE(std::filesystem::exists(run.file));
 }
 
-TEST(RunCampaign, ExtendedCampaignEqualsOneMadeAtOnce) {
+/// By a case and by arrangements.
+void expect_to_grow(bool keep_journal) {
     const TemporaryFolder folder;
     Campaign small = synthetic::campaign(2);
     small.cases.erase(small.cases.begin());
     fake::Run first(folder / "grown.h5", small);
+    first.keep_journal = keep_journal;
     ASSERT_EQ(first(fake::compute_by_identity), 0);
+    EXPECT_EQ(std::filesystem::exists(folder / "grown.journal"), keep_journal);
     fake::Run grown(folder / "grown.h5", synthetic::campaign(4));
+    grown.keep_journal = keep_journal;
     std::atomic<int> calls = 0;
     const MemberFunction counted = [&](const Campaign& campaign, int number, std::stop_token stop) {
         ++calls;
@@ -177,6 +181,32 @@ TEST(RunCampaign, ExtendedCampaignEqualsOneMadeAtOnce) {
     ASSERT_EQ(whole(fake::compute_by_identity), 0);
     const std::string compare = "h5diff --exclude-path /provenance " + grown.file.string() + " " + whole.file.string();
     EXPECT_EQ(std::system(compare.c_str()), 0);
+    EXPECT_EQ(std::filesystem::exists(folder / "grown.journal"), keep_journal);
+}
+
+TEST(RunCampaign, ExtendedCampaignEqualsOneMadeAtOnce) {
+    expect_to_grow(true);
+}
+
+TEST(RunCampaign, IsExtendedFromItsFileWhereTheJournalWent) {
+    expect_to_grow(false);
+}
+
+TEST(RunCampaign, KeepsTheJournalOfMembersThatAreNotInTheFile) {
+    const TemporaryFolder folder;
+    fake::Run failing(folder / "a.h5");
+    failing.keep_journal = false;
+    const auto fails = [](const Campaign& campaign, int number, std::stop_token stop) {
+        if (number == 4) throw MemberFailure("The ice melted.");
+        return fake::compute(campaign, number, std::move(stop));
+    };
+    EXPECT_EQ(failing(fails), 1);
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.journal"));
+    fake::Run part(folder / "part.h5");
+    part.keep_journal = false;
+    part.part = {1, 2};
+    EXPECT_EQ(part(fake::compute), 0);
+    EXPECT_TRUE(std::filesystem::exists(folder / "part.journal"));
 }
 
 TEST(RunCampaign, NeverOverwritesUnasked) {
@@ -198,7 +228,7 @@ TEST(RunCampaign, NeverOverwritesUnasked) {
     EXPECT_EQ(read_journal(journal_path(run.file)).sessions.size(), 1u);
 }
 
-TEST(RunCampaign, RefusesToResumeWithoutTheJournalOrAnotherCampaign) {
+TEST(RunCampaign, RefusesToResumeAnotherCampaignWithItsJournalOrWithout) {
     const TemporaryFolder folder;
     fake::Run run(folder / "a.h5");
     ASSERT_EQ(run(fake::compute), 0);
@@ -213,6 +243,7 @@ TEST(RunCampaign, RefusesToResumeWithoutTheJournalOrAnotherCampaign) {
     }
     std::filesystem::remove(journal_path(run.file));
     EXPECT_THROW(run(fake::compute, Existing::resume), InputError);
+    EXPECT_FALSE(std::filesystem::exists(journal_path(run.file)));
 }
 
 TEST(LeadRanks, TurnsErrorsIntoSentencesAndStatuses) {

@@ -84,5 +84,5 @@ all_is_one_run() {
     same whole.h5 campaign.h5
     "$PROGRAM" merge campaign.part*.h5 -o afresh.h5 > afresh.log 2>&1 || fail "the parts cannot be merged at once"
     same whole.h5 afresh.h5
-    "$PROGRAM" verify campaign.h5 campaign.journal > verify.log 2>&1 || fail "the merged files are not whole"
+    "$PROGRAM" verify campaign.h5 afresh.h5 > verify.log 2>&1 || fail "the merged files are not whole"
 }
