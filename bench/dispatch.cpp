@@ -108,7 +108,7 @@ nlohmann::ordered_json costs_of_hands(const Campaign& campaign, const JournalCon
     double all = 0;
     double dearest = 0;
     for (const Bytes& order : orders) {
-        const PieceMade made = make_piece(campaign, decode_piece_order(order));
+        const PieceMade made = make_piece(campaign, decode<PieceOrder>(order));
         if (!made.trouble.empty()) throw std::runtime_error(made.trouble);
         pieces.push_back(made.piece);
         all += made.processor_time;

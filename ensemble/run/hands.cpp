@@ -137,7 +137,7 @@ std::vector<FilePiece> Hands::make_pieces(const std::vector<PieceOrder>& orders)
     std::vector<FilePiece> pieces;
     std::string trouble;
     for (const Bytes& answer : ask(Tag::publish, by_rank)) {
-        PieceMade made = decode_piece_made(answer);
+        PieceMade made = decode<PieceMade>(answer);
         if (!made.trouble.empty()) trouble = made.trouble;
         if (made.trouble.empty()) pieces.push_back(std::move(made.piece));
     }
@@ -160,7 +160,7 @@ DatasetDigests Hands::digests(const fs::path& file, std::span<const FilePiece> p
         if (!made.trouble.empty()) throw RunError(made.trouble);
         all.merge(made.digests);
     };
-    for (const Bytes& answer : ask(Tag::digest, by_rank)) add(decode_digests_made(answer));
+    for (const Bytes& answer : ask(Tag::digest, by_rank)) add(decode<DigestsMade>(answer));
     for (const std::string& path : datasets)
         if (!all.contains(path)) order.datasets.push_back(path);
     if (!order.datasets.empty()) add(make_digests(order));
@@ -178,8 +178,8 @@ std::vector<Bytes> Hands::ask(Tag tag, const std::vector<std::pair<int, Bytes>>&
     }
     if (!orders.empty())  // rank 0 has the first
         own.begin(tag, [this, tag, order = orders.front().second] {
-            return tag == Tag::publish ? encode(make_piece(campaign_, decode_piece_order(order)))
-                                       : encode(make_digests(decode_digest_order(order)));
+            return tag == Tag::publish ? encode(make_piece(campaign_, decode<PieceOrder>(order)))
+                                       : encode(make_digests(decode<DigestOrder>(order)));
         });
     while (!awaited_.empty()) {
         if (auto done = own.take()) answered(master_rank, std::move(done->second));

@@ -1,14 +1,17 @@
 #pragma once
-// Contents of the messages between master and workers. Tags without a function here carry nothing (dismiss,
+// Contents of the messages between master and workers. Tags without a content here carry nothing (dismiss,
 // stop_request, close, closed), plain text (campaign, trouble) or a number (leave, a farewell that is passed on).
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "campaign_file/pieces.hpp"
-#include "core/bytes.hpp"
+#include "core/error.hpp"
+#include "core/fields.hpp"
 #include "run/crew.hpp"
 #include "store/journal.hpp"
 #include "store/member_record.hpp"
@@ -21,18 +24,24 @@ struct Hello {
     std::string host;
     std::string fingerprint;  ///< of the campaign as it read it
     int pid = 0;              ///< of its process
+
+    static constexpr auto fields() { return std::tuple(&Hello::cores, &Hello::host, &Hello::fingerprint, &Hello::pid); }
 };
 
 /// A finished member.
 struct Answer {
     int number = 0;
     MemberRecord record;
+
+    static constexpr auto fields() { return std::tuple(&Answer::number, &Answer::record); }
 };
 
 /// Who keeps the records of a rank.
 struct Post {
     int writer = 0;       ///< rank
     std::string journal;  ///< that this rank opens; empty unless it is the writer
+
+    static constexpr auto fields() { return std::tuple(&Post::writer, &Post::journal); }
 };
 
 /// A member whose record is in a writer's journal.
@@ -42,6 +51,10 @@ struct Kept {
     MemberNote note;                     ///< without the number of its key
     JournalContents::Place place;        ///< in the journal of the writer
     std::optional<MemberRecord> record;  ///< for the stop rule, where there is one: without histories
+
+    static constexpr auto fields() {
+        return std::tuple(&Kept::worker, &Kept::number, &Kept::note, &Kept::place, &Kept::record);
+    }
 };
 
 /// A piece of the campaign file that a rank is to publish.
@@ -57,8 +70,18 @@ struct PieceOrder {
         bool has_record = false;
         MemberNote note;  ///< without its key; of these two nothing without a record
         JournalContents::Place place;
+
+        static constexpr auto fields() {
+            return std::tuple(&Member::attempts, &Member::has_record, &Member::note, &Member::place);
+        }
     };
     std::vector<Member> members;  ///< of all its arrangements
+
+    static constexpr auto fields() {
+        using Order = PieceOrder;
+        return std::tuple(&Order::campaign_file, &Order::journal, &Order::name, &Order::arrangements, &Order::first,
+                          &Order::most, &Order::members);
+    }
 };
 
 /// The datasets of a campaign file over pieces that a rank is to digest.
@@ -66,6 +89,10 @@ struct DigestOrder {
     std::string file;
     std::vector<std::string> pieces;
     std::vector<std::string> datasets;
+
+    static constexpr auto fields() {
+        return std::tuple(&DigestOrder::file, &DigestOrder::pieces, &DigestOrder::datasets);
+    }
 };
 
 /// What became of an order.
@@ -73,37 +100,69 @@ struct PieceMade {
     std::string trouble;        ///< empty, or why there is no piece
     double processor_time = 0;  ///< s
     FilePiece piece;
+
+    static constexpr auto fields() {
+        return std::tuple(&PieceMade::trouble, &PieceMade::processor_time, &PieceMade::piece);
+    }
 };
 struct DigestsMade {
     std::string trouble;
     DatasetDigests digests;
+
+    static constexpr auto fields() { return std::tuple(&DigestsMade::trouble, &DigestsMade::digests); }
 };
 
-Bytes encode(const Hello& hello);
-Bytes encode(const Post& post);
-Bytes encode(const std::vector<Kept>& kept);
-Bytes encode(const PieceOrder& order);
-Bytes encode(const DigestOrder& order);
-Bytes encode(const PieceMade& made);
-Bytes encode(const DigestsMade& made);
-Bytes encode(const std::vector<MemberProgress>& progress);
-Bytes encode(const std::vector<Assignment>& assignments);
-Bytes encode(const std::vector<Answer>& answers);
-Bytes encode_status(int exit_status);
-Bytes encode_text(std::string_view text);
+/// Of what is declared elsewhere; notes go without their key.
+constexpr auto fields_of(std::type_identity<Assignment>) {
+    return std::tuple(&Assignment::number, &Assignment::attempt, &Assignment::apart);
+}
+constexpr auto fields_of(std::type_identity<MemberProgress>) {
+    return std::tuple(&MemberProgress::number, &MemberProgress::time, &MemberProgress::end);
+}
+constexpr auto fields_of(std::type_identity<MemberNote>) {
+    return std::tuple(&MemberNote::wall_time, &MemberNote::arrangement, &MemberNote::attempt, &MemberNote::found,
+                      &MemberNote::status);
+}
+constexpr auto fields_of(std::type_identity<JournalContents::Place>) {
+    using Place = JournalContents::Place;
+    return std::tuple(&Place::piece, &Place::offset, &Place::size);
+}
+constexpr auto fields_of(std::type_identity<FilePiece>) {
+    return std::tuple(&FilePiece::file, &FilePiece::digest, &FilePiece::first, &FilePiece::count, &FilePiece::found);
+}
+void put_value(ByteWriter& out, MemberStatus status);
+void take_value(ByteReader& in, MemberStatus& status);
+void put_value(ByteWriter& out, const MemberRecord& record);
+void take_value(ByteReader& in, MemberRecord& record);
+void put_value(ByteWriter& out, const std::optional<MemberRecord>& record);
+void take_value(ByteReader& in, std::optional<MemberRecord>& record);
 
-// Each throws RunError if the bytes are malformed.
-Hello decode_hello(const Bytes& bytes);
-Post decode_post(const Bytes& bytes);
-std::vector<Kept> decode_kept(const Bytes& bytes);
-PieceOrder decode_piece_order(const Bytes& bytes);
-DigestOrder decode_digest_order(const Bytes& bytes);
-PieceMade decode_piece_made(const Bytes& bytes);
-DigestsMade decode_digests_made(const Bytes& bytes);
-std::vector<MemberProgress> decode_progress(const Bytes& bytes);
-std::vector<Assignment> decode_assignments(const Bytes& bytes);
-std::vector<Answer> decode_answers(const Bytes& bytes);
-int decode_status(const Bytes& bytes);
-std::string decode_text(const Bytes& bytes);
+/// One of the above, or a list of these.
+template <class Message>
+requires WithFields<Message> || WithFields<typename Message::value_type> Bytes encode(const Message& message) {
+    ByteWriter writer;
+    put(writer, message);
+    return writer.take();
+}
+inline Bytes encode_status(int exit_status) {
+    ByteWriter writer;
+    writer.i32(exit_status);
+    return writer.take();
+}
+inline Bytes encode_text(std::string_view text) {
+    ByteWriter writer;
+    writer.text(text);
+    return writer.take();
+}
+
+/// A status is an int. Throws RunError if the bytes are malformed.
+template <class Message>
+Message decode(const Bytes& bytes) {
+    ByteReader reader(bytes);
+    Message message{};
+    take(reader, message);
+    if (reader.left() != 0) throw RunError("a message is longer than what it says; another version of floes sent it");
+    return message;
+}
 
 }  // namespace floes

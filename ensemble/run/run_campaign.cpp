@@ -109,7 +109,7 @@ Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const 
         last_word = system.now();
         pause.something_happened();
         if (message->tag == Tag::trouble) {
-            throw RunError(fmt::format("Rank {}: {}", message->from, decode_text(message->bytes)));
+            throw RunError(fmt::format("Rank {}: {}", message->from, decode<std::string>(message->bytes)));
         }
         if (message->tag == Tag::stop_request) {
             result.stop_requested = true;
@@ -117,7 +117,7 @@ Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const 
         }
         if (message->tag == Tag::alive) continue;  // it has said hello, and waits for slower ones
         if (message->tag != Tag::hello) throw RunError(fmt::format("Rank {} did not begin with hello.", message->from));
-        const Hello hello = decode_hello(message->bytes);
+        const Hello hello = decode<Hello>(message->bytes);
         check_hello(message->from, hello, own.fingerprint);
         result.hellos[static_cast<std::size_t>(message->from)] = hello;
         ++present;
@@ -309,12 +309,12 @@ class Master {
     void receive(const Message& message) {
         switch (message.tag) {
             case Tag::answer:
-                for (Answer& answer : decode_answers(message.bytes)) {
+                for (Answer& answer : decode<std::vector<Answer>>(message.bytes)) {
                     finished(message.from, answer.number, std::move(answer.record));
                 }
                 return;
             case Tag::kept:
-                for (const Kept& kept : decode_kept(message.bytes)) finished_in_piece(kept, message.from);
+                for (const Kept& kept : decode<std::vector<Kept>>(message.bytes)) finished_in_piece(kept, message.from);
                 return;
             case Tag::published:
             case Tag::digested:
@@ -322,19 +322,19 @@ class Master {
                 pause_.something_happened();
                 return;
             case Tag::farewell:
-                handle(WorkerLeft{message.bytes.empty() ? message.from : decode_status(message.bytes)});
+                handle(WorkerLeft{message.bytes.empty() ? message.from : decode<int>(message.bytes)});
                 return;
             case Tag::closed:
                 open_pieces_.erase(message.from);
                 return;
             case Tag::alive:
-                if (!message.bytes.empty()) recorder_.note(decode_progress(message.bytes));
+                if (!message.bytes.empty()) recorder_.note(decode<std::vector<MemberProgress>>(message.bytes));
                 return;
             case Tag::stop_request:
                 request_stop(fmt::format("a signal to rank {}", message.from));
                 return;
             case Tag::trouble:
-                throw RunError(fmt::format("Rank {}: {}", message.from, decode_text(message.bytes)));
+                throw RunError(fmt::format("Rank {}: {}", message.from, decode<std::string>(message.bytes)));
             default:
                 throw RunError(fmt::format("The master cannot interpret message {} of rank {}.",
                                            static_cast<int>(message.tag), message.from));

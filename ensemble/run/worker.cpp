@@ -125,7 +125,8 @@ class Worker {
     void obey(const Message& message) {
         switch (message.tag) {
             case Tag::assign:
-                for (const Assignment& assignment : decode_assignments(message.bytes)) crew_.begin(assignment);
+                for (const Assignment& assignment : decode<std::vector<Assignment>>(message.bytes))
+                    crew_.begin(assignment);
                 return;
             case Tag::dismiss:
                 crew_.abandon();
@@ -137,7 +138,7 @@ class Worker {
                 ranks_are_missing_ = true;
                 return;
             case Tag::answer:
-                expect_writer(message).keep(message.from, decode_answers(message.bytes));
+                expect_writer(message).keep(message.from, decode<std::vector<Answer>>(message.bytes));
                 return;
             case Tag::farewell:
                 expect_writer(message).farewell(message.from);
@@ -148,20 +149,20 @@ class Worker {
                 link_.send(master_rank, Tag::closed, {});
                 return;
             case Tag::publish:
-                hand_.begin(Tag::published, [this, order = decode_piece_order(message.bytes)] {
+                hand_.begin(Tag::published, [this, order = decode<PieceOrder>(message.bytes)] {
                     return encode(make_piece(campaign_, order));
                 });
                 return;
             case Tag::digest:
                 hand_.begin(Tag::digested,
-                            [order = decode_digest_order(message.bytes)] { return encode(make_digests(order)); });
+                            [order = decode<DigestOrder>(message.bytes)] { return encode(make_digests(order)); });
                 return;
             case Tag::leave:
                 if (ranks_are_missing_) {
                     link_.abandon(master_rank);
                     if (keeper_of_records_ != master_rank) link_.abandon(keeper_of_records_);
                 }
-                exit_status_ = decode_status(message.bytes);
+                exit_status_ = decode<int>(message.bytes);
                 return;
             default:
                 refuse(message);
@@ -240,12 +241,12 @@ int serve(Link& link, const CrewSetup& setup, const SilenceLimits& patience, con
     Message first = wait_for_message(link);
     Post post;
     if (first.tag == Tag::post) {
-        post = decode_post(first.bytes);
+        post = decode<Post>(first.bytes);
         first = wait_for_message(link);
     }
-    if (first.tag == Tag::leave) return decode_status(first.bytes);  // the run ended before it began
+    if (first.tag == Tag::leave) return decode<int>(first.bytes);  // the run ended before it began
     if (first.tag != Tag::campaign) throw RunError("A worker must receive the campaign before anything else.");
-    const Campaign campaign = read_campaign({decode_text(first.bytes), "campaign of the master", {}}, no_file);
+    const Campaign campaign = read_campaign({decode<std::string>(first.bytes), "campaign of the master", {}}, no_file);
     return Worker(link, campaign, post, setup, patience, signals).run();
 }
 
@@ -265,7 +266,7 @@ int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helpe
     }
     while (true) {
         const Message message = wait_for_message(link);
-        if (message.tag == Tag::leave) return decode_status(message.bytes);
+        if (message.tag == Tag::leave) return decode<int>(message.bytes);
     }
 }
 

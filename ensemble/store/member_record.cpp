@@ -6,6 +6,7 @@
 #include "core/contract.hpp"
 #include "core/digest.hpp"
 #include "core/error.hpp"
+#include "core/fields.hpp"
 #include "member/array_output.hpp"
 #include "scenario/keys.hpp"
 
@@ -13,25 +14,8 @@ namespace floes {
 
 namespace {
 
-void write_head(ByteWriter& out, const MemberRecord& record) {
-    out.text(record.case_key);
-    out.i32(record.arrangement);
-    out.i32(record.attempt);
-    out.i32(record.rank);
-    out.text(record.host);
-    out.u64(record.peak_memory);
-}
-
-MemberRecord read_head(ByteReader& in) {
-    MemberRecord record;
-    record.case_key = in.text();
-    record.arrangement = in.i32();
-    record.attempt = in.i32();
-    record.rank = in.i32();
-    record.host = in.text();
-    record.peak_memory = in.u64();
-    return record;
-}
+constexpr auto head = std::tuple(&MemberRecord::case_key, &MemberRecord::arrangement, &MemberRecord::attempt,
+                                 &MemberRecord::rank, &MemberRecord::host, &MemberRecord::peak_memory);
 
 void write(ByteWriter& out, const PackedArray& array) {
     out.u8(static_cast<std::uint8_t>(array.sizes.size()));
@@ -72,7 +56,7 @@ MemberIdentity identity(const MemberRecord& record) {
 
 Bytes encode(const MemberRecord& record) {
     ByteWriter out;
-    write_head(out, record);
+    put(out, record, head);
     write(out, record.result);
     ByteWriter arrays;
     std::uint32_t count = 0;
@@ -91,7 +75,8 @@ Bytes encode(const MemberRecord& record) {
 
 MemberRecord decode_member_record(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
-    MemberRecord record = read_head(in);
+    MemberRecord record;
+    take(in, record, head);
     record.result = read_member_result(in);
     for (std::uint32_t left = in.u32(); left > 0; --left) {
         const std::size_t number = array_number(in.text());
@@ -124,36 +109,28 @@ std::vector<const Calibration*> match_calibrations(const Campaign& campaign,
     return matched;
 }
 
+constexpr auto fields_of(std::type_identity<CurvePoint>) {
+    return std::tuple(&CurvePoint::sheet, &CurvePoint::element, &CurvePoint::thickness, &CurvePoint::time_step,
+                      &CurvePoint::erp, &CurvePoint::iterations, &CurvePoint::cfm, &CurvePoint::slope,
+                      &CurvePoint::elastic_modulus, &CurvePoint::elastic_modulus_point);
+}
+constexpr auto fields_of(std::type_identity<Calibration>) {
+    return std::tuple(&Calibration::cfm, &Calibration::ceiling, &Calibration::curve);
+}
+constexpr auto fields_of(std::type_identity<CalibrationRecord>) {
+    return std::tuple(&CalibrationRecord::key, &CalibrationRecord::found);
+}
+
 Bytes encode(const CalibrationRecord& record) {
     ByteWriter out;
-    out.text(record.key);
-    out.f64(record.found.cfm);
-    out.f64(record.found.ceiling);
-    out.u64(record.found.curve.size());
-    for (const CurvePoint& point : record.found.curve) {
-        for (const double value : {point.sheet, point.element, point.thickness, point.time_step, point.erp})
-            out.f64(value);
-        out.i32(point.iterations);
-        for (const double value : {point.cfm, point.slope, point.elastic_modulus, point.elastic_modulus_point})
-            out.f64(value);
-    }
+    put(out, record);
     return out.take();
 }
 
 CalibrationRecord decode_calibration_record(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     CalibrationRecord record;
-    record.key = in.text();
-    record.found.cfm = in.f64();
-    record.found.ceiling = in.f64();
-    record.found.curve.resize(in.count(9 * 8 + 4));  // nine doubles and a count
-    for (CurvePoint& point : record.found.curve) {
-        for (double* value : {&point.sheet, &point.element, &point.thickness, &point.time_step, &point.erp})
-            *value = in.f64();
-        point.iterations = in.i32();
-        for (double* value : {&point.cfm, &point.slope, &point.elastic_modulus, &point.elastic_modulus_point})
-            *value = in.f64();
-    }
+    take(in, record);
     if (in.left() != 0)
         throw RunError("a stored calibration is longer than expected; it was written by another version");
     return record;

@@ -13,6 +13,7 @@
 #include <gnu/libc-version.h>
 
 #include "core/error.hpp"
+#include "core/fields.hpp"
 #include "store/build_facts.hpp"
 #include "store/git_revision.hpp"
 
@@ -126,61 +127,42 @@ std::vector<std::string> changed_software(const Session& before, const Session& 
     return changes;
 }
 
+/// What sessions of every version have, and what came later; their surroundings are a record of their own.
+constexpr auto first_fields =
+    std::tuple(&Session::started, &Session::ended, &Session::outcome, &Session::host, &Session::machine, &Session::job,
+               &Session::ranks, &Session::threads, &Session::software);
+constexpr auto later_fields = std::tuple(&Session::reused, &Session::retried);
+constexpr auto surroundings = std::tuple(&Session::part, &Session::parts, &Session::clock_ahead);
+
+constexpr auto fields_of(std::type_identity<Software>) {
+    return std::tuple(&Software::name, &Software::version);
+}
+
 Bytes encode(const Session& session) {
     ByteWriter out;
-    out.text(session.started);
-    out.text(session.ended);
-    out.text(session.outcome);
-    out.text(session.host);
-    out.text(session.machine);
-    out.text(session.job);
-    out.i32(session.ranks);
-    out.i32(session.threads);
-    out.u64(session.software.size());
-    for (const Software& software : session.software) {
-        out.text(software.name);
-        out.text(software.version);
-    }
-    out.i32(session.reused);
-    out.i32(session.retried);
+    put(out, session, first_fields);
+    put(out, session, later_fields);
     return out.take();
 }
 
 Bytes encode_surroundings(const Session& session, std::int64_t process) {
     ByteWriter out;
-    out.i32(session.part);
-    out.i32(session.parts);
-    out.f64(session.clock_ahead);
+    put(out, session, surroundings);
     out.u64(static_cast<std::uint64_t>(process));
     return out.take();
 }
 
 void decode_surroundings(std::span<const std::byte> bytes, Session& session) {
     ByteReader in(bytes);
-    session.part = in.i32();
-    session.parts = in.i32();
-    session.clock_ahead = in.f64();
+    take(in, session, surroundings);
 }
 
 Session decode_session(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     Session session;
-    session.started = in.text();
-    session.ended = in.text();
-    session.outcome = in.text();
-    session.host = in.text();
-    session.machine = in.text();
-    session.job = in.text();
-    session.ranks = in.i32();
-    session.threads = in.i32();
-    session.software.resize(in.count(16));  // two lengths at least
-    for (Software& software : session.software) {
-        software.name = in.text();
-        software.version = in.text();
-    }
+    take(in, session, first_fields);
     if (in.left() == 0) return session;  // from a version without counts
-    session.reused = in.i32();
-    session.retried = in.i32();
+    take(in, session, later_fields);
     if (in.left() != 0) throw RunError("a stored session is longer than expected; it was written by another version");
     return session;
 }

@@ -399,7 +399,7 @@ void PlayedRank::take(Message message) {
 void PlayedRank::obey(const Message& message) {
     switch (message.tag) {
         case Tag::post: {
-            const Post post = decode_post(message.bytes);
+            const Post post = decode<Post>(message.bytes);
             keeper_ = post.writer;
             journal_ = post.journal;
             return;
@@ -409,11 +409,11 @@ void PlayedRank::obey(const Message& message) {
             link.send(master_rank, Tag::hello, encode(Hello{1, "elsewhere", world_.subject->fingerprint, rank_}));
             return;
         case Tag::assign:
-            for (const Assignment& one : decode_assignments(message.bytes)) waiting_.push_back(one);
+            for (const Assignment& one : decode<std::vector<Assignment>>(message.bytes)) waiting_.push_back(one);
             begin_next();
             return;
         case Tag::answer:
-            if (writer_) writer_->keep(message.from, decode_answers(message.bytes));
+            if (writer_) writer_->keep(message.from, decode<std::vector<Answer>>(message.bytes));
             return;
         case Tag::farewell:
             if (writer_) writer_->farewell(message.from);

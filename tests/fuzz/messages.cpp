@@ -31,28 +31,28 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto encode = [](const auto& message) { return floes::encode(message); };
     switch (data[0] % 8) {
         case 0:
-            require_one_writing(bytes, floes::decode_answers);
+            require_one_writing(bytes, floes::decode<std::vector<floes::Answer>>);
             break;
         case 1:
-            require_same_bytes(bytes, floes::decode_hello, encode);
+            require_same_bytes(bytes, floes::decode<floes::Hello>, encode);
             break;
         case 2:
-            require_same_bytes(bytes, floes::decode_assignments, encode);
+            require_same_bytes(bytes, floes::decode<std::vector<floes::Assignment>>, encode);
             break;
         case 3:
-            require_same_bytes(bytes, floes::decode_status, floes::encode_status);
+            require_same_bytes(bytes, floes::decode<int>, floes::encode_status);
             break;
         case 4:
-            require_one_writing(bytes, floes::decode_kept);
+            require_one_writing(bytes, floes::decode<std::vector<floes::Kept>>);
             break;
         case 5:
-            require_same_bytes(bytes, floes::decode_post, encode);
+            require_same_bytes(bytes, floes::decode<floes::Post>, encode);
             break;
         case 7:
-            require_same_bytes(bytes, floes::decode_progress, encode);
+            require_same_bytes(bytes, floes::decode<std::vector<floes::MemberProgress>>, encode);
             break;
         default:
-            require_same_bytes(bytes, floes::decode_text, floes::encode_text);
+            require_same_bytes(bytes, floes::decode<std::string>, floes::encode_text);
     }
     return 0;
 }

@@ -51,13 +51,13 @@ TEST(WorkerConversation, SaysHelloAnswersAndLeaves) {
     FakeLink link(1, 2);
     link.deliver(0, Tag::campaign, text_of(campaign));
     link.expect(0, Tag::hello, [&](const Bytes& bytes) {
-        EXPECT_EQ(decode_hello(bytes).fingerprint, fingerprint(campaign));
-        EXPECT_EQ(decode_hello(bytes).cores, 1);
+        EXPECT_EQ(decode<Hello>(bytes).fingerprint, fingerprint(campaign));
+        EXPECT_EQ(decode<Hello>(bytes).cores, 1);
     });
     for (const int number : {1, 0}) {
         link.deliver(0, Tag::assign, encode(Assignments{{number, 3}}));
         link.expect(0, Tag::answer, [&, number](const Bytes& bytes) {
-            const Answer answer = decode_answers(bytes).at(0);
+            const Answer answer = decode<std::vector<Answer>>(bytes).at(0);
             EXPECT_EQ(answer.number, number);
             EXPECT_EQ(answer.record.attempt, 3);
             EXPECT_EQ(answer.record.rank, 1);
@@ -83,7 +83,7 @@ TEST(WorkerConversation, AnswersTogetherWhileOthersWait) {
     std::atomic<bool> some_answered = false;
     const auto look = [&](std::size_t count) {
         return [&, count](const Bytes& bytes) {
-            const auto answers = decode_answers(bytes);
+            const auto answers = decode<std::vector<Answer>>(bytes);
             EXPECT_EQ(answers.size(), count);
             for (const Answer& answer : answers) answered.push_back(answer.number);
             some_answered = true;
@@ -136,7 +136,8 @@ TEST(WorkerConversation, LeavesInTheMiddleWhenTheMasterCannotGoOn) {
 TEST(WorkerConversation, TellsTheMasterWhatItDoesNotUnderstand) {
     FakeLink link(1, 2);
     link.deliver(0, Tag::campaign, encode_text("general.iterations = 'many'"));
-    link.expect(0, Tag::trouble, [](const Bytes& bytes) { EXPECT_THAT(decode_text(bytes), HasSubstr("iterations")); });
+    link.expect(0, Tag::trouble,
+                [](const Bytes& bytes) { EXPECT_THAT(decode<std::string>(bytes), HasSubstr("iterations")); });
     link.deliver(0, Tag::leave, encode_status(1));
     EXPECT_EQ(serve_campaign(link, 1, fake::compute), 1);
     link.finish();
@@ -186,10 +187,11 @@ TEST(WorkerConversation, BringsItsAnswersToItsWriterAndFailuresToTheMaster) {
     link.deliver(0, Tag::campaign, text_of(campaign));
     link.expect(0, Tag::hello);
     link.deliver(0, Tag::assign, encode(Assignments{{0, 1}}));
-    link.expect(2, Tag::answer, [](const Bytes& bytes) { EXPECT_EQ(decode_answers(bytes).at(0).number, 0); });
+    link.expect(2, Tag::answer,
+                [](const Bytes& bytes) { EXPECT_EQ(decode<std::vector<Answer>>(bytes).at(0).number, 0); });
     link.deliver(0, Tag::assign, encode(Assignments{{1, 1}}));
     link.expect(0, Tag::answer, [](const Bytes& bytes) {
-        const Answer answer = decode_answers(bytes).at(0);
+        const Answer answer = decode<std::vector<Answer>>(bytes).at(0);
         EXPECT_EQ(answer.number, 1);
         EXPECT_EQ(answer.record.result.status, MemberStatus::failed);
     });
@@ -217,7 +219,7 @@ TEST(WriterConversation, TellsTheMasterOfWhatIsInItsJournal) {
     link.expect(0, Tag::hello);
     link.deliver(3, Tag::answer, encode(Answers{{4, record_of(campaign, 4)}, {5, record_of(campaign, 5)}}));
     link.expect(0, Tag::kept, [&](const Bytes& bytes) {
-        const auto kept = decode_kept(bytes);
+        const auto kept = decode<std::vector<Kept>>(bytes);
         ASSERT_EQ(kept.size(), 2u);
         EXPECT_EQ(kept[1].worker, 3);
         EXPECT_EQ(kept[1].number, 5);
@@ -227,7 +229,7 @@ TEST(WriterConversation, TellsTheMasterOfWhatIsInItsJournal) {
     });
     link.deliver(0, Tag::assign, encode(Assignments{{1, 1}}));
     link.expect(0, Tag::kept, [&](const Bytes& bytes) {
-        EXPECT_EQ(decode_kept(bytes).at(0).worker, 2);
+        EXPECT_EQ(decode<std::vector<Kept>>(bytes).at(0).worker, 2);
         EXPECT_EQ(kept_so_far(), 3u);
     });
     link.deliver(0, Tag::dismiss);
@@ -235,7 +237,7 @@ TEST(WriterConversation, TellsTheMasterOfWhatIsInItsJournal) {
     link.deliver(3, Tag::answer, encode(Answers{{0, record_of(campaign, 0)}}));
     link.deliver(3, Tag::farewell);
     link.expect(0, Tag::kept);
-    link.expect(0, Tag::farewell, [](const Bytes& bytes) { EXPECT_EQ(decode_status(bytes), 3); });
+    link.expect(0, Tag::farewell, [](const Bytes& bytes) { EXPECT_EQ(decode<int>(bytes), 3); });
     link.deliver(0, Tag::close);
     link.expect(0, Tag::closed, [&](const Bytes&) { EXPECT_FALSE(is_being_written(piece)); });
     link.deliver(0, Tag::leave, encode_status(0));
@@ -254,7 +256,7 @@ TEST(WriterConversation, TellsTheStopRuleAllButTheHistories) {
     link.expect(0, Tag::hello);
     link.deliver(0, Tag::assign, encode(Assignments{{4, 1}}));
     link.expect(0, Tag::kept, [&](const Bytes& bytes) {
-        const Kept kept = decode_kept(bytes).at(0);
+        const Kept kept = decode<std::vector<Kept>>(bytes).at(0);
         ASSERT_TRUE(kept.record);
         const MemberResult result = kept.record->whole();
         const MemberResult computed = synthetic::record(campaign, 4).result;
@@ -273,7 +275,8 @@ TEST(WriterConversation, ComplainsWhenItsJournalCannotBeOpened) {
     FakeLink link(1, 2);
     link.deliver(0, Tag::post, encode(Post{1, "no/such/a.journal.1"}));
     link.deliver(0, Tag::campaign, text_of(two_members()));
-    link.expect(0, Tag::trouble, [](const Bytes& bytes) { EXPECT_THAT(decode_text(bytes), HasSubstr("--writers 1")); });
+    link.expect(0, Tag::trouble,
+                [](const Bytes& bytes) { EXPECT_THAT(decode<std::string>(bytes), HasSubstr("--writers 1")); });
     link.deliver(0, Tag::leave, encode_status(1));
     EXPECT_EQ(serve_campaign(link, 1, fake::compute), 1);
     link.finish();
@@ -285,8 +288,8 @@ class MasterOfAWriter : public testing::Test {
     MasterOfAWriter() : run_(folder_ / "a.h5", two_members()) {
         run_.writers = 2;
         link_.expect(1, Tag::post, [this](const Bytes& bytes) {
-            EXPECT_EQ(decode_post(bytes).writer, 1);
-            EXPECT_EQ(decode_post(bytes).journal, piece_.string());
+            EXPECT_EQ(decode<Post>(bytes).writer, 1);
+            EXPECT_EQ(decode<Post>(bytes).journal, piece_.string());
             open_journal(piece_, "", Existing::refuse);
         });
         link_.expect(1, Tag::campaign);
@@ -330,7 +333,7 @@ class MasterOfAWriter : public testing::Test {
 
 TEST_F(MasterOfAWriter, BelievesItAndLetsItPublishItsPiece) {
     link_.expect(1, Tag::publish, [&](const Bytes& bytes) {
-        order_ = decode_piece_order(bytes);
+        order_ = decode<PieceOrder>(bytes);
         EXPECT_EQ(order_.first, 1);
         EXPECT_EQ(order_.members.size(), 1u);
         EXPECT_EQ(order_.members[0].place.piece, 1);
@@ -341,8 +344,8 @@ TEST_F(MasterOfAWriter, BelievesItAndLetsItPublishItsPiece) {
         return encode(make_piece(run_.campaign, order_));
     });
     link_.expect(1, Tag::digest, [](const Bytes& bytes) {
-        EXPECT_EQ(decode_digest_order(bytes).pieces.size(), 2u);
-        EXPECT_FALSE(decode_digest_order(bytes).datasets.empty());
+        EXPECT_EQ(decode<DigestOrder>(bytes).pieces.size(), 2u);
+        EXPECT_FALSE(decode<DigestOrder>(bytes).datasets.empty());
     });
     link_.deliver(1, Tag::digested, encode(DigestsMade{}));  // what it leaves the master computes
     EXPECT_EQ(run_.on(link_, fake::compute, Existing::refuse, 1), 0);
@@ -379,7 +382,7 @@ TEST(MasterConversation, DoesNotCallCompleteWhatIsInNoJournal) {
     run.writers = 2;
     FakeLink link(0, 2);
     link.expect(1, Tag::post,
-                [&](const Bytes& bytes) { open_journal(decode_post(bytes).journal, "", Existing::refuse); });
+                [&](const Bytes& bytes) { open_journal(decode<Post>(bytes).journal, "", Existing::refuse); });
     link.expect(1, Tag::campaign);
     link.deliver(1, Tag::hello, hello_of(run.campaign));
     link.expect(1, Tag::assign);
@@ -404,7 +407,8 @@ TEST(MasterConversation, SharesTheMembersAndKeepsTheAnswers) {
     FakeLink link(0, 2);
     link.expect(1, Tag::campaign, [&](const Bytes& bytes) { EXPECT_EQ(bytes, text_of(run.campaign)); });
     link.deliver(1, Tag::hello, hello_of(run.campaign));
-    link.expect(1, Tag::assign, [](const Bytes& bytes) { EXPECT_EQ(decode_assignments(bytes).at(0).number, 1); });
+    link.expect(1, Tag::assign,
+                [](const Bytes& bytes) { EXPECT_EQ(decode<std::vector<Assignment>>(bytes).at(0).number, 1); });
     link.deliver(1, Tag::answer, encode(Answers{{1, record_of(run.campaign, 1)}}));
     link.expect(1, Tag::dismiss);
     link.deliver(1, Tag::farewell);
@@ -527,7 +531,7 @@ TEST(MasterConversation, EndsTheRunWhenRanksDisagreeOrAreInTrouble) {
 TEST(MasterConversation, LetsEveryRankLeaveWithTheSameStatus) {
     FakeLink link(0, 3);
     for (const int rank : {1, 2}) {
-        link.expect(rank, Tag::leave, [](const Bytes& bytes) { EXPECT_EQ(decode_status(bytes), 2); });
+        link.expect(rank, Tag::leave, [](const Bytes& bytes) { EXPECT_EQ(decode<int>(bytes), 2); });
     }
     std::ostringstream errors;
     EXPECT_EQ(lead_ranks(link, errors, []() -> int { throw InputError("no such file"); }), 2);
