@@ -83,8 +83,8 @@ namespace {
 /// Of a sheet a step costs less than of loose floes, until a joint fails: then what impulses do to all of it is found
 /// anew. About as many steps bring that as elements lie in the channel, which is a characteristic length wider than the
 /// hull. Members of configs/level_ice.toml, level_support.toml, level_support_fast.toml and floes new --level, 180 to
-/// 1,340 elements, took 1.0 to 1.2 times as long as this says; one of
-/// configs/level_ship.toml, 2,400 elements, 0.8 times.
+/// 1,340 elements, took 1.0 to 1.2 times as long as this says; those of
+/// level_ship.toml and level_cone.toml, 2,400 and 2,500 elements, 0.8 and 0.9 times.
 double cost_of_sheet(const Scenario& scenario) {
     constexpr double of_step = 0.5;
     constexpr double of_break = 0.6;
