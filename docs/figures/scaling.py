@@ -15,7 +15,7 @@ matplotlib.use("agg")
 import matplotlib.pyplot as plt
 
 CORES = [2, 8, 64, 512, 1000, 2000, 4000, 8000, 16000, 32000, 64000, 100000]
-IN_THE_TABLE = [1000, 8000, 100000]
+IN_THE_TABLE = [1000, 4000, 8000, 100000]
 MEMBERS_A_CORE = 20
 # what is added to the title, configuration, cores, bytes of a record (None: as it is), options, colour, line
 CURVES = [

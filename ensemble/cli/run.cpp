@@ -334,7 +334,7 @@ void add_run(CommandLine& line, std::span<char* const> command) {
         .within(1, 4096);
     verb.option("--writers", options->writers,
                 "Number of ranks that keep results, each in a journal and then a piece of the campaign file; default: "
-                "one up to 64 ranks, then one for every four, at most 256")
+                "one up to 15 ranks, then one for every four, at most 256")
         .within(1, 4096);
     verb.flag("--no-file", options->no_file,
               "End with the results in the journal, while many cores wait for the campaign file; --resume on one core "

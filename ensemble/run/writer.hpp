@@ -58,7 +58,7 @@ class Keeper {
 
 class Groups {
   public:
-    /// `writers`: at most so many; 0: one up to 64 ranks, then one for every four, at most 256: so the campaign file
+    /// `writers`: at most so many; 0: one up to 15 ranks, then one for every four, at most 256: so the campaign file
     /// takes seconds.
     explicit Groups(int ranks, int writers = 0);
 
