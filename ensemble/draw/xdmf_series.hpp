@@ -49,7 +49,7 @@ struct XdmfMesh {
 XdmfMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken);
 
 /// A point for each contact that exerts a force. Points have normal, friction and force (their sum) on the element, the
-/// element, and the other element or touches_structure or touches_ice_sheet.
+/// element, and the other element or one of touches_structure, touches_ice_sheet, touches_bed.
 XdmfMesh contacts_part(const Frame& frame);
 
 /// Four points on the structure's axis at the waterline. Points have the force on the structure and which one it is,

@@ -55,12 +55,15 @@ std::string_view word(const std::array<std::string_view, count>& words, Enum val
     return words.at(static_cast<std::size_t>(value));
 }
 
+/// In the order of FieldSides.
+constexpr std::array<std::string_view, 3> side_words{"between ice sheets", "open at its sides", "between smooth walls"};
+
 /// "2.5 m wide (2.0 times the hull), field 4.61 m long, between ice sheets that press with 20 N/m".
 Words channel_words(const CaseRow& row) {
     const double width = 2 * row.field.half_width;
-    Words words = Words::of("{:.4g} m wide ({:.1f} times the hull at the waterline), field {:.3g} m long, {}", width,
-                            0.5 * width / row.shape.waterline_radius(), row.field_length,
-                            row.field.sides == FieldSides::open ? "open at its sides" : "between ice sheets");
+    Words words =
+        Words::of("{:.4g} m wide ({:.1f} times the hull at the waterline), field {:.3g} m long, {}", width,
+                  0.5 * width / row.shape.waterline_radius(), row.field_length, word(side_words, row.field.sides));
     if (row.field.confining > 0) words += Words::of("; its sheets press with {:.4g} N/m", row.field.confining);
     return words;
 }

@@ -118,6 +118,9 @@ const ArrayAxis part_axis{"part", "1", "part of the structure, by /cases/parts",
 const ArrayAxis time_axis =
     history_axis<[](const Scenario&) { return true; }>("time", "end of the time steps of a value");
 
+const ArrayAxis bed_axis = history_axis<[](const Scenario& scenario) { return scenario.water.has_bed(); }>(
+    "bed_time", "end of the time steps of a value, of water with a bed");
+
 const ArrayAxis motion_axis = history_axis<[](const Scenario& scenario) { return !scenario.towed_straight(); }>(
     "motion_time", "end of the time steps of a value, of structures that are not towed straight on");
 

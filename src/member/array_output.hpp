@@ -41,8 +41,8 @@ struct ArrayAxis {
 };
 
 extern const ArrayAxis segment_axis, level_axis, averaging_axis, peak_axis, floe_axis, coordinate_axis, property_axis,
-    part_axis, time_axis, motion_axis, mooring_axis, thrust_axis, floating_axis, line_axis, height_axis, angle_axis,
-    tow_axis, break_axis, piece_axis, response_axis, line_use_axis;
+    part_axis, time_axis, bed_axis, motion_axis, mooring_axis, thrust_axis, floating_axis, line_axis, height_axis,
+    angle_axis, tow_axis, break_axis, piece_axis, response_axis, line_use_axis;
 
 /// Those of which a member alone knows how far they go.
 inline constexpr std::array<const ArrayAxis*, 3> found_axes{&peak_axis, &break_axis, &piece_axis};
@@ -358,6 +358,12 @@ inline constexpr std::array array_outputs{
         "history/pile_height", "m", "height above the water of the highest ice in that box", time_axis, steps_a_look),
     history_output<&MemberResult::history, &LoadHistory::pile_draught>(
         "history/pile_draught", "m", "depth below the water of the deepest ice in that box", time_axis, steps_a_look),
+    history_output<&MemberResult::bed, &BedHistory::surge>("history/bed_surge", "N",
+                                                           "contact force on the bed against the tow", bed_axis),
+    history_output<&MemberResult::bed, &BedHistory::weight>("history/bed_weight", "N",
+                                                            "contact force on the bed downwards", bed_axis),
+    history_output<&MemberResult::bed, &BedHistory::grounded>("history/grounded", "m2",
+                                                              "area of the elements that bear on the bed", bed_axis),
     motion_output<&MotionHistory::x>("history/structure_x", "m", "x of the structure's axis", motion_axis),
     motion_output<&MotionHistory::z>("history/structure_z", "m", "z of the structure's axis", motion_axis),
     motion_output<&MotionHistory::yaw>("history/structure_yaw", "rad",

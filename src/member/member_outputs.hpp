@@ -41,6 +41,9 @@ struct MemberOutputs {
     double mean_concentration = 0;       ///< of ice round the structure, over the window
     double pile_height = 0;              ///< m above the water of the highest point of that ice, likewise
     double pile_draught = 0;             ///< m below it of the deepest, likewise
+    double mean_bed_surge = 0;           ///< N, of the ice on the bed against the tow, over the window; NaN: no bed
+    double mean_bed_weight = 0;          ///< N, likewise downwards
+    double mean_grounded = 0;            ///< m², of the elements that bear on the bed, likewise
     double ice_flux = 0;       ///< m²/s of ice that fell astern of the structure, over the window; NaN on a path
     double floes_astern = 0;   ///< that did so; likewise
     double fracture_work = 0;  ///< J, taken by cracks over the run

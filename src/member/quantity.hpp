@@ -126,6 +126,12 @@ constexpr Quantity crack_quantity(const char* key, const char* label, std::strin
             .since = 12};
 }
 
+/// Of ice on the sea bed; NaN where there is none.
+constexpr Quantity bed_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place,
+                                double least) {
+    return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = least, .since = 19};
+}
+
 /// A number of floes.
 constexpr Quantity floe_count(const char* key, std::string_view long_name, Place place) {
     return {.key = key, .unit = "1", .long_name = long_name, .place = place, .since = 13};
@@ -445,6 +451,12 @@ inline constexpr std::array load_quantities{
              .long_name = "mean over the window of the depth below the water of the deepest ice in that box",
              .place = at<&MemberOutputs::pile_draught>(),
              .since = 19},
+    bed_quantity("mean_bed_surge", "N", "mean force of the ice on the bed against the tow over the window",
+                 at<&MemberOutputs::mean_bed_surge>(), no_least),
+    bed_quantity("mean_bed_weight", "N", "mean force of the ice on the bed downwards over the window",
+                 at<&MemberOutputs::mean_bed_weight>(), no_least),
+    bed_quantity("mean_grounded", "m2", "mean area of the elements that bear on the bed over the window",
+                 at<&MemberOutputs::mean_grounded>(), 0),
     Quantity{.key = "ice_flux",
              .unit = "m2 s-1",
              .long_name = "area of ice that fell astern of the structure in the window, less what came back, over its "

@@ -28,6 +28,7 @@ struct MemberResult : MemberOutputs {
     std::vector<LevelCount> levels;    ///< of the surge load in the window, in the order of analysis.exceedance_levels
     LoadMap load_map;                  ///< empty: of an earlier version
     LoadHistory history;               ///< from t = 0 to the end of the run, as analysis keeps it
+    BedHistory bed;                    ///< likewise, of a bed
     MotionHistory motion;              ///< likewise, of a structure that is not towed straight on
     std::vector<double> line_tension;  ///< largest of each mooring line, N
     std::vector<double> line_broken_at;   ///< s, of each mooring line; NaN: it holds

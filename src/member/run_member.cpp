@@ -44,6 +44,7 @@ void take_record(MemberResult& result, const Arrangement& floes, const Simulatio
     result.local_order = floes.local_order;
     result.coverage_ahead = floes.coverage_ahead;
     result.history = simulation.loads();
+    result.bed = simulation.bed_loads();
     result.motion = simulation.motions();
     if (const auto& moored = simulation.structure().moored()) {
         result.line_tension = moored->largest_tensions();
@@ -92,6 +93,12 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_concentration = mean_of(in_window(result.history.concentration));
     result.pile_height = mean_of(in_window(result.history.pile_height));
     result.pile_draught = mean_of(in_window(result.history.pile_draught));
+    const auto mean_on_bed = [&](const std::vector<double>& history) {
+        return scenario.water.has_bed() ? mean_of(in_window(history)) : MemberResult::not_measured;
+    };
+    result.mean_bed_surge = mean_on_bed(result.bed.surge);
+    result.mean_bed_weight = mean_on_bed(result.bed.weight);
+    result.mean_grounded = mean_on_bed(result.bed.grounded);
     const IceAmount astern = simulation.fallen_astern();
     const bool one_way = !scenario.path.any();
     result.ice_flux = one_way ? astern.area / scenario.analysis.window : MemberResult::not_measured;
@@ -202,6 +209,7 @@ MemberResult run_member(const Scenario& scenario, std::uint64_t seed, std::uint3
         take_record(result, floes, simulation);
     }
     result.history = kept(std::move(result.history), load_histories, scenario.analysis);
+    result.bed = kept(std::move(result.bed), bed_histories, scenario.analysis);
     result.motion = kept(std::move(result.motion), motion_histories, scenario.analysis);
     result.wall_time = seconds_since(start);
     result.cpu_time = cpu_seconds_of_this_thread() - cpu_start;

@@ -108,6 +108,25 @@ double window_least(const Scenario& scenario) {
     return scenario.structure.shape.largest_radius() + diagonal;
 }
 
+void check_bed(const Scenario& scenario, Contradictions& found) {
+    const Water& water = scenario.water;
+    if (!water.has_bed()) return;
+    if (scenario.field.endless() && water.bed_slope != 0)
+        return refuse(scenario, found, {"water.bed_slope_deg", far_end},
+                      "<water.bed_slope_deg> comes out of the water somewhere ahead of <field.far_end>; take 0");
+    double draught = 0;
+    for (const FloeShape& shape : floe_sizes(scenario))
+        draught = std::max(draught, shape.thickness * scenario.ice.density / water.density);
+    for (const double x : {scenario.field.begin, scenario.field_end()}) {
+        const double depth = water.depth - std::tan(water.bed_slope) * (x - scenario.structure.start);
+        if (depth > draught) continue;
+        return refuse(scenario, found, {"water.depth_m", "water.bed_slope_deg"},
+                      "<water.depth_m> with <water.bed_slope_deg> leaves {:.4g} m of water at x = {:.4g} m, where ice "
+                      "of {:.4g} m draught is to float at the start; take deeper water or a gentler slope",
+                      depth, x, draught);
+    }
+}
+
 void check_endless(const Scenario& scenario, Contradictions& found) {
     if (!scenario.field.endless()) return;
     check_rest(scenario, found);

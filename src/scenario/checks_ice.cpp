@@ -145,6 +145,8 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
     if (scenario.joint.model == JointModel::beam) add(refused_springs(solver));
     if (scenario.water.added_mass_from == WaterFrom::outline) add(refused_water(solver));
     if (scenario.field.wake_radius > 0) add(refused_sleep(solver));
+    if (scenario.water.has_bed()) add(refused_planes(solver, "water.depth_m"));
+    if (scenario.field.sides == FieldSides::wall) add(refused_planes(solver, "field.sides"));
     for (const auto& [key, with, reason, instead] : refused) {
         refuse(scenario, found, {std::string(key), std::string(with)}, "<{}> is not possible with <{}>: {}; take {}",
                std::string(key), std::string(with), reason, instead);

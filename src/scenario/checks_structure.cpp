@@ -411,7 +411,7 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                "<structure.speed_m_s> is not below <general.runaway_speed_m_s>, so ice pushed by the structure would "
                "count as run away; raise the limit");
     }
-    if (radius >= scenario.field.half_width) {
+    if (scenario.field.sides != FieldSides::wall && radius >= scenario.field.half_width) {
         refuse(scenario, found, {"structure.profile_m", "field.half_width_m"},
                "the structure's waterline radius of {:.4g} m does not fit between the ice sheets at "
                "<field.half_width_m>; widen the field or make the structure slimmer",

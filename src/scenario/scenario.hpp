@@ -170,7 +170,7 @@ enum class ArrangementMethod { monte_carlo, lattice, file, scattered, traced, le
 enum class ArrangementStart { lattice, stripes };  ///< of the Monte Carlo chain; the result forgets it
 /// What stands behind the ice field; never: ice comes from ahead as long as the run lasts.
 enum class FarEnd { ice_sheet, open, never };
-enum class FieldSides { ice_sheet, open };  ///< what bounds it abeam of the tow
+enum class FieldSides { ice_sheet, open, wall };  ///< what bounds it abeam of the tow
 /// Edges at which level ice is frozen to the ice sheets round the field.
 enum class LevelHeld { nowhere, far_end, far_end_and_sides };
 enum class WaterFlow { potential, still };  ///< water velocity that drag is relative to
@@ -365,6 +365,11 @@ struct Water {
     double current_direction = 0;  ///< towards which it flows, rad: 0 along the tow, π/2 towards +z
     double turning = 0;  ///< θ, rad: skin drag is turned by it, anticlockwise from above, as seen from the ice
 
+    double depth = 0;           ///< of the bed below the structure's start, m; 0: there is none
+    double bed_slope = 0;       ///< angle by which it rises along +x, rad
+    double bed_friction = 0.3;  ///< Coulomb's coefficient of ice on it
+
+    bool has_bed() const { return depth > 0; }
     Vec2 current_velocity() const;  ///< along x and z, m/s
     double isotropic_mass() const { return added_mass_from == WaterFrom::share ? added_mass : 0.0; }
 };

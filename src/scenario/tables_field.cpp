@@ -154,8 +154,9 @@ void add_field(Keys& keys, Field& field) {
         "docs/field.md."));
     add_window(keys, field);
     keys.push_back(
-        late_key(word_key("field.sides", field.sides, {"ice_sheet", "open"}, "the paper: walls",
-                          "Sides of the field: ice sheets along the walls, or open water, into which floes drift.")));
+        late_key(word_key("field.sides", field.sides, {"ice_sheet", "open", "wall"}, "the paper: walls",
+                          "Sides of the field: ice sheets along the walls, open water, into which floes drift, or "
+                          "smooth walls of any height, between which lies a slice of wide ice.")));
     keys.push_back(late_key(word_key(
         "field.level_held", field.level_held, {"nowhere", "far_end", "far_end_and_sides"},
         "ice goes on beyond what is computed: docs/field.md",
@@ -370,6 +371,25 @@ void add_current(Keys& keys, Water& water) {
 
 }  // namespace
 
+namespace {
+
+void add_bed(Keys& keys, Water& water) {
+    const auto add = [&](Key key) {
+        keys.push_back(late_key(only_with(
+            "water.depth_m > 0", [&water] { return water.has_bed(); }, std::move(key))));
+    };
+    keys.push_back(late_key(number_key(
+        "water.depth_m", water.depth, unit::one, at_least(0).at_most(farthest), "none: deep water",
+        "Depth of the bed below structure.start_m. Ice grounds on it, and what it bears is no load of the structure; "
+        "docs/water.md. 0: no bed.")));
+    add(number_key("water.bed_slope_deg", water.bed_slope, unit::degree, at_least(-80).at_most(80), "level",
+                   "Angle by which the bed rises along the tow, from the horizontal; negative where it falls."));
+    add(number_key("water.bed_friction", water.bed_friction, unit::one, at_least(0).at_most(10), "an example",
+                   "Friction coefficient of ice on the bed."));
+}
+
+}  // namespace
+
 void add_water(Keys& keys, Water& water) {
     const Range coefficient = at_least(0).at_most(100);
     keys.push_back(number_key("water.density_kg_m3", water.density, unit::one, above(0).at_most(5000), "Table 1",
@@ -419,6 +439,7 @@ void add_water(Keys& keys, Water& water) {
                    "between 0.04 for fast and 0.18 for slow motion of the tank's floes, docs/water.md",
                    "Added mass along the surface and in yaw, as a share of the ice's mass."))));
     add_current(keys, water);
+    add_bed(keys, water);
 }
 
 void add_wind(Keys& keys, Wind& wind) {

@@ -37,6 +37,7 @@ Contradictions contradictions_of(const Scenario& scenario) {
     check_moorings(scenario, found);
     check_boundaries(scenario, found);
     check_wake(scenario, found);
+    check_bed(scenario, found);
     check_endless(scenario, found);
     check_lattice(scenario, found);
     check_poses(scenario, found);

@@ -65,6 +65,7 @@ void check_hanging(const HangingLine& line, const std::string& name, Contradicti
 void check_matrices(const Moorings& moorings, Contradictions& found);     ///< symmetric, and damping takes energy
 void check_boundaries(const Scenario& scenario, Contradictions& found);   ///< what presses has something to press on
 void check_wake(const Scenario& scenario, Contradictions& found);         ///< the structure strikes no resting floe
+void check_bed(const Scenario& scenario, Contradictions& found);          ///< ice floats above it at the start
 void check_endless(const Scenario& scenario, Contradictions& found);      ///< such ice comes from ahead and rests there
 void check_level(const Scenario& scenario, Contradictions& found);        ///< one sheet that fits into the field
 void check_lattice(const Scenario& scenario, Contradictions& found);      ///< the floes fit

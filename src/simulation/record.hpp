@@ -28,6 +28,16 @@ inline constexpr std::array load_histories{&LoadHistory::surge,       &LoadHisto
                                            &LoadHistory::heave,       &LoadHistory::concentration,
                                            &LoadHistory::pile_height, &LoadHistory::pile_draught};
 
+/// Contact force of the ice on the sea bed, N, where there is one; entries like those of LoadHistory. It is no part of
+/// the load on the structure.
+struct BedHistory {
+    std::vector<double> surge;     ///< positive against the tow (-x), as the load on the structure
+    std::vector<double> weight;    ///< positive downwards
+    std::vector<double> grounded;  ///< area of the elements that bear on the bed, m²
+};
+
+inline constexpr std::array bed_histories{&BedHistory::surge, &BedHistory::weight, &BedHistory::grounded};
+
 // How a structure that is not towed straight on moved, and what its moorings bore, over time.
 
 /// A value for each step, like those of LoadHistory; at the end of the step. Empty for the straight tow; without
@@ -79,12 +89,13 @@ inline constexpr std::array motion_histories{&MotionHistory::x,
 
 /// What touches an element, where that is no element.
 inline constexpr int touches_structure = -1;
-inline constexpr int touches_ice_sheet = -2;
+inline constexpr int touches_ice_sheet = -2;  ///< or a smooth wall
+inline constexpr int touches_bed = -3;
 
 /// A contact that exerted a force during the step.
 struct FrameContact {
     int element = 0;               ///< in the order of IceField::elements(); the forces act on it
-    int other = 0;                 ///< the other element, or touches_structure or touches_ice_sheet
+    int other = 0;                 ///< the other element, or one of touches_structure, touches_ice_sheet, touches_bed
     Vec3 point = Vec3::Zero();     ///< m
     Vec3 normal = Vec3::Zero();    ///< N
     Vec3 friction = Vec3::Zero();  ///< N

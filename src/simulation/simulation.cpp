@@ -106,6 +106,20 @@ Scenario by_motion(Scenario scenario) {
     return scenario;
 }
 
+/// The bed, if there is one, and after it the walls.
+std::optional<BodyId> add_planes(World& world, const Scenario& scenario) {
+    const Water& water = scenario.water;
+    std::optional<BodyId> bed;
+    if (water.has_bed())
+        bed = world.add_plane({.point = {scenario.structure.start, -water.depth, 0},
+                               .normal = {-std::sin(water.bed_slope), std::cos(water.bed_slope), 0},
+                               .friction = water.bed_friction});
+    for (const double side : {-1.0, 1.0})
+        if (scenario.field.sides == FieldSides::wall)
+            world.add_plane({.point = {0, 0, side * scenario.field.half_width}, .normal = {0, 0, -side}});
+    return bed;
+}
+
 /// Contacts of the structure in one step. More than the tank's ever are, and no bound: with more the memory grows.
 constexpr std::size_t most_contacts = 1024;
 
@@ -120,6 +134,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
                   static_cast<std::size_t>(scenario.step_count() - scenario.first_window_step())),
       world_(scenario_world(scenario)),
       structure_(world_.add_structure(hull_loads_.solids(), {.position = {scenario.structure.start, 0, 0}})),
+      bed_(add_planes(world_, scenario)),
       ice_(world_, scenario, floes),
       sheets_(world_, scenario, channel_),
       water_(make_water(by_motion(scenario), floes, ice_)),
@@ -136,6 +151,10 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
     if (motion_.is_free())
         for (const auto history : motion_histories) (motions_.*history).reserve(steps);
     structure_contacts_.reserve(most_contacts);
+    if (bed_) {
+        for (const auto history : bed_histories) (bed_loads_.*history).reserve(steps);
+        bed_contacts_.reserve(most_contacts);
+    }
     states_.resize(ice_.elements().size());
     states_before_.resize(states_.size());
     read_states();
@@ -177,6 +196,8 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const Sim
     const auto known = static_cast<std::size_t>(state.steps);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     for (const auto history : load_histories) (loads_.*history).assign(known, unknown);
+    if (bed_)
+        for (const auto history : bed_histories) (bed_loads_.*history).assign(known, unknown);
     if (motion_.is_free())
         for (const auto history : motion_histories) (motions_.*history).assign(known, unknown);
     steps_ = state.steps;
@@ -222,6 +243,7 @@ void Simulation::read_frame(Frame& frame) const {
 FrameContact Simulation::seen(const ContactForce& contact) const {
     const auto element = [&](BodyId body) {
         if (body == structure_) return touches_structure;
+        if (body == bed_) return touches_bed;
         const std::optional<std::size_t> index = ice_.element_of(body);
         return index ? static_cast<int>(*index) : touches_ice_sheet;
     };
@@ -367,8 +389,24 @@ void Simulation::record() {
     loads_.concentration.push_back(nearby_.concentration());
     loads_.pile_height.push_back(nearby_.height());
     loads_.pile_draught.push_back(nearby_.draught());
+    if (bed_) record_bed();
     if (motion_.is_free()) record_motion();
     ++steps_;
+}
+
+void Simulation::record_bed() {
+    world_.read_contacts(bed_contacts_, *bed_);
+    const Vec3 force = world_.contact_force(*bed_);
+    double grounded = 0;
+    std::optional<std::size_t> last;  // points of an element follow each other
+    for (const ContactForce& one : bed_contacts_) {
+        const std::optional<std::size_t> element = ice_.element_of(one.a == *bed_ ? one.b : one.a);
+        if (element && element != last) grounded += ice_.cut_element(ice_.elements()[*element]).area;
+        last = element;
+    }
+    bed_loads_.surge.push_back(-force.x());
+    bed_loads_.weight.push_back(-force.y());
+    bed_loads_.grounded.push_back(grounded);
 }
 
 void Simulation::record_motion() {
@@ -529,9 +567,10 @@ void Encounters::archive(StateArchive& state) {
 }
 
 void Simulation::archive(StateArchive& state) {
-    auto& [scenario, channel, wellbeing, motion, hull_loads, world, structure, ice, sheets, water, piece_water, lee,
-           work, nearby, left, astern_before, states, states_before, sleeping, window, encounters, ice_load, loads,
-           motions, structure_contacts, contact_bins, steps_in_window, sweeps, swept_steps, steps] = *this;
+    auto& [scenario, channel, wellbeing, motion, hull_loads, world, structure, bed, ice, sheets, water, piece_water,
+           lee, work, nearby, left, astern_before, states, states_before, sleeping, window, encounters, ice_load, loads,
+           bed_loads, motions, structure_contacts, bed_contacts, contact_bins, steps_in_window, sweeps, swept_steps,
+           steps] = *this;
     state.same(window.has_value());
     if (!window) state.same(states.size());
     state(states, world, ice);
@@ -540,7 +579,7 @@ void Simulation::archive(StateArchive& state) {
         if (state.sets()) measure_places();
     }
     state(motion, hull_loads, sheets, water, piece_water, lee, work, nearby, left, astern_before, sleeping, encounters,
-          ice_load, loads, motions, contact_bins, steps_in_window, sweeps, swept_steps, steps);
+          ice_load, loads, bed_loads, motions, contact_bins, steps_in_window, sweeps, swept_steps, steps);
     state.list(structure_contacts, ContactForce{BodyId(0), BodyId(0)});
 }
 

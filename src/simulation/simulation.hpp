@@ -129,6 +129,7 @@ class Simulation {
     /// Sweeps of the solver a step, on average over all steps so far; at least one step.
     double mean_sweeps() const { return static_cast<double>(sweeps_) / static_cast<double>(swept_steps_); }
     const LoadHistory& loads() const { return loads_; }
+    const BedHistory& bed_loads() const { return bed_loads_; }
     const MotionHistory& motions() const { return motions_; }
     const StructureMotion& structure() const { return motion_; }
     /// Of the ice on the hull in the last step: in the world's axes and about its reference point at the step's end.
@@ -212,6 +213,7 @@ class Simulation {
     void break_joints();
     void share_out_water(std::size_t first_break);
     void record();
+    void record_bed();
     void record_motion();
 
     Scenario scenario_;
@@ -221,6 +223,7 @@ class Simulation {
     HullLoads hull_loads_;
     World world_;
     BodyId structure_;
+    std::optional<BodyId> bed_;
     IceField ice_;
     Sheets sheets_;
     WaterLanes water_;
@@ -236,8 +239,10 @@ class Simulation {
     Encounters encounters_;
     Wrench ice_load_;  ///< of the last step, in the world's axes and about the structure's reference point
     LoadHistory loads_;
+    BedHistory bed_loads_;
     MotionHistory motions_;
     std::vector<ContactForce> structure_contacts_;  ///< of the last step
+    std::vector<ContactForce> bed_contacts_;        ///< likewise
     ContactBins contact_bins_;
     int steps_in_window_ = 0;
     std::int64_t sweeps_ = 0;

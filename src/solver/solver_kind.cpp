@@ -60,6 +60,12 @@ std::optional<Refusal> refused_water(SolverKind solver) {
                    "general.solver = \"direct\", or water.added_mass_from = \"share\""};
 }
 
+std::optional<Refusal> refused_planes(SolverKind solver, std::string_view key) {
+    if (solver != SolverKind::stock) return std::nullopt;
+    return Refusal{key, solver_key, "Bullet's own solver has no bed and no walls for ice to lie against",
+                   "general.solver = \"direct\""};
+}
+
 std::optional<Refusal> refused_cracks(SolverKind solver) {
     if (solver == SolverKind::direct) return std::nullopt;
     return Refusal{"joint.failure", solver_key, "what a crack takes off a joint's stiffness goes into an exact solve",

@@ -35,6 +35,9 @@ std::optional<Refusal> refused_water(SolverKind solver);
 /// Whether it refuses joints that crack by stress, and soften as they do.
 std::optional<Refusal> refused_cracks(SolverKind solver);
 
+/// Whether it refuses planes: a sea bed or walls, by the key that has them.
+std::optional<Refusal> refused_planes(SolverKind solver, std::string_view key);
+
 /// Whether the state of its World can be saved and set again: Bullet keeps much of its own to itself.
 constexpr bool saves_state(SolverKind solver) {
     return solver != SolverKind::stock;

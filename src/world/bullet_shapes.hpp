@@ -95,6 +95,11 @@ class IceShape {
     /// A point of contact lasts while its halves are nearer than this, m.
     double reach() const { return convex().getContactBreakingThreshold(gContactBreakingThreshold); }
 
+    /// Of a sphere about the centre of mass that holds it, m; 0 of none.
+    static double radius_of(const IceShape* shape) {
+        return shape != nullptr ? std::sqrt(dot(shape->prism().half_extent, shape->prism().half_extent)) : 0.0;
+    }
+
     /// Principal, kg m².
     btVector3 inertia(double mass) const {
         btVector3 inertia;

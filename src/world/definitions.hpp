@@ -57,6 +57,13 @@ struct SlidingBoxDefinition {
     int axis = 2;                      ///< 0 x, 1 y, 2 z
 };
 
+/// A half space that never moves, the sea bed or a wall: ice cannot come behind its plane.
+struct PlaneDefinition {
+    Vec3 point = Vec3::Zero();    ///< of the plane, m
+    Vec3 normal = Vec3::UnitY();  ///< unit, towards the ice
+    double friction = 0;          ///< Coulomb's coefficient of ice on it, 0-10, whatever the speed
+};
+
 /// A fixed joint between two moving bodies: relaxed in the configuration in which it is made.
 /// cfm and erp are Bullet's numbers and act on all six axes: row by row the joint is a spring K = Γ / (Δt² Σ A) with a
 /// damper D = (1 - Γ) / (Δt Σ A), A = J M⁻¹ Jᵀ the row's inverse effective mass (docs/fracture.md), in series with

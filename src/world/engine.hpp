@@ -33,6 +33,7 @@ class Engine {
     virtual void add_body(const ElementDefinition& body, std::optional<int> rail) = 0;
     virtual void add_structure(std::span<const ConvexSolid> solids, const Pose& pose) = 0;
     virtual void move_structure(const Pose& pose) = 0;
+    virtual void add_plane(const PlaneDefinition&) { refuse(); }
 
     virtual void add_joint(const JointDefinition& joint) = 0;
     virtual void remove_joint(JointId joint) = 0;

@@ -14,11 +14,6 @@ btTransform place_of(const BodyMotion& motion) {
     return transform_of(motion.position, motion.rotation);
 }
 
-/// 0 of none.
-double radius_of(const IceShape* shape) {
-    return shape != nullptr ? std::sqrt(dot(shape->prism().half_extent, shape->prism().half_extent)) : 0.0;
-}
-
 /// The farthest that turning from one rotation to the other moves a point of the shape, m.
 double way_of_turn(const btCollisionShape& shape, const btMatrix3x3& before, const btMatrix3x3& after) {
     double squares = 0;
@@ -63,7 +58,7 @@ void HullContacts::set_structure(std::uint32_t number, std::span<const ConvexSol
 
 void HullContacts::add(const IceShape* shape) {
     shapes_.push_back(shape);
-    radius_.push_back(radius_of(shape));
+    radius_.push_back(IceShape::radius_of(shape));
     way_.push_back(0);
     due_.push_back(0);
     pairs_.resize(shapes_.size() * solids_.size());
@@ -72,7 +67,7 @@ void HullContacts::add(const IceShape* shape) {
 
 void HullContacts::put_in(std::uint32_t element, const IceShape* shape, ContactStore& store) {
     shapes_[element] = shape;
-    radius_[element] = radius_of(shape);
+    radius_[element] = IceShape::radius_of(shape);
     move(element, store);
 }
 

@@ -20,6 +20,7 @@
 #include "world/bullet_shapes.hpp"
 #include "world/engine.hpp"
 #include "world/hull_contacts.hpp"
+#include "world/plane_contacts.hpp"
 
 namespace floes {
 namespace {
@@ -83,6 +84,11 @@ Triple own_axes(const double* r, const Triple& d, double sign) {
             sign * (r[2] * d[0] + r[5] * d[1] + r[8] * d[2])};
 }
 
+void merge(std::span<const Touching> one, std::span<const Touching> other, std::vector<Touching>& to) {
+    to.clear();
+    std::merge(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(to));
+}
+
 class LaneEngine final : public Engine {
   public:
     explicit LaneEngine(const WorldDefinition& definition)
@@ -93,6 +99,7 @@ class LaneEngine final : public Engine {
     void add_body(const ElementDefinition& body, std::optional<int> rail) override;
     void add_structure(std::span<const ConvexSolid> solids, const Pose& pose) override;
     void move_structure(const Pose& pose) override { structure_pose_ = pose; }
+    void add_plane(const PlaneDefinition& plane) override;
 
     void add_joint(const JointDefinition& joint) override;
     void remove_joint(JointId joint) override;
@@ -123,7 +130,7 @@ class LaneEngine final : public Engine {
         double friction = 0;
         bool asleep = false;
         std::array<std::uint8_t, most_corners> joints_at{};  ///< how many joints hold others at each edge of a prism
-        Outline corners{};                                   ///< of its shape; empty: it is the structure
+        Outline corners{};                                   ///< of its shape; empty: structure or plane
         double half_thickness = 0;                           ///< likewise
     };
 
@@ -134,6 +141,7 @@ class LaneEngine final : public Engine {
         std::array<std::optional<PrismSections>, 2> sections{};
     };
 
+    Body& add_without_shape(const Pose& pose);
     Body made_of(const ElementDefinition& element, const IceShape& shape, std::optional<int> rail) const;
     ContactElement contact_element(const IceShape& shape, const Body& body, int piece) const;
     SolverJoint joint_of(const JointDefinition& definition) const;
@@ -179,9 +187,11 @@ class LaneEngine final : public Engine {
     ContactStore store_;
     IceContacts ice_;
     HullContacts hull_;
+    PlaneContacts planes_;
     std::optional<LaneSystem> system_;          ///< of the bodies and joints there were when it was laid out
     std::vector<std::size_t> joint_in_system_;  ///< of every joint; not_in_system while its floe sleeps
     bool stale_ = true;                         ///< bodies, joints or who sleeps have changed since then
+    std::vector<Touching> on_fixed_;            ///< what touches structure or planes
     std::vector<Touching> touching_;            ///< all that touches, in the order of the solve
     std::vector<SolverContact> contacts_;
     std::vector<TouchingPoint*> sources_;  ///< of the contacts, while they are solved
@@ -223,28 +233,44 @@ void LaneEngine::add_body(const ElementDefinition& body, std::optional<int> rail
     shape_of_.push_back(&shape);
     const Body& made = bodies_.emplace_back(made_of(body, shape, rail));
     ice_.add(contact_element(shape, made, body.piece));
-    hull_.add(body.mass > 0 && !rail ? &shape : nullptr);
+    const IceShape* moving = body.mass > 0 && !rail ? &shape : nullptr;
+    hull_.add(moving);
+    planes_.add(moving);
     stale_ = true;
+}
+
+/// What only elements touch.
+LaneEngine::Body& LaneEngine::add_without_shape(const Pose& pose) {
+    shape_of_.push_back(nullptr);
+    Body& made = bodies_.emplace_back();
+    made.start = state_at(pose);
+    made.parts.crushing_pressure = std::numeric_limits<double>::infinity();  // it does not crush
+    ice_.add({.shape = {}, .fixed = true, .piece = sheet_piece});
+    hull_.add(nullptr);
+    planes_.add(nullptr);
+    stale_ = true;
+    return made;
 }
 
 void LaneEngine::add_structure(std::span<const ConvexSolid> solids, const Pose& pose) {
     structure_ = static_cast<std::uint32_t>(bodies_.size());
     structure_pose_ = structure_last_ = pose;
-    shape_of_.push_back(nullptr);
-    Body& made = bodies_.emplace_back();
-    made.start = state_at(pose);
-    made.friction = friction_.structure;
-    made.parts.crushing_pressure = std::numeric_limits<double>::infinity();  // it does not crush
-    ice_.add({.shape = {}, .fixed = true, .piece = sheet_piece});
-    hull_.add(nullptr);
+    add_without_shape(pose).friction = friction_.structure;
     hull_.set_structure(*structure_, solids);
-    stale_ = true;
+}
+
+void LaneEngine::add_plane(const PlaneDefinition& plane) {
+    const auto& [point, normal, friction] = plane;
+    planes_.add_plane(static_cast<std::uint32_t>(bodies_.size()), {point.x(), point.y(), point.z()},
+                      {normal.x(), normal.y(), normal.z()});
+    add_without_shape({.position = point}).friction = friction;
 }
 
 void LaneEngine::take_out(BodyId body) {
     bodies_[body.index()].asleep = true;
     ice_.take_out(number_of(body), store_);
     hull_.put_in(number_of(body), nullptr, store_);
+    planes_.put_in(number_of(body), nullptr, store_);
     forget_contacts(body);
     stale_ = true;
 }
@@ -258,6 +284,7 @@ void LaneEngine::put_in(BodyId body, const ElementDefinition& element) {
     if (in_system(body)) system_->set_state(number, bodies_[number].start);
     ice_.put_in(number_of(body), contact_element(shape, bodies_[number], element.piece), store_);
     hull_.put_in(number_of(body), &shape, store_);
+    planes_.put_in(number_of(body), &shape, store_);
     forget_contacts(body);
     stale_ = true;
 }
@@ -334,6 +361,7 @@ void LaneEngine::place(BodyId body, const BodyState& state) {
     if (in_system(body)) system_->set_state(body.index(), bodies_[body.index()].start);
     ice_.move(number_of(body), store_);
     hull_.move(number_of(body), store_);
+    planes_.move(number_of(body), store_);
     forget_contacts(body);
     if (structure_ == number_of(body))
         structure_pose_ = structure_last_ = {state.position, Quat(state.rotation).normalized()};
@@ -413,6 +441,7 @@ void LaneEngine::lay_out() {
     stale_ = false;
     contacts_.reserve(4 * bodies_.size());
     sources_.reserve(4 * bodies_.size());
+    on_fixed_.reserve(4 * bodies_.size());
     touching_.reserve(8 * bodies_.size());
 }
 
@@ -433,10 +462,9 @@ void LaneEngine::carry_structure() {
 void LaneEngine::find_contacts() {
     ice_.find(system_->motions(), store_);
     hull_.find(system_->motions(), store_);
-    touching_.clear();
-    const std::span<const Touching> hull = hull_.touching();
-    const std::span<const Touching> ice = ice_.touching();
-    std::merge(hull.begin(), hull.end(), ice.begin(), ice.end(), std::back_inserter(touching_));
+    planes_.find(system_->motions(), store_);
+    merge(hull_.touching(), planes_.touching(), on_fixed_);
+    merge(on_fixed_, ice_.touching(), touching_);
 }
 
 /// Crushing needs overlap: a point without any exerts nothing. Rigid contacts act before they touch.
@@ -492,6 +520,7 @@ double LaneEngine::slip_speed(const Touching& pair, const TouchingPoint& point) 
 
 /// Coefficient of friction at a point, which remembers how fast it slides.
 double LaneEngine::friction_of(const Touching& pair, TouchingPoint& point) const {
+    if (planes_.is_plane(pair.a)) return bodies_[pair.a].friction;
     const ContactLaw& law = definition_.contact;
     const SlipLaw slip = slip_law(law, pair.solid >= 0);
     // Friction that does not know the speed is Bullet's product of two materials, to the last bit.
@@ -569,8 +598,8 @@ void LaneEngine::step() {
 
 void LaneEngine::archive(StateArchive& state) {
     auto& [definition, friction, width, shapes, shape_of, bodies, joints, removed, structure, structure_pose,
-           structure_last, store, ice, hull, system, joint_in_system, stale, touching, contacts, sources, sweeps] =
-        *this;
+           structure_last, store, ice, hull, planes, system, joint_in_system, stale, on_fixed, touching, contacts,
+           sources, sweeps] = *this;
     state(bodies, joints, removed, structure_pose, structure_last, sweeps);
     if (state.sets()) set_shapes();
     bool laid_out = system.has_value();
@@ -585,6 +614,7 @@ void LaneEngine::archive(StateArchive& state) {
     }
     state(store, ice, touching, contacts);
     hull.archive(state, shape_of);
+    planes.archive(state, shape_of);
 }
 
 /// Those of the bodies, where they are not there yet.

@@ -33,6 +33,9 @@ class FroudeUnits {
     WorldDefinition to_own(WorldDefinition definition) const;
     ElementDefinition to_own(ElementDefinition element) const;
     JointDefinition to_own(JointDefinition joint) const;
+    PlaneDefinition to_own(const PlaneDefinition& plane) const {
+        return {to_own(plane.point), plane.normal, plane.friction};
+    }
     ConvexSolid to_own(const ConvexSolid& solid) const { return solid.scaled(1 / length_); }
     CarriedWater to_own(CarriedWater water) const;
     BodyState to_own(const BodyState& state) const;
@@ -195,6 +198,13 @@ void check(const CarriedWater& water, SolverKind solver) {
             "the first moment of the water along x", water.x, "that of a mass somewhere");
 }
 
+void check(const PlaneDefinition& plane, SolverKind solver) {
+    if (const auto refusal = refused_planes(solver, "a plane")) refuse(*refusal);
+    require(plane.point.allFinite(), "a point of a plane", plane.point.sum(), "finite");
+    require(std::abs(plane.normal.norm() - 1) < 1e-9, "the length of a plane's normal", plane.normal.norm(), "1");
+    require(plane.friction >= 0 && plane.friction <= 10, "the friction of a plane", plane.friction, "between 0 and 10");
+}
+
 void check_softening(double sound, SolverKind solver) {
     if (const auto refusal = refused_cracks(solver)) refuse(*refusal);
     require(sound > 0 && sound <= 1, "the share of a joint's stiffness that is left", sound, "above 0 and at most 1");
@@ -274,6 +284,12 @@ BodyId World::add_sliding_box(const SlidingBoxDefinition& box) {
                         .mass = box.mass,
                         .pose = {box.position, Quat::Identity()}},
                        box.axis);
+}
+
+BodyId World::add_plane(const PlaneDefinition& plane) {
+    check(plane, parts_->solver);
+    parts_->engine->add_plane(parts_->units.to_own(plane));
+    return BodyId(parts_->bodies++);
 }
 
 BodyId World::add_structure(std::span<const ConvexSolid> solids, const Pose& pose) {

@@ -41,6 +41,9 @@ class World {
     /// pushed back. At most one in a World.
     BodyId add_structure(std::span<const ConvexSolid> solids, const Pose& pose);
 
+    /// Elements alone touch it. Throws InputError with the stock solver.
+    BodyId add_plane(const PlaneDefinition& plane);
+
     /// Joints are solved in the order in which they are added.
     JointId add_joint(const JointDefinition& joint);
 

@@ -1,0 +1,222 @@
+// Broken ice comes to rest: heaps on a bed, and under a cover in water. What they press with, and that they stay.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "arrangement/arrangement.hpp"
+#include "shapes/elements.hpp"
+#include "simulation/simulation.hpp"
+#include "support/level_ice.hpp"
+#include "water/water_model.hpp"
+#include "world/world.hpp"
+
+namespace floes {
+namespace pile_test {
+
+constexpr double gravity = 9.81;
+constexpr double half_thickness = 0.02;
+constexpr double density = 900;
+constexpr double tolerance = 1e-4;  // m/s
+
+WorldDefinition definition() {
+    WorldDefinition made{.time_step = 0.01, .iterations = 500, .tolerance = tolerance, .solver = SolverKind::direct};
+    made.contact = {.ice_ice_friction = 0.3,
+                    .ice_structure_friction = 0.1,
+                    .split_impulse = false,
+                    .friction = Friction::cone,
+                    .normal = NormalLaw::crushing,
+                    .crushing_pressure = 46e3,
+                    .internal_edges = false};
+    return made;
+}
+
+/// Cells of ice, of 0.1 m.
+struct Heap {
+    World world{definition()};
+    std::vector<ElementDefinition> cells;
+    std::vector<BodyId> bodies;
+    std::vector<WaterModel> water;
+
+    void add(const Vec3& place, const CutElement& cell) {
+        ElementDefinition made;
+        made.corners = cell.corners;
+        made.half_thickness = half_thickness;
+        made.mass = density * cell.area * 2 * half_thickness;
+        made.pose = {place,
+                     Quat(Eigen::AngleAxisd(0.3 * static_cast<double>(cells.size()), Vec3(0.2, 1, 0.1).normalized()))};
+        bodies.push_back(world.add_element(made));
+        cells.push_back(made);
+        const Water still{.flow = WaterFlow::still};
+        water.emplace_back(still, gravity, cell, 2 * half_thickness, made.mass, 0.0, 0.0);
+    }
+
+    double mass() const {
+        double sum = 0;
+        for (const ElementDefinition& cell : cells) sum += cell.mass;
+        return sum;
+    }
+
+    /// The largest speed of a cell, m/s.
+    double speed() const {
+        double most = 0;
+        for (const BodyId body : bodies) most = std::max(most, world.state(body).velocity.norm());
+        return most;
+    }
+
+    /// Height of the highest corner above the plane y = 0, `up` +1, or of the lowest below it, -1; and of the last ones
+    /// behind it.
+    std::pair<double, double> reach(double up) const {
+        double most = -1e9;
+        double least = 1e9;
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            const BodyState state = world.state(bodies[i]);
+            for (const Corner& corner : cells[i].corners)
+                for (const double y : {-half_thickness, half_thickness}) {
+                    const double at = up * (state.position + state.rotation * Vec3(corner.x, y, corner.z)).y();
+                    most = std::max(most, at);
+                    least = std::min(least, at);
+                }
+        }
+        return {most, least};
+    }
+
+    void step(bool under_water) {
+        for (std::size_t i = 0; under_water && i < bodies.size(); ++i) {
+            const BodyState state = world.state(bodies[i]);
+            world.apply(bodies[i], water[i].wrench({.position = state.position - Vec3(0, 100, 0),
+                                                    .rotation = state.rotation,
+                                                    .velocity = state.velocity,
+                                                    .angular_velocity = state.angular_velocity},
+                                                   0));
+        }
+        world.step();
+    }
+};
+
+/// Thirty cells in a tower, on one another with gaps, on the bed, `up` +1, or below a cover of ice at y = 0.
+Heap tower(double up) {
+    Heap heap;
+    heap.world.add_plane({.normal = {0, up, 0}, .friction = 0.3});
+    const double half = 0.35;
+    const CutFloe cut = cut_into_cells(Outline{{-half, -half}, {half, -half}, {half, half}, {-half, half}}, 0.1);
+    for (std::size_t i = 0; i < 30; ++i) {
+        const CutElement& cell = cut.elements.at(i % cut.elements.size());
+        const double k = static_cast<double>(i);
+        heap.add({0.14 * (static_cast<double>(i % 3) - 1), up * (0.08 + 0.07 * std::floor(k / 6)),
+                  0.14 * (static_cast<double>(i / 3 % 2) - 0.5)},
+                 cell);
+    }
+    return heap;
+}
+
+class PileOf : public testing::TestWithParam<double> {};
+
+// Dry under gravity, and in water under a tenth of it upwards: after fifteen seconds nothing falls any more, all of the
+// weight or lift is on the plane, and no cell is behind it. What is left is the solver's: where its sweeps end at a
+// tolerance, a cell that is hardly held creeps at up to some of these.
+TEST_P(PileOf, ComesToRest) {
+    const double up = GetParam();
+    const bool under_water = up < 0;
+    Heap heap = tower(up);
+    for (int step = 0; step < 1500; ++step) heap.step(under_water);
+    double fastest = 0;
+    for (int step = 0; step < 500; ++step) {
+        heap.step(under_water);
+        fastest = std::max(fastest, heap.speed());
+    }
+    RecordProperty("fastest_m_s", std::to_string(fastest));
+    EXPECT_LT(fastest, 5 * tolerance);
+    const double load = under_water ? heap.mass() * (1000 / density - 1) * gravity : heap.mass() * gravity;
+    EXPECT_NEAR(-up * heap.world.contact_force(BodyId(0)).y() / load, 1, 1e-3);
+    const auto [height, through] = heap.reach(up);
+    RecordProperty("height_m", std::to_string(height));
+    EXPECT_GT(through, -half_thickness) << "corners that fell on the plane are crushed, and no cell is behind it";
+    EXPECT_GT(height, 4 * half_thickness) << "more than two layers";
+    EXPECT_LT(height, 0.4) << "no tower";
+}
+
+INSTANTIATE_TEST_SUITE_P(Pile, PileOf, testing::Values(1.0, -1.0));
+
+// W tan α, where nothing rubs.
+TEST(Pile, OnASmoothSlopePressesAWallAsAWedge) {
+    for (const double angle : {0.3, 0.8}) {
+        World world(definition());
+        world.add_plane({.normal = {-std::sin(angle), std::cos(angle), 0}});
+        const BodyId wall = world.add_plane({.normal = {1, 0, 0}});
+        ElementDefinition made{.corners = corners_of(0.1, 0.1), .half_thickness = 0.02, .mass = 0.72};
+        made.pose.orientation = Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+        made.pose.position = made.pose.orientation * Vec3(0.1 + 0.04 * std::tan(angle), 0.02, 0);
+        const BodyId body = world.add_element(made);
+        for (int step = 0; step < 1000; ++step) world.step();
+        EXPECT_NEAR(-world.contact_force(wall).x(), 0.72 * gravity * std::tan(angle), 1e-3) << angle;
+        EXPECT_LT(world.state(body).velocity.norm(), 1e-6);
+    }
+}
+
+// Along the slope W (sin α + μ cos α) / (cos α - μ sin α) by a horizontal force: a hundredth less does not move it up.
+TEST(Pile, IsPushedUpASlopeByItsWeightAndFriction) {
+    const double angle = 0.7;
+    const double friction = 0.15;
+    const double expected =
+        (std::sin(angle) + friction * std::cos(angle)) / (std::cos(angle) - friction * std::sin(angle));
+    for (const double share : {0.99, 1.01}) {
+        World world(definition());
+        world.add_plane({.normal = {-std::sin(angle), std::cos(angle), 0}, .friction = friction});
+        ElementDefinition made{.corners = corners_of(0.1, 0.1), .half_thickness = 0.02, .mass = 0.72};
+        made.pose.orientation = Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+        made.pose.position = made.pose.orientation * Vec3(0, 0.02, 0);
+        const BodyId body = world.add_element(made);
+        Vec3 start;
+        for (int step = 0; step < 500; ++step) {
+            if (step == 10) start = world.state(body).position;  // ice that crushes bears from its first overlap on
+            // At the foot of its middle on the slope, where it tips it about nothing.
+            const Vec3 force(share * expected * made.mass * gravity, 0, 0);
+            const Vec3 arm = world.state(body).rotation * Vec3(0, -0.02, 0);
+            world.apply(body, {force, arm.cross(force)});
+            world.step();
+        }
+        const double way = (world.state(body).position - start).x();
+        if (share < 1)
+            EXPECT_LT(std::abs(way), 1e-4);
+        else
+            EXPECT_GT(way, 0.3);
+    }
+}
+
+// A strip that a wall bends down grounds on a shallow bed, which then bears weight and thrust; a saved run goes on with
+// the same bits.
+TEST(Bed, BearsIceThatIsPushedUnder) {
+    Scenario scenario = test::level_strip(120 * std::numbers::pi / 180, 0.3);
+    scenario.structure.start = -0.003;
+    scenario.structure.speed = 0.05;
+    scenario.water.depth = 0.12;
+    const Arrangement sheet = make_arrangement(scenario, 1, 0);
+    Simulation whole(scenario, sheet);
+    Simulation first(scenario, sheet);
+    while (whole.time() < 6) {
+        whole.step();
+        if (whole.time() < 4) first.step();
+    }
+    const BedHistory& bed = whole.bed_loads();
+    ASSERT_EQ(bed.weight.size(), whole.loads().surge.size());
+    EXPECT_EQ(bed.weight.front(), 0);
+    EXPECT_GT(*std::ranges::max_element(bed.weight), 1);
+    EXPECT_GT(*std::ranges::max_element(bed.surge), 0.1);
+    EXPECT_GT(*std::ranges::max_element(bed.grounded), 0.01);
+    double lowest = 0;
+    for (const BodyState& one : whole.element_states()) lowest = std::min(lowest, one.position.y());
+    EXPECT_GT(lowest, -0.12);
+    Simulation second(scenario, sheet);
+    second.set(first.saved());
+    while (second.steps() < whole.steps()) second.step();
+    EXPECT_EQ(second.bed_loads().weight, bed.weight);
+    EXPECT_EQ(second.loads().surge, whole.loads().surge);
+}
+
+}  // namespace pile_test
+}  // namespace floes
