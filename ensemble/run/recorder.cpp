@@ -74,10 +74,9 @@ Journal open(const Campaign& campaign, const Recorder::Places& places) {
     stop_rule_of(campaign, places.part);  // refuses an invalid rule before a file is created
     Recorder::check(places);
     const std::optional<FiledCampaign> filed = filed_before(campaign, places);
-    const fs::path journal = journal_path(places.campaign_file);
-    if (filed && !has_journal(places))  // begins as it did, so that it is told what the campaign has grown by
-        open_journal(journal, write_campaign(filed->campaign), Existing::resume, places.system);
-    Journal opened = open_journal(journal, campaign, places.existing, places.system);
+    // A journal that is made begins with the campaign of the file, so that it is told what this one has grown by.
+    Journal opened = open_journal(journal_path(places.campaign_file), campaign, places.existing, places.system,
+                                  filed ? write_campaign(filed->campaign) : "");
     if (places.existing == Existing::replace) {
         remove_file(places.campaign_file, places.system);
         if (&places.system == &this_system()) remove_pieces(places.campaign_file);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -323,11 +324,12 @@ Bytes record(RecordType type, std::span<const std::byte> payload) {
     return bytes;
 }
 
-Reading read(const OpenFile& file, const std::filesystem::path& path, std::string_view text) {
+Reading read(const OpenFile& file, const std::filesystem::path& path, std::span<const std::string> texts) {
     Reading reading;
     // The size is read once: data that a live writer adds meanwhile is left to the next reader.
     const std::uint64_t size = file_size(file, path);
-    if (is_torn_header(file, path, size, text)) return reading;
+    for (const std::string& text : texts)
+        if (is_torn_header(file, path, size, text)) return reading;
     std::optional<Header> header = read_header(file, path, size);
     if (!header) return reading;
     reading.begun = true;
@@ -510,12 +512,12 @@ Journal::~Journal() {
 }
 
 Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing,
-                     const System& system) {
+                     const System& system, const std::string& before) {
     OpenFile file = open_file(path, O_RDWR | O_CREAT | O_APPEND, system);
     lock_for_writing(file, path);
     settle_pieces(path, existing, system);
     if (existing != Existing::replace) {
-        journal_format::Reading reading = journal_format::read(file, path, campaign_text);
+        journal_format::Reading reading = journal_format::read(file, path, std::array{campaign_text, before});
         if (reading.begun) {
             if (existing == Existing::refuse)
                 throw InputError(
@@ -533,13 +535,14 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
             return {path, std::move(file), std::move(reading.contents)};
         }
     }
-    const Bytes header = journal_format::header(campaign_text);
+    const std::string& text = before.empty() ? campaign_text : before;
+    const Bytes header = journal_format::header(text);
     truncate_file(file, path, 0);
     write_all(file, path, header);
     sync_data(file, path);
     sync_folder_of(path, system);
     JournalContents contents;
-    contents.campaign_text = campaign_text;
+    contents.campaign_text = text;
     contents.good_bytes = header.size();
     contents.first_record = contents.good_bytes;
     journal_format::read_pieces(path, contents, system);  // of a journal that was lost
@@ -549,9 +552,9 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
 }
 
 Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing,
-                     const System& system) {
+                     const System& system, const std::string& before) {
     const std::string here = write_campaign(campaign);
-    Journal journal = open_journal(path, here, existing, system);
+    Journal journal = open_journal(path, here, existing, system, before);
     if (journal.campaign_text() == here) return journal;
     const Campaign there = read_text(journal.campaign_text(), path);
     expect_to_continue(there, campaign, path);

@@ -98,13 +98,13 @@ Bytes record(RecordType type, std::span<const std::byte> payload);
 MemberRecord read_member(const OpenFile& file, const std::filesystem::path& path, JournalContents::Place place);
 
 /// The contents of a file open for reading, without its pieces. `begun` is false if the file ends inside the header, or
-/// if a power cut tore the header, of `text` then: its writer was stopped before it kept anything. Throws InputError if
-/// the file is not a readable journal.
+/// if a power cut tore the header, of one of these texts then: its writer was stopped before it kept anything. Throws
+/// InputError if the file is not a readable journal.
 struct Reading {
     bool begun = false;
     JournalContents contents;
 };
-Reading read(const OpenFile& file, const std::filesystem::path& path, std::string_view text = {});
+Reading read(const OpenFile& file, const std::filesystem::path& path, std::span<const std::string> texts = {});
 
 /// Adds the members of the pieces beyond what was read of them. Throws as read() does.
 void read_pieces(const std::filesystem::path& path, JournalContents& contents, const System& system = this_system());
@@ -186,8 +186,10 @@ class Journal {
     std::uint64_t cut_bytes() const { return contents_.torn_bytes; }
 
   private:
-    friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing, const System&);
-    friend Journal open_journal(const std::filesystem::path&, const Campaign&, Existing, const System&);
+    friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing, const System&,
+                                const std::string&);
+    friend Journal open_journal(const std::filesystem::path&, const Campaign&, Existing, const System&,
+                                const std::string&);
     Journal(std::filesystem::path path, OpenFile file, JournalContents contents);
     void extend(const Campaign& there, const Campaign& here);
     void write_record(std::uint32_t type, std::span<const std::byte> payload);
@@ -219,13 +221,14 @@ void expect_to_continue(const Campaign& there, const Campaign& here, const std::
 /// whole record, cuts a torn tail, and starts afresh if there is no journal. Throws InputError if another process is
 /// writing this journal or a piece of it, if it has a newer schema, a damaged header or is not a journal; RunError if
 /// the file system refuses.
+/// `before`: what a journal that is made begins with where the campaign is there already, without a journal.
 Journal open_journal(const std::filesystem::path& path, const std::string& campaign_text, Existing existing,
-                     const System& system = this_system());
+                     const System& system = this_system(), const std::string& before = {});
 
 /// As above for a campaign. A campaign that has all members of the journal's campaign and more extends it. Resuming
 /// with any other is refused (InputError), and the error names the keys that differ.
 Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing,
-                     const System& system = this_system());
+                     const System& system = this_system(), const std::string& before = {});
 
 /// Reads without locking or changing anything, also during a run. Throws as open_journal() does.
 JournalContents read_journal(const std::filesystem::path& path, const System& system = this_system());
