@@ -26,6 +26,8 @@ FIGURES = ROOT / "docs" / "figures"
 CAMPAIGNS = {name: (CONFIGS / f"{where}.toml", " ".join(words).split()) for name, where, *words in [
     ("smoke", "smoke"),
     ("level_ice", "level_ice"),
+    ("level_support", "validation/level_support"),
+    ("level_support_fast", "validation/level_support_fast"),
     ("moored_free", "moored_free"),
     ("turning_drift", "turning_drift"),
     ("design_sobol", "design_sobol"),
@@ -71,6 +73,8 @@ CAMPAIGNS = {name: (CONFIGS / f"{where}.toml", " ".join(words).split()) for name
     ("wall_far_end", "validation/wall_far_end"),
     ("sea_ice_wide", "validation/sea_ice_wide"),
     ("grain_full_scale", "validation/grain_full_scale"),
+    ("level_cone", "level_cone"),
+    ("level_ship", "level_ship"),
     ("widths", "validation/widths"),
     ("readings", "validation/readings"),
     ("shapes_endless", "validation/shapes_endless", "--part 1/3"),
@@ -82,6 +86,7 @@ CAMPAIGNS = {name: (CONFIGS / f"{where}.toml", " ".join(words).split()) for name
     ("grain_wall_elements", "validation/grain_wall_elements"),
     ("jam_loose", "validation/jam_loose"),
     ("jam", "validation/jam"),
+    ("level_case1", "validation/level_case1"),
 ]}
 
 # What is made of them: the campaigns that a step needs whole, and its words behind docs/figures.

@@ -16,7 +16,6 @@
 #include <cstdio>
 #include <ctime>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -109,12 +108,13 @@ int tell(const std::vector<Subject>& subjects, std::int64_t seed, const std::str
     return fault.empty() ? 0 : 1;
 }
 
-/// None of what is no whole number from 0 on.
-std::optional<std::int64_t> number_in(const std::string& word) {
-    std::int64_t number = 0;
-    const char* const end = word.data() + word.size();
-    const auto [read, error] = std::from_chars(word.data(), end, number);
-    return error == std::errc() && read == end && number >= 0 ? std::optional(number) : std::nullopt;
+/// -1 of a word that is not there, or is no whole number from 0 on.
+std::int64_t number_in(const std::vector<std::string>& words, std::size_t place) {
+    if (place >= words.size()) return -1;
+    std::int64_t number = -1;
+    const char* const end = words[place].data() + words[place].size();
+    const auto [read, error] = std::from_chars(words[place].data(), end, number);
+    return error == std::errc() && read == end ? number : -1;
 }
 
 }  // namespace
@@ -124,14 +124,14 @@ int main(int argc, char** argv) {
     ::mallopt(M_TRIM_THRESHOLD,
               1 << 28);  // memory given back to the system after each history took a quarter of the time
     const std::vector<Subject> subjects = make_subjects();
-    const auto first = words.empty() ? std::nullopt : number_in(words[0]);
-    const auto second = words.size() < 2 ? std::nullopt : number_in(words[1]);
-    const auto third = words.size() < 3 ? std::nullopt : number_in(words[2]);
-    if (words.size() == 2 && words[0] == "--mutants" && second) return find_mutants(subjects, *second);
-    if (words.size() >= 2 && words[0] == "--seed" && second)
-        return tell(subjects, *second, words.size() > 2 ? words[2] : "");
-    if (words.size() == 3 && words[0] == "--from" && second && third) return run(subjects, *second, *third);
-    if (words.size() == 1 && first) return run(subjects, 0, *first);
+    const std::int64_t first = number_in(words, 0);
+    const std::int64_t second = number_in(words, 1);
+    const std::int64_t third = number_in(words, 2);
+    if (words.size() == 2 && words[0] == "--mutants" && second >= 0) return find_mutants(subjects, second);
+    if (words.size() >= 2 && words[0] == "--seed" && second >= 0)
+        return tell(subjects, second, words.size() > 2 ? words[2] : "");
+    if (words.size() == 3 && words[0] == "--from" && second >= 0 && third >= 0) return run(subjects, second, third);
+    if (words.size() == 1 && first >= 0) return run(subjects, 0, first);
     fmt::print(stderr, "seeds [--from SEED] COUNT | --seed SEED [MUTANT] | --mutants COUNT\n");
     return 2;
 }

@@ -32,7 +32,7 @@ void write_recording(const std::filesystem::path& path) {
         frame.contacts.resize(2);
         writer.add(frame);
     }
-    writer.finish({{{1, 2}, {3, 4}, {5, 6}, {0.5, 0.6}}, {{0.02, 1, 2, FailureMode::shear}}});
+    writer.finish({{{1, 2}, {3, 4}, {5, 6}, {0.5, 0.6}, {0.01, 0.02}, {0.1, 0.2}}, {{0.02, 1, 2, FailureMode::shear}}});
 }
 
 void put(const Vec3& vector, ByteWriter& out) {

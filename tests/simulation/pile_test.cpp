@@ -171,7 +171,7 @@ TEST(Pile, IsPushedUpASlopeByItsWeightAndFriction) {
         made.pose.orientation = Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
         made.pose.position = made.pose.orientation * Vec3(0, 0.02, 0);
         const BodyId body = world.add_element(made);
-        Vec3 start;
+        Vec3 start = Vec3::Zero();
         for (int step = 0; step < 500; ++step) {
             if (step == 10) start = world.state(body).position;  // ice that crushes bears from its first overlap on
             // At the foot of its middle on the slope, where it tips it about nothing.

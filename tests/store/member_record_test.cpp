@@ -27,7 +27,9 @@ MemberRecord awkward_record() {
     record.result.history = {{odd_nan, -0.0, std::numeric_limits<double>::infinity(), 0.1},
                              {},
                              {std::numeric_limits<double>::lowest()},
-                             {0.7}};
+                             {0.7},
+                             {},
+                             {5e-324}};
     record.result.load_map.normal.front() = std::numeric_limits<double>::denorm_min();
     record.result.load_map.surge.front() = -0.0;
     record.host = std::string("nö\0de", 6);
