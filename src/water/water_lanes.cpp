@@ -48,6 +48,10 @@ WaterLanes::WaterLanes(std::span<const WaterModel> models, std::span<const std::
             group->edges = std::max(group->edges, (plan.size() - plan_field::first_edge) / plan_field::of_edge);
         edges = std::max(edges, group->edges);
     }
+    // Zeros stand for the edges that an element has not, or there would be those of what had its place before.
+    for (std::size_t i = 0; i < plans_.size(); ++i)
+        if (!plans_[i].empty())
+            plans_[i].resize(plan_field::first_edge + plan_field::of_edge * groups_[group_of_model[i]].edges);
     for (const std::size_t model : model_of) {
         group_of_.push_back(group_of_model[model]);
         linear_of_.push_back(models[model].damping() / 4);

@@ -108,7 +108,8 @@ TEST_P(WaterLanesOf, EveryWidthHasTheBitsOfOneElementAlone) {
         // Squares and polygons by turns, some that drift, and every third element left out: lanes are filled with what
         // there is of a kind.
         WaterLanes many(models, model_of, width);
-        many.clear();
+        for (std::size_t i = 0; i < elements.size(); ++i) many.set(i, elements[i]);
+        many.clear();  // others had the places before
         for (std::size_t i = 0; i < elements.size(); ++i)
             if (i % 3 != 0) many.set(i, elements[i]);
         many.compute(structure_x);
