@@ -166,7 +166,10 @@ TEST(Digests, OfATextThatHasAnotherValueOfEveryKey) {
                                                 "field.ahead_m",
                                                 "field.behind_m",
                                                 "field.level_held",
-                                                "field.level_pushed"};
+                                                "field.level_pushed",
+                                                "water.depth_m",
+                                                "water.bed_slope_deg",
+                                                "water.bed_friction"};
     const std::set<std::string_view> tables_came_later{"sizes", "spread", "brine",   "shapes",
                                                        "hull",  "path",   "moorings"};
     for (std::size_t i = 0; i < keys.size(); ++i) {

@@ -152,13 +152,22 @@ TEST_F(Pieces, OfOtherMembersAreRefused) {
     EXPECT_THAT(said(), AllOf(HasSubstr("a.pieces/1-1.h5"), HasSubstr("not the piece")));
 }
 
+/// Zeros may be room that nothing fills.
+std::uint64_t first_byte_in_use(const fs::path& path, std::uint64_t from) {
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(from));
+    while (file.get() == 0) ++from;
+    return from;
+}
+
 TEST_F(Pieces, WithChangedBytesGiveNoNumber) {
     publish_both(2);
     const Bytes right = everything_read(path("a.h5"));
     const fs::path piece = path("a.pieces") / "1-1.h5";
     const std::uint64_t size = hdf5::CheckedPages::open(piece)->size();
     int refused = 0;
-    for (std::uint64_t at = 1000; at < size; at += size / 12) {
+    for (std::uint64_t from = 1000; from < size; from += size / 12) {
+        const std::uint64_t at = first_byte_in_use(piece, from);
         const auto flip = [&] {
             std::fstream file(piece, std::ios::in | std::ios::out | std::ios::binary);
             file.seekg(static_cast<std::streamoff>(at));

@@ -457,7 +457,7 @@ TEST_P(Fmu, PutsItsNameIntoMarkup) {
     FmuParts parts;
     parts.description.model_name = "ice <2 m> & \"wind\"";
     const auto files = unzipped(fmu_file(parts, GetParam() == 2 ? FmiVersion::two : FmiVersion::three));
-    const std::string name = "ice &lt;2 m> &amp; &quot;wind&quot;";
+    const std::string name = "ice &lt;2 m&gt; &amp; &quot;wind&quot;";
     EXPECT_THAT(files.at("documentation/index.html").bytes, HasSubstr("<h1>" + name + "</h1>"));
     EXPECT_THAT(files.at("modelDescription.xml").bytes, HasSubstr("modelName=\"" + name + "\""));
 }
