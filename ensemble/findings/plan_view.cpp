@@ -153,8 +153,10 @@ void add_scale_bar(Figure& figure) {
     const double length = round_below(width / 6);
     const double up = figure.y.downwards ? -1 : 1;
     const double x = figure.x.low + 0.015 * width;
-    const double y = (figure.y.downwards ? figure.y.high : figure.y.low) + up * std::min(0.04 * height, 0.015 * width);
-    const double end = up * 0.006 * width;
+    const double half = 0.006 * width;  // of the strokes at its ends
+    const double inwards = std::max(half, std::min(0.04 * height, 0.015 * width));
+    const double y = (figure.y.downwards ? figure.y.high : figure.y.low) + up * inwards;
+    const double end = up * half;
     for (const double at : {x, x + length}) figure.line({{at, y - end}, {at, y + end}}, "");
     figure.line({{x, y}, {x + length, y}}, "");
     figure.text(x + length + 0.008 * width, y, fmt::format("{:g} m", length), "start", "halo");

@@ -118,8 +118,7 @@ Seen seen_from_above(const Drawn& of) {
         for (const Figure::Points& outline : waterlines_at(of.shape(), pose)) extend(seen, outline);
     seen.max().x() = std::min(seen.max().x(), most);
     const double air = 0.015 * seen.sizes().x();
-    const double room = std::max(0.0, 0.1 * seen.sizes().x() - seen.sizes().y());  // for scale and arrows, of a strip
-    return Seen(seen.min() - Vec2(air, room / 2), seen.max() + Vec2(air, room / 2));
+    return Seen(seen.min() - Vec2(air, 0), seen.max() + Vec2(air, 0));
 }
 
 /// Points of the way from one pose to another.

@@ -166,7 +166,7 @@ TEST_F(Pieces, WithChangedBytesGiveNoNumber) {
     const fs::path piece = path("a.pieces") / "1-1.h5";
     const std::uint64_t size = hdf5::CheckedPages::open(piece)->size();
     int refused = 0;
-    for (std::uint64_t from = 1000; from < size; from += size / 12) {
+    for (std::uint64_t from = 1000; from < size; from += size / 24) {
         const std::uint64_t at = first_byte_in_use(piece, from);
         const auto flip = [&] {
             std::fstream file(piece, std::ios::in | std::ios::out | std::ios::binary);
