@@ -4,7 +4,8 @@
 Usage:
     level_case1.py                        writes table and picture
     level_case1.py --check                writes nothing; fails if the page differs from the data
-    level_case1.py --collect FILE.h5      first takes the finished campaign of configs/validation/level_case1.toml
+    level_case1.py --collect FOLDER       first takes the finished campaigns of configs/validation/level_case1.toml and
+                                          level_case1_geometry.toml, FOLDER/NAME.h5
 
 level_case1.measured.csv: means over 0.5 s of the measured load; Lemström, Polojärvi, Puolakka and Tuhkuri, Data in Brief
 45 (2022) 108580, doi 10.5281/zenodo.6524282, CC BY 4.0. level_case1.windows.csv: its means in five windows, and those of
@@ -23,14 +24,13 @@ DATA = pathlib.Path(__file__).resolve().parent.parent / "validation"
 PAGE = DATA.parent / "validation.md"
 WINDOWS = [(0, 30), (30, 130), (130, 230), (230, 330), (330, 430)]  # s
 NAMES = [f"{begin}-{end}" for begin, end in WINDOWS]
-SLICE, WIDTH = 1.0, 10.0  # m
+SLICE, WIDTH = 0.98, 10.0  # m, of the ice
 EVERY = 2.0  # s, of the traces
 
 
-def collect(path):
+def add_members(path, rows, traces):
     import h5py  # which --check does not need
 
-    rows, traces = [], {}
     with h5py.File(path) as file:
         cases = file["cases/name"].asstr()[:]
         members = file["members"]
@@ -47,6 +47,12 @@ def collect(path):
             size = round(EVERY / step)
             means = load[: len(load) // size * size].reshape(-1, size).mean(axis=1)
             traces[f"{cases[case]}: {members['arrangement'][member]}"] = np.round(means).astype(int)
+
+
+def collect(folder):
+    rows, traces = [], {}
+    for name in ("level_case1", "level_case1_geometry"):
+        add_members(folder / f"{name}.h5", rows, traces)
     columns = ["case", "arrangement"] + [f"{what}_{name}" for what in ("load", "bed", "grounded") for name in NAMES]
     pd.DataFrame(rows, columns=columns).to_csv(DATA / "level_case1.members.csv", index=False)
     traces = pd.DataFrame(traces)
@@ -116,7 +122,7 @@ def draw(path):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--check", action="store_true")
-    parser.add_argument("--collect", type=pathlib.Path, metavar="FILE.h5")
+    parser.add_argument("--collect", type=pathlib.Path, metavar="FOLDER")
     options = parser.parse_args()
     if options.collect is not None:
         collect(options.collect)
