@@ -265,22 +265,12 @@ void write_calibration(hid_t file, const CampaignContent& content, std::span<con
     const hdf5::Scale scale =
         hdf5::write_index_scale(file, "calibration_point", "plate test, a row of /calibration", rows.size());
     const hdf5::Handle group = hdf5::create_group(file, "calibration");
-    const auto column = [&](const char* name, const char* unit, const char* long_name, auto of) {
-        write_column(group.id(), {name, unit, long_name}, scale, rows,
-                     [&](const Row& row) { return std::invoke(of, *row.point); });
-    };
     write_column(group.id(), {"case", "1", "case that the test calibrated"}, scale, rows, &Row::case_index);
-    column("sheet", "m", "side of the square sheet", &CurvePoint::sheet);
-    column("element", "m", "side of its elements", &CurvePoint::element);
-    column("thickness", "m", "thickness of the sheet", &CurvePoint::thickness);
-    column("time_step", "s", "time step", &CurvePoint::time_step);
-    column("erp", "1", "error reduction parameter of the joints (Gamma)", &CurvePoint::erp);
-    column("iterations", "1", "iterations of the solver a step", &CurvePoint::iterations);
-    column("cfm", "1", "constraint force mixing of the joints (Sigma)", &CurvePoint::cfm);
-    column("slope", "N m-1", "load over deflection at the centre", &CurvePoint::slope);
-    column("elastic_modulus", "Pa", "elastic modulus shown, load on a patch", &CurvePoint::elastic_modulus);
-    column("elastic_modulus_point", "Pa", "elastic modulus shown, as if the load were a point",
-           &CurvePoint::elastic_modulus_point);
+    const auto write = [&](const auto& column) {
+        write_column(group.id(), {column.name, column.unit, column.long_name}, scale, rows,
+                     [&](const Row& row) { return row.point->*column.field; });
+    };
+    std::apply([&](const auto&... column) { (write(column), ...); }, calibration_columns);
 }
 
 namespace {
@@ -426,27 +416,16 @@ void add_members(hid_t group, const CampaignContent& content, MemberTables& tabl
 void write_sessions(hid_t group, std::span<const Session> sessions) {
     const Scale scale =
         hdf5::write_index_scale(group, "session", "start of the program on the campaign", sessions.size());
-    const auto column = [&](const char* name, const char* long_name, auto of) {
-        write_column(group, {name, "1", long_name}, scale, sessions, of);
+    const auto write = [&](const auto& column) {
+        write_column(group, {column.name, column.unit, column.long_name}, scale, sessions, column.field);
     };
-    column("session_started", "begin of the session, UTC", &Session::started);
-    column("session_ended", "end of the session, UTC; empty when killed or at work", &Session::ended);
-    column("session_outcome", "how the session ended", &Session::outcome);
-    column("session_host", "host of rank 0", &Session::host);
-    column("session_machine", "system and processor of rank 0", &Session::machine);
-    column("session_job", "batch job", &Session::job);
-    column("session_software", "software and versions", [](const Session& s) {
+    std::apply([&](const auto&... column) { (write(column), ...); }, session_columns);
+    write_column(group, {"session_software", "1", "software and versions"}, scale, sessions, [](const Session& s) {
         std::string text;
         for (const Software& software : s.software)
             text += fmt::format("{}{} {}", text.empty() ? "" : "; ", software.name, software.version);
         return text;
     });
-    column("session_ranks", "ranks of the session", &Session::ranks);
-    column("session_threads", "threads over all ranks of the session", &Session::threads);
-    column("session_reused", "members that had their result, or stood aside, before the session", &Session::reused);
-    column("session_retried", "members that failed or were lost before and were tried again", &Session::retried);
-    column("session_computed", "members done in the session", &Session::computed);
-    column("session_set_aside", "members given up in the session", &Session::set_aside);
 }
 
 std::string lower_case(std::string text) {

@@ -12,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,49 @@
 #include "store/session.hpp"
 
 namespace floes {
+
+// Columns of what a file lists beside its members, with the field that each holds, as they are written and read again.
+
+template <class Row, class Value>
+struct FiledColumn {
+    const char* name;
+    const char* unit;
+    const char* long_name;
+    Value Row::*field;
+};
+template <class Row, class Value>
+FiledColumn(const char*, const char*, const char*, Value Row::*) -> FiledColumn<Row, Value>;
+
+/// In /provenance, beside session_software, which is made of several fields.
+inline constexpr std::tuple session_columns{
+    FiledColumn{"session_started", "1", "begin of the session, UTC", &Session::started},
+    FiledColumn{"session_ended", "1", "end of the session, UTC; empty when killed or at work", &Session::ended},
+    FiledColumn{"session_outcome", "1", "how the session ended", &Session::outcome},
+    FiledColumn{"session_host", "1", "host of rank 0", &Session::host},
+    FiledColumn{"session_machine", "1", "system and processor of rank 0", &Session::machine},
+    FiledColumn{"session_job", "1", "batch job", &Session::job},
+    FiledColumn{"session_ranks", "1", "ranks of the session", &Session::ranks},
+    FiledColumn{"session_threads", "1", "threads over all ranks of the session", &Session::threads},
+    FiledColumn{"session_reused", "1", "members that had their result, or stood aside, before the session",
+                &Session::reused},
+    FiledColumn{"session_retried", "1", "members that failed or were lost before and were tried again",
+                &Session::retried},
+    FiledColumn{"session_computed", "1", "members done in the session", &Session::computed},
+    FiledColumn{"session_set_aside", "1", "members given up in the session", &Session::set_aside}};
+
+/// In /calibration, beside case.
+inline constexpr std::tuple calibration_columns{
+    FiledColumn{"sheet", "m", "side of the square sheet", &CurvePoint::sheet},
+    FiledColumn{"element", "m", "side of its elements", &CurvePoint::element},
+    FiledColumn{"thickness", "m", "thickness of the sheet", &CurvePoint::thickness},
+    FiledColumn{"time_step", "s", "time step", &CurvePoint::time_step},
+    FiledColumn{"erp", "1", "error reduction parameter of the joints (Gamma)", &CurvePoint::erp},
+    FiledColumn{"iterations", "1", "iterations of the solver a step", &CurvePoint::iterations},
+    FiledColumn{"cfm", "1", "constraint force mixing of the joints (Sigma)", &CurvePoint::cfm},
+    FiledColumn{"slope", "N m-1", "load over deflection at the centre", &CurvePoint::slope},
+    FiledColumn{"elastic_modulus", "Pa", "elastic modulus shown, load on a patch", &CurvePoint::elastic_modulus},
+    FiledColumn{"elastic_modulus_point", "Pa", "elastic modulus shown, as if the load were a point",
+                &CurvePoint::elastic_modulus_point}};
 
 /// An axis in a file.
 struct FiledAxis {

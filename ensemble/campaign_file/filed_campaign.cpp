@@ -9,6 +9,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -57,6 +59,12 @@ std::vector<double> listed_values(const CampaignFile& file, const ArrayOutput& a
             return doubles(hdf5::read_values<std::int8_t>(file.id(), name));
     }
     return {};
+}
+
+std::vector<std::string> read_text_column(const CampaignFile& file, const std::string& name, std::size_t rows) {
+    std::vector<std::string> all = hdf5::read_texts(file.id(), name);
+    hdf5::check_count(file.id(), name, all.size(), rows);
+    return all;
 }
 
 /// Reads all columns when it is made, and the arrays with each record.
@@ -128,8 +136,7 @@ class FiledRecords {
         cpu_time_ = column<double>("provenance/cpu_time");
         peak_memory_ = column<double>("provenance/peak_memory");
         rank_ = column<std::int32_t>("provenance/rank");
-        host_ = hdf5::read_texts(file_.id(), "provenance/host");
-        hdf5::check_count(file_.id(), "provenance/host", host_.size(), states_.size());
+        host_ = read_text_column(file_, "provenance/host", states_.size());
         for (std::size_t number = 0; number < array_outputs.size(); ++number) {
             const ArrayOutput& one = array_outputs[number];
             std::optional<ArrayReader>& reader = readers_.emplace_back();
@@ -193,35 +200,25 @@ std::vector<Software> software_in(std::string_view text) {
     return software;
 }
 
+template <class Row, class Value>
+void read_column(const CampaignFile& file, const char* group, const FiledColumn<Row, Value>& column,
+                 std::vector<Row>& rows) {
+    const std::string name = fmt::format("{}/{}", group, column.name);
+    const auto all = [&] {
+        if constexpr (std::is_same_v<Value, std::string>)
+            return read_text_column(file, name, rows.size());
+        else
+            return hdf5::read_column<Value>(file.id(), name, rows.size());
+    }();
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].*column.field = all[k];
+}
+
 std::vector<Session> read_sessions(const CampaignFile& file) {
-    const auto name = [](const char* of) { return fmt::format("provenance/session_{}", of); };
-    const std::vector<std::string> started = hdf5::read_texts(file.id(), name("started"));
-    std::vector<Session> sessions(started.size());
-    const auto texts = [&](const char* of, const auto& use) {
-        const std::vector<std::string> all = hdf5::read_texts(file.id(), name(of));
-        hdf5::check_count(file.id(), name(of), all.size(), sessions.size());
-        for (std::size_t k = 0; k < all.size(); ++k) use(sessions[k], all[k]);
-    };
-    const auto numbers = [&](const char* of, int Session::*field) {
-        const auto all = hdf5::read_column<std::int32_t>(file.id(), name(of), sessions.size());
-        for (std::size_t k = 0; k < all.size(); ++k) sessions[k].*field = all[k];
-    };
-    const auto text = [&](const char* of, std::string Session::*field) {
-        texts(of, [field](Session& session, const std::string& value) { session.*field = value; });
-    };
-    text("started", &Session::started);
-    text("ended", &Session::ended);
-    text("outcome", &Session::outcome);
-    text("host", &Session::host);
-    text("machine", &Session::machine);
-    text("job", &Session::job);
-    texts("software", [](Session& session, const std::string& value) { session.software = software_in(value); });
-    numbers("ranks", &Session::ranks);
-    numbers("threads", &Session::threads);
-    numbers("reused", &Session::reused);
-    numbers("retried", &Session::retried);
-    numbers("computed", &Session::computed);
-    numbers("set_aside", &Session::set_aside);
+    std::vector<Session> sessions;
+    for (const std::string& text : hdf5::read_texts(file.id(), "provenance/session_software"))
+        sessions.emplace_back().software = software_in(text);
+    std::apply([&](const auto&... column) { (read_column(file, "provenance", column, sessions), ...); },
+               session_columns);
     return sessions;
 }
 
@@ -229,20 +226,8 @@ std::vector<CalibrationRecord> read_calibrations(const CampaignFile& file) {
     if (!hdf5::exists(file.id(), "calibration")) return {};
     const auto of_case = hdf5::read_values<std::int32_t>(file.id(), "calibration/case");
     std::vector<CurvePoint> points(of_case.size());
-    const auto column = [&]<class Value>(const char* name, Value CurvePoint::*field) {
-        const auto all = hdf5::read_column<Value>(file.id(), fmt::format("calibration/{}", name), points.size());
-        for (std::size_t k = 0; k < all.size(); ++k) points[k].*field = all[k];
-    };
-    column("sheet", &CurvePoint::sheet);
-    column("element", &CurvePoint::element);
-    column("thickness", &CurvePoint::thickness);
-    column("time_step", &CurvePoint::time_step);
-    column("erp", &CurvePoint::erp);
-    column("iterations", &CurvePoint::iterations);
-    column("cfm", &CurvePoint::cfm);
-    column("slope", &CurvePoint::slope);
-    column("elastic_modulus", &CurvePoint::elastic_modulus);
-    column("elastic_modulus_point", &CurvePoint::elastic_modulus_point);
+    std::apply([&](const auto&... column) { (read_column(file, "calibration", column, points), ...); },
+               calibration_columns);
     std::vector<CalibrationRecord> found;
     for (std::size_t k = 0; k < file.campaign().cases.size(); ++k) {
         const Scenario& scenario = file.campaign().cases[k].scenario;

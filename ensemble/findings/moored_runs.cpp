@@ -419,8 +419,7 @@ std::string mooring_notes(const Evidence& evidence) {
         if (count > 0)
             text += fmt::format(
                 "! {}: lines broke in {} of {} members: they are held by fewer lines from then on, and their force is "
-                "no "
-                "design force of lines that hold.\n",
+                "no design force of lines that hold.\n",
                 label, count, members.size());
     }
     return text;

@@ -233,7 +233,10 @@ ElementColumns<hdf5::Series> element_columns(hid_t group, const RecordScales& sc
 ContactColumns<hdf5::Series> contact_columns(hid_t group, const hdf5::Scale& coordinate) {
     constexpr hsize_t chunk = contacts_a_chunk;
     return {{group, {"element", "1", "element that the forces act on"}, {}, chunk},
-            {group, {"other", "1", "what touches it: an element, -1 the structure, -2 an ice sheet"}, {}, chunk},
+            {group,
+             {"other", "1", "what touches it: an element, -1 the structure, -2 an ice sheet or wall, -3 the bed"},
+             {},
+             chunk},
             {group, {"point", "m", "point of contact"}, {coordinate}, chunk},
             {group, {"normal_force", "N", "normal force on the element"}, {coordinate}, chunk},
             {group, {"friction_force", "N", "friction force on the element"}, {coordinate}, chunk}};

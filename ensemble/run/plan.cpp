@@ -338,8 +338,10 @@ class Play {
         if (ranks_.size() > 1) clock_.notice(clock_.now() + (forecast.writers > 1 ? 2 : 1) * farewell(), false);
         clock_.finish();
         forecast.wall_time = clock_.now();
-        if (with_file_ && forecast.writers > 1) clock_.publish_in_pieces(forecast.writers);
-        if (!with_file_ || forecast.writers == 1) clock_.publish();
+        if (with_file_ && forecast.writers > 1)
+            clock_.publish_in_pieces(forecast.writers);
+        else
+            clock_.publish();
         forecast.file_time = clock_.now() - forecast.wall_time;
         if (with_file_) forecast.wall_time = clock_.now();
         return forecast;

@@ -101,8 +101,8 @@ void check_window(const Scenario& scenario, Contradictions& found) {
 }  // namespace
 
 double window_least(const Scenario& scenario) {
-    double diagonal = 0;
     if (scenario.arrangement.level()) return scenario.structure.shape.largest_radius() + 2 * scenario.floe.element;
+    double diagonal = 0;
     for (const FloeShape& shape : floe_sizes(scenario))
         diagonal = std::max(diagonal, std::hypot(shape.length, shape.breadth));
     return scenario.structure.shape.largest_radius() + diagonal;

@@ -369,10 +369,6 @@ void add_current(Keys& keys, Water& water) {
                    "from the water's motion relative to the ice, anticlockwise from above (northern hemisphere).")));
 }
 
-}  // namespace
-
-namespace {
-
 void add_bed(Keys& keys, Water& water) {
     const auto add = [&](Key key) {
         keys.push_back(late_key(only_with(
