@@ -101,17 +101,7 @@ double cost_of_sheet(const Scenario& scenario) {
 double expected_cost(const Campaign& campaign, int number) {
     const MemberKey key = member_key(campaign, number);
     const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
-    if (scenario.arrangement.level()) return cost_of_sheet(scenario);
-    const double floes = computed_floes(scenario);
-    if (scenario.sizes.law == SizeLaw::one && !scenario.shapes.from_file())
-        return scenario.floe.elements() * floes * scenario.step_count();
-    // A few floes tell what their law makes of all: this is asked for every member.
-    constexpr int few = 16;
-    Scenario sample = scenario;
-    sample.field.floes = few;
-    double elements = 0;
-    for (const FloeShape& shape : floe_sizes(sample)) elements += shape.elements();
-    return elements * floes / few * scenario.step_count();
+    return scenario.arrangement.level() ? cost_of_sheet(scenario) : computed_elements(scenario) * scenario.step_count();
 }
 
 namespace {

@@ -39,10 +39,6 @@ double run_time(const Campaign& campaign, const Scenario& scenario) {
     return expected_run_time(alone(campaign, scenario), 0);
 }
 
-double elements_of(const Campaign& campaign, const Scenario& scenario) {
-    return expected_cost(alone(campaign, scenario), 0) / scenario.step_count();
-}
-
 /// Whether it can be run, and nothing is odder about it than about what it stands for.
 bool can_stand_for(const Campaign& campaign, const Scenario& scenario, const Scenario& other) {
     return find_contradictions(other).empty() &&
@@ -57,7 +53,7 @@ std::vector<std::string> other_elements(const Campaign& campaign, const Scenario
         Scenario other = scenario;
         other.floe.element = to_two_digits(factor * scenario.floe.element);
         if (can_stand_for(campaign, scenario, other))
-            words.push_back(fmt::format("{:g} m ({:.0f} elements) {}", other.floe.element, elements_of(campaign, other),
+            words.push_back(fmt::format("{:g} m ({:.0f} elements) {}", other.floe.element, computed_elements(other),
                                         duration_text(run_time(campaign, other))));
     }
     return words;
@@ -83,7 +79,7 @@ std::string with(const char* key, const std::vector<std::string>& others) {
 std::string words_of(const Campaign& campaign, const Scenario& scenario) {
     return fmt::format(
         "a member takes about {} of one core (others took 0.7 to 2.7 times as long), {:.0f} elements over {} steps{}{}",
-        duration_text(run_time(campaign, scenario)), elements_of(campaign, scenario), scenario.step_count(),
+        duration_text(run_time(campaign, scenario)), computed_elements(scenario), scenario.step_count(),
         with("floe.element_m", other_elements(campaign, scenario)),
         with("analysis.window_s", other_windows(campaign, scenario)));
 }

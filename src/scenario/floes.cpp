@@ -93,6 +93,19 @@ double computed_floes(const Scenario& scenario) {
     return scenario.field.floes * (scenario.window_ahead() + scenario.window_behind()) / scenario.field_length();
 }
 
+double computed_elements(const Scenario& scenario) {
+    if (scenario.arrangement.level()) return sheet_shape(scenario).elements();
+    const double floes = computed_floes(scenario);
+    if (scenario.sizes.law == SizeLaw::one && !scenario.shapes.from_file()) return scenario.floe.elements() * floes;
+    // A few floes tell what their law makes of all: this is asked for every member.
+    constexpr int few = 16;
+    Scenario sample = scenario;
+    sample.field.floes = few;
+    double elements = 0;
+    for (const FloeShape& shape : floe_sizes(sample)) elements += shape.elements();
+    return elements * floes / few;
+}
+
 double covered_area(const FloeSet& floes) {
     std::vector<double> count(floes.shapes.size());
     for (const Floe& floe : floes.floes) ++count[floe.shape];

@@ -87,6 +87,9 @@ FloeShape sheet_shape(const Scenario& scenario);
 /// Floes of a scenario that are computed at a time: all of them, or about those in the window of a field without end.
 double computed_floes(const Scenario& scenario);
 
+/// Their elements, about.
+double computed_elements(const Scenario& scenario);
+
 /// Area of all floes, m².
 double covered_area(const FloeSet& floes);
 

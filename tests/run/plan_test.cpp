@@ -1,5 +1,6 @@
 #include "run/plan.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "core/text.hpp"
 #include "scenario/floes.hpp"
 #include "store/member_record.hpp"
+#include "support/level_ice.hpp"
 #include "support/synthetic.hpp"
 
 namespace floes {
@@ -73,6 +75,15 @@ TEST(CostWords, SayWhatOtherElementsAndWindowsCost) {
     EXPECT_EQ(
         cost_words(campaign)[0],
         fmt::format("a member of 9 of the cases takes about {} of one core (floes plan).", duration_text(seconds)));
+}
+
+// What a sheet costs grows faster than with its elements.
+TEST(CostWords, CountTheElementsOfASheet) {
+    Campaign campaign{.name = "sheet", .arrangements = 1, .cases = {{"one", test::level_strip(0.8, 0.1, 60)}}};
+    campaign.cases[0].scenario.analysis.window = 499.96;
+    const double elements = sheet_shape(campaign.cases[0].scenario).elements();
+    EXPECT_THAT(cost_words(campaign),
+                testing::Contains(testing::HasSubstr(fmt::format(", {:.0f} elements ", elements))));
 }
 
 TEST(ExpectedMembers, HaveTheSizeOfTheirRecords) {
