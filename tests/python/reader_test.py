@@ -255,7 +255,8 @@ class Tables(unittest.TestCase):
             for found in (history.surge_load - history.surge_mooring, (group.surge_load - group.surge_mooring)[1]):
                 numpy.testing.assert_array_equal(found, file["history/surge_load"][1] - file["history/surge_mooring"][1])
             self.assertEqual(history.surge_offset.attrs["units"], "m")
-        self.assertEqual(set(self.full.history(3)), {"surge_load", "sway_load", "heave_load", "concentration"})
+        quantities = {"surge_load", "sway_load", "heave_load", "concentration", "pile_height", "pile_draught"}
+        self.assertEqual(set(self.full.history(3)), quantities)
         self.assertRegex(floes_reader.__version__, r"^\d+\.\d+\.\d+$")
 
     def test_times_of_cases_that_differ_in_their_steps(self):

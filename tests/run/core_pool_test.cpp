@@ -17,11 +17,16 @@ namespace core_pool_test {
 using testing::ElementsAre;
 
 TEST(CorePool, TakesTheLowestTurnFirst) {
-    CorePool pool(1);
+    std::promise<void> computing;
     std::promise<void> all_wait;
-    pool.begin(9, [waits = all_wait.get_future().share()] { waits.wait(); });
-    std::vector<std::string> order;
     std::promise<void> over;
+    std::vector<std::string> order;
+    CorePool pool(1);
+    pool.begin(9, [&, waits = all_wait.get_future().share()] {
+        computing.set_value();
+        waits.wait();
+    });
+    computing.get_future().wait();
     const auto note = [&](const std::string& name) { return [&order, name] { order.push_back(name); }; };
     pool.begin(2, note("2a"));
     pool.begin(1, note("1a"));

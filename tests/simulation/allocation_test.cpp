@@ -3,6 +3,7 @@
 #include <LinearMath/btAlignedAllocator.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -114,13 +115,24 @@ INSTANTIATE_TEST_SUITE_P(StepLoop, Collisions,
                                            std::pair(SolverKind::lanes, ContactPreset::physical),
                                            std::pair(SolverKind::direct, ContactPreset::physical)));
 
+// Steps with more contacts than any before take room for them.
 TEST_F(StepLoop, TakesNothingForElementsThatComeNearTheStructure) {
     Rows rows(5, 0.004);
     Simulation simulation(rows.scenario, rows.arrangement);
-    taken_in(simulation, 250);  // step 469 has half as many contacts again as any before: more room for rows
-    const Taken taken = taken_in(simulation, 200);
+    Frame frame;
+    std::size_t most = 0;
+    int others = 0;
+    for (int i = 0; i < 450; ++i) {
+        const Taken taken = taken_in(simulation, 1);
+        simulation.read_frame(frame);
+        if (i >= 50 && frame.contacts.size() <= most) {
+            EXPECT_EQ(taken, Taken{}) << i;
+            ++others;
+        }
+        most = std::max(most, frame.contacts.size());
+    }
+    EXPECT_GT(others, 300);
     EXPECT_GT(simulation.loads().surge.back(), 1) << "the ice is packed";
-    EXPECT_EQ(taken, Taken{});
 }
 
 // Floes as they are by default, cut into cells, as they jam, bend and break.
