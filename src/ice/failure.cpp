@@ -103,7 +103,9 @@ double CohesiveLaw::work(double rotation) const {
 }
 
 double CohesiveLaw::mean_moment(double from, double to) const {
-    return to > from ? (work(to) - work(from)) / (to - from) : moment(from);
+    const double done = work(to) - work(from);
+    constexpr double hardly = 1e-9;  // works that differ by less differ by their rounding
+    return done > hardly * work(to) ? done / (to - from) : moment(from);
 }
 
 double cracking(double strength, double smooth, double stiffness, double rotation, double energy,

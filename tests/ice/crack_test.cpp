@@ -41,6 +41,22 @@ TEST(Crack, DoesNotHealAndGivesBackWhatItStores) {
     EXPECT_EQ(crack.sound(), sound);
 }
 
+// The moment of ice that hardly turns on was the rounding of two works: -0.39 of its stiffness in a pile that crept.
+TEST(Crack, KeepsTheStiffnessOfItsLawHoweverSlowlyItTurns) {
+    const CohesiveLaw law = cohesive_law(200, 0.002, 0.01);
+    for (const double rotation : {0.0021, 0.011, 0.0193, law.open_rotation * (1 - 1e-9)}) {
+        for (double rate = 1e-3; rate > 1e-19; rate /= 3) {
+            Crack crack(law);
+            crack.follow(rotation, rate, 0.02);
+            if (rate < 1e-8 && rotation < 0.04) {
+                EXPECT_NEAR(crack.sound(), law.moment(rotation) / (200 * rotation), 1e-6) << rotation << ", " << rate;
+            }
+            EXPECT_GT(crack.sound(), 0) << rotation << ", " << rate;
+            EXPECT_LE(crack.sound(), 1);
+        }
+    }
+}
+
 struct Parting {
     double element;
     double time_step;

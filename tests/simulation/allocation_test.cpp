@@ -3,7 +3,6 @@
 #include <LinearMath/btAlignedAllocator.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
@@ -115,23 +114,14 @@ INSTANTIATE_TEST_SUITE_P(StepLoop, Collisions,
                                            std::pair(SolverKind::lanes, ContactPreset::physical),
                                            std::pair(SolverKind::direct, ContactPreset::physical)));
 
-// Steps with more contacts than any before take room for them.
-TEST_F(StepLoop, TakesNothingForElementsThatComeNearTheStructure) {
+// Room for more contacts than ever grows by halves: few steps take any, and which they are depends on the lanes.
+TEST_F(StepLoop, HardlyAStepTakesAnythingForElementsThatComeNearTheStructure) {
     Rows rows(5, 0.004);
     Simulation simulation(rows.scenario, rows.arrangement);
-    Frame frame;
-    std::size_t most = 0;
-    int others = 0;
-    for (int i = 0; i < 450; ++i) {
-        const Taken taken = taken_in(simulation, 1);
-        simulation.read_frame(frame);
-        if (i >= 50 && frame.contacts.size() <= most) {
-            EXPECT_EQ(taken, Taken{}) << i;
-            ++others;
-        }
-        most = std::max(most, frame.contacts.size());
-    }
-    EXPECT_GT(others, 300);
+    taken_in(simulation, 100);
+    int taking = 0;
+    for (int i = 0; i < 350; ++i) taking += taken_in(simulation, 1) != Taken{} ? 1 : 0;
+    EXPECT_LE(taking, 3);
     EXPECT_GT(simulation.loads().surge.back(), 1) << "the ice is packed";
 }
 
