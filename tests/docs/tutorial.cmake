@@ -30,7 +30,7 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
              COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/docs/notebook_test.py $<TARGET_FILE:floes>
                      ${PROJECT_SOURCE_DIR} ${name})
   endforeach()
-  set_tests_properties(docs.tutorial docs.coupling PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2)
+  set_tests_properties(docs.tutorial docs.coupling PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2 COST 200)
   # Their outputs are of the buoyancy before the exact one; they are renewed with the campaigns of the pages, and are quick
   # enough for the label all then.
   set_tests_properties(docs.notebook.optimum docs.notebook.served PROPERTIES LABELS slow TIMEOUT 900

@@ -2,7 +2,7 @@
 floes_test_program(seeds WITH tests SOURCES faults/seeds.cpp faults/history.cpp LIBRARIES floes_run)
 add_test(NAME faults.seeds COMMAND seeds 10000)
 add_test(NAME faults.mutants COMMAND seeds --mutants 10000)
-set_tests_properties(faults.seeds faults.mutants PROPERTIES LABELS default TIMEOUT 300)
+set_tests_properties(faults.seeds faults.mutants PROPERTIES LABELS default TIMEOUT 300 COST 60)
 add_test(NAME faults.million_seeds COMMAND seeds 1000000)
 set_tests_properties(faults.million_seeds PROPERTIES LABELS "slow;seeds" TIMEOUT 36000)
 

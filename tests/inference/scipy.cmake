@@ -10,5 +10,6 @@ if(TARGET floes)
   add_test(NAME inference.design_against_scipy
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/inference/design_against_scipy.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/configs/smoke.toml)
-  set_tests_properties(inference.against_scipy inference.design_against_scipy inference.against_numpy PROPERTIES LABELS all TIMEOUT 300 PROCESSORS 2)
+  set_tests_properties(inference.against_scipy inference.design_against_scipy inference.against_numpy
+                       PROPERTIES LABELS all TIMEOUT 300 COST 60)
 endif()

@@ -10,5 +10,5 @@ if(TARGET floes)
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/page/reading_the_file.py $<TARGET_FILE:floes>
                    ${PROJECT_SOURCE_DIR}/configs/smoke.toml ${PROJECT_SOURCE_DIR}/docs/reading_the_file.md)
   set_tests_properties(page.in_browser page.match_in_browser page.reading_the_file
-                       PROPERTIES LABELS all TIMEOUT 300 PROCESSORS 2)
+                       PROPERTIES LABELS all TIMEOUT 300)
 endif()
