@@ -60,6 +60,12 @@ def collect(folder):
     traces.to_csv(DATA / "level_case1.traces.csv", index=False)
 
 
+def words(case):
+    """Of a50_d46: its angle and depth."""
+    angle, depth = case.split("_")
+    return f"floes, {angle[1:]}° in 0.{depth[1:]} m"
+
+
 def one_run(values):
     """Mean, and half the 95 % prediction interval of one further run."""
     values = np.asarray(values, float)
@@ -83,9 +89,9 @@ def table():
             mean, half = one_run(rows[f"load_{name}"])
             spread = f" ± {half / 1e3:.2f}" if np.isfinite(half) else ""
             cells.append(f"{mean / 1e3:.2f}{spread} ({mean / measured:.2f})")
-        lines.append(f"| {case}, {len(rows)} runs | " + " | ".join(cells) + " |")
+        lines.append(f"| {words(case)}, {len(rows)} {'runs' if len(rows) > 1 else 'run'} | " + " | ".join(cells) + " |")
     first = members[members.case == members.case[0]]
-    lines.append("| of the first, on the bed | " +
+    lines.append("| of these first, borne by the bed | " +
                  " | ".join(f"{first[f'bed_{name}'].mean() / 1e3:.2f}" for name in NAMES) + " |")
     return "\n".join(lines)
 
@@ -109,7 +115,7 @@ def draw(path):
         likeliest = cases[k] == cases[0]
         axes.plot(traces.end_s, traces[name] / 1e3, color="tab:blue" if likeliest else "0.8", linewidth=0.6,
                   zorder=2 if likeliest else 1,
-                  label=cases[0] if k == 0 else "other angles and depths" if cases[k - 1] == cases[0] != cases[k] else None)
+                  label=words(cases[0]) if k == 0 else "other angles and depths" if cases[k - 1] == cases[0] != cases[k] else None)
     for k in range(1, 5):
         for (begin, end), value in zip(WINDOWS, windows[f"run{k}_N"]):
             axes.plot([begin, end], [value / 1e3] * 2, color="tab:orange", linewidth=1.2,

@@ -370,6 +370,8 @@ Words motion_words(const Scenario& scenario) {
     const Words turns = turn_words(scenario.path);
     if (!moorings.give_way()) {
         if (scenario.path.any()) return turns.empty() ? "led along a path" : Words("led along a path; ") + turns;
+        if (scenario.field.level_pushed)
+            return Words::of("at rest; the sheet is pushed on it at {:.4g} m/s", scenario.structure.speed);
         return Words::of("towed at {:.4g} m/s", scenario.structure.speed);
     }
     std::vector<std::string> free;

@@ -174,7 +174,9 @@ Figure elevation_of(const Scenario& scenario, const std::string& names, double w
     const Shape& shape = scenario.structure.shape;
     const double reach = 1.6 * shape.largest_radius();
     const double air = 0.12 * (shape.top() - shape.bottom());
-    const double low = shape.bottom() - air;
+    const Water& water = scenario.water;
+    const bool near_bed = water.has_bed() && water.depth < 2 * shape.draught();
+    const double low = std::min(shape.bottom(), near_bed ? -water.depth : 0.0) - air;
     const double high = shape.top() + air;
     Figure figure{.description = "Section of the structure with the water's surface and the ice",
                   .x = {names + "m", -reach, reach},
@@ -191,6 +193,10 @@ Figure elevation_of(const Scenario& scenario, const std::string& names, double w
                      {sign * beside, freeboard}},
                     "ice");
     add_hull_from_abeam(figure, shape);
+    if (near_bed) {
+        const auto bed = [&](double x) { return std::clamp(-water.depth + std::tan(water.bed_slope) * x, low, high); };
+        figure.area({{-reach, low}, {reach, low}, {reach, bed(reach)}, {-reach, bed(-reach)}}, "sheet");
+    }
     figure.level(0, "dashed");
     return figure;
 }

@@ -202,7 +202,8 @@ void add_streams(Figure& plan, const Drawn& of) {
         double direction;  ///< rad, from +x towards +z
     };
     const double heading = first_heading(of.way);
-    const bool passes = scenario.moorings.give_way() || (scenario.path.of == PathOf::ice && scenario.path.any());
+    const bool passes = scenario.moorings.give_way() || (scenario.path.of == PathOf::ice && scenario.path.any()) ||
+                        scenario.field.level_pushed;
     std::vector<Stream> streams{passes ? Stream{"drift of the ice", heading + std::numbers::pi}
                                        : Stream{scenario.path.any() ? "path" : "tow", heading}};
     if (scenario.water.current > 0)
@@ -259,9 +260,9 @@ Figure hull_of(const Drawn& of) {
     if (of.scenario.moorings.give_way() && turret.any()) figure.upright(turret.ahead, "dotted c2");
     figure.caption = fmt::format(
         "The hull from abeam, to scale, its bow to the right: draught {:.4g} m, {:.4g} m above the water; the ice "
-        "beside it "
-        "is {:.4g} m thick.",
-        shape.draught(), shape.top(), of.scenario.floe.thickness);
+        "beside it is {:.4g} m thick{}.",
+        shape.draught(), shape.top(), of.scenario.floe.thickness,
+        of.scenario.water.has_bed() ? fmt::format(", the bed {:.4g} m below the water", of.scenario.water.depth) : "");
     return figure;
 }
 

@@ -83,6 +83,12 @@ TEST(CaseWords, OfAFieldWithoutEndAreOfItsParts) {
 
 TEST(CaseWords, SayHowTheStructureMovesAndWhatHoldsIt) {
     EXPECT_EQ(motion_words(scenario_of(campaign_of("structure.speed_m_s = 0.05\n"))).text(), "towed at 0.05 m/s");
+    EXPECT_EQ(
+        motion_words(scenario_of(campaign_of("structure.speed_m_s = 0.05\nfloe.length_m = 20\nfloe.breadth_m = 2\n"
+                                             "[field]\nfloes = 1\nconcentration_percent = 100\nlevel_pushed = true\n"
+                                             "[arrangement]\nmethod = \"level\"\n")))
+            .text(),
+        "at rest; the sheet is pushed on it at 0.05 m/s");
     EXPECT_EQ(motion_words(scenario_of(campaign_of("[moorings]\nmass_t = 0.4\ngyration_m = 0.44\nsurge_kN_m = 0.8\n"
                                                    "sway_kN_m = 0.7\nyaw_kN_m_rad = 0.1\n")))
                   .text(),
