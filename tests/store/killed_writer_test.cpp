@@ -59,7 +59,8 @@ TEST(KilledWriter, LosesNoRecordThatItAcknowledged) {
     std::mt19937 random(20);
     std::uniform_int_distribution<int> life(0, 15000);
     std::size_t acknowledged = 0;
-    for (int round = 0; round < rounds; ++round) {
+    constexpr std::size_t enough = 100;  // on a busy machine in more rounds
+    for (int round = 0; round < rounds || (acknowledged <= enough && round < 10 * rounds); ++round) {
         SCOPED_TRACE(round);
         const std::string said = run_and_kill(std::chrono::microseconds(life(random)), [&](int out) {
             Journal journal = open_journal(path, "", Existing::resume);
@@ -85,7 +86,7 @@ TEST(KilledWriter, LosesNoRecordThatItAcknowledged) {
             ++expected.attempt;
         }
     }
-    EXPECT_GT(acknowledged, 10u) << "a slow machine";
+    EXPECT_GT(acknowledged, enough);
 }
 
 TEST(KilledWriter, LeavesTheOldCampaignFileOrTheNewOne) {
