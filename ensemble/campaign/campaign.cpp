@@ -84,8 +84,9 @@ namespace {
 /// anew. About as many steps bring that as elements lie in the channel, which is a characteristic length wider than the
 /// hull. Members of configs/level_ice.toml, level_support.toml, level_support_fast.toml and floes new --level, 180 to
 /// 1,340 elements, took 1.0 to 1.2 times as long as this says; those of
-/// level_ship.toml and level_cone.toml, 2,400 and 2,500 elements, 0.8 and 0.9 times. A pile that stays before a wall on
-/// a sea bed has many contacts: two members of level_case1.toml, 1,067 elements, took 4.6 and 5.4 times as long.
+/// level_ship.toml and level_cone.toml, 2,400 and 2,500 elements, 0.8 and 0.9 times. In a slice between walls no ice
+/// goes round the structure, and the pile has many contacts: two members of level_case1.toml, 1,067 elements, took 4.6
+/// and 5.4 times as long.
 double cost_of_sheet(const Scenario& scenario) {
     constexpr double of_step = 0.5;
     constexpr double of_break = 0.6;
@@ -94,7 +95,7 @@ double cost_of_sheet(const Scenario& scenario) {
     const double channel =
         std::min(sheet.breadth, 2 * scenario.structure.shape.waterline_radius() + scenario.characteristic_length());
     const double breaks = scenario.towed() * channel / (sheet.element * sheet.element);
-    const double of_pile = scenario.water.has_bed() ? 5 : 1;
+    const double of_pile = scenario.field.sides == FieldSides::wall ? 5 : 1;
     return of_pile * (of_step * elements * scenario.step_count() + of_break * breaks * std::pow(elements, 1.5));
 }
 
