@@ -86,7 +86,8 @@ CAMPAIGNS = {name: (CONFIGS / f"{where}.toml", " ".join(words).split()) for name
     ("grain_wall_elements", "validation/grain_wall_elements"),
     ("jam_loose", "validation/jam_loose"),
     ("jam", "validation/jam"),
-    ("level_case1_geometry", "validation/level_case1_geometry"),
+    ("level_case1_factors", "validation/level_case1_factors"),
+    ("level_case1_wide", "validation/level_case1_wide"),
     ("level_case1", "validation/level_case1"),
 ]}
 
@@ -105,7 +106,7 @@ STEPS = [
     (["table3", "fit_paper", "crystalline", "tank_walls", "vary_channel"], "validation.py --collect {folder} {floes}"),
     (["channel", "physical"], "matching.py --collect {folder} {floes}"),
     (["tank"], "replay.py {floes} {folder}/tank.h5"),
-    (["level_case1", "level_case1_geometry"], "level_case1.py --collect {folder}"),
+    (["level_case1", "level_case1_factors", "level_case1_wide"], "level_case1.py --collect {folder}"),
     (["order", "wall_far_end"], "order.py --collect {folder}/order.h5 {folder}/wall_far_end.h5 --program {floes}"),
     ([], "froude.py --run {floes} {folder}"),
     ([], "froude.py --collect {folder}"),

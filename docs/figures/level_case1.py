@@ -1,11 +1,11 @@
 #!/usr/bin/python3
-"""Level ice pushed on an inclined plate in docs/validation.md: its table and its picture, from docs/validation.
+"""Level ice pushed on an inclined plate in docs/validation.md: its tables and its picture, from docs/validation.
 
 Usage:
-    level_case1.py                        writes table and picture
+    level_case1.py                        writes tables and picture
     level_case1.py --check                writes nothing; fails if the page differs from the data
-    level_case1.py --collect FOLDER       first takes the finished campaigns of configs/validation/level_case1.toml and
-                                          level_case1_geometry.toml, FOLDER/NAME.h5
+    level_case1.py --collect FOLDER       first takes the finished campaigns of configs/validation/level_case1.toml,
+                                          level_case1_factors.toml and level_case1_wide.toml, FOLDER/NAME.h5
 
 level_case1.measured.csv: means over 0.5 s of the measured load; Lemström, Polojärvi, Puolakka and Tuhkuri, Data in Brief
 45 (2022) 108580, doi 10.5281/zenodo.6524282, CC BY 4.0. level_case1.windows.csv: its means in five windows, and those of
@@ -24,11 +24,45 @@ DATA = pathlib.Path(__file__).resolve().parent.parent / "validation"
 PAGE = DATA.parent / "validation.md"
 WINDOWS = [(0, 30), (30, 130), (130, 230), (230, 330), (330, 430)]  # s
 NAMES = [f"{begin}-{end}" for begin, end in WINDOWS]
-SLICE, WIDTH = 0.98, 10.0  # m, of the ice
+CAMPAIGNS = {"level_case1": 0.98, "level_case1_factors": 0.98, "level_case1_wide": 2.94}  # breadth of the ice, m
+WIDTH = 10.0  # m, in the test
 EVERY = 2.0  # s, of the traces
+STEADY = (130, 430)  # s, in which the peaks are compared: the measured load no longer grows
+FALL = 500  # N, of the smallest fall that counts
 
 
-def add_members(path, rows, traces):
+def turning_points(load, least):
+    """Of the trace, those between which it rises or falls by `least` or more."""
+    points = [load[0]]
+    rising = None
+    for value in load:
+        if rising is None and abs(value - points[0]) >= least:
+            rising = value > points[0]
+            points.append(value)
+        elif rising is not None and (value > points[-1]) == rising:
+            points[-1] = value
+        elif rising is not None and abs(value - points[-1]) >= least:
+            rising = not rising
+            points.append(value)
+    return np.array(points)
+
+
+def peaks_of(load, step):
+    """Of means over `step`, s, in STEADY: standard deviation, largest over 1 and 10 s, time between falls, mean fall, N and
+    s, and the share of the variance below 0.05 Hz."""
+    load = load[round(STEADY[0] / step): round(STEADY[1] / step)]
+    largest = [np.convolve(load, np.ones(n) / n, "valid").max() for n in (round(1 / step), round(10 / step))]
+    falls = -np.diff(turning_points(load, FALL))
+    falls = falls[falls > 0]
+    power = np.abs(np.fft.rfft(load - load.mean())) ** 2
+    slow = power[np.fft.rfftfreq(len(load), step) < 0.05].sum() / power.sum()
+    return [load.std(), *largest, (STEADY[1] - STEADY[0]) / max(len(falls), 1), falls.mean() if len(falls) else 0, slow]
+
+
+PEAKS = ["sd_N", "largest_1s_N", "largest_10s_N", "between_falls_s", "fall_N", "below_0.05_Hz"]
+
+
+def add_members(path, breadth, rows, peaks, traces):
     import h5py  # which --check does not need
 
     with h5py.File(path) as file:
@@ -37,22 +71,27 @@ def add_members(path, rows, traces):
         for member in np.flatnonzero(members["status"][:] == 0):
             case = members["case"][member]
             step = file["cases/time_step"][case] * file["cases/history_stride"][case]
-            load = file["history/surge_load"][member] * WIDTH / SLICE
-            bed = file["history/bed_surge"][member] * WIDTH / SLICE
+            load = file["history/surge_load"][member] * WIDTH / breadth
+            bed = file["history/bed_surge"][member] * WIDTH / breadth
             grounded = file["history/grounded"][member]
             end = (np.arange(len(load)) + 1) * step
-            inside = [(end > begin) & (end <= stop) & np.isfinite(load) for begin, stop in WINDOWS]
-            rows.append([cases[case], members["arrangement"][member]] + [round(load[one].mean()) for one in inside] +
-                        [round(bed[one].mean()) for one in inside] + [round(grounded[one].mean(), 2) for one in inside])
+            inside = [(end > begin) & (end <= stop) & np.isfinite(load) for begin, stop in WINDOWS if end[-1] >= stop]
+            means = [[round(trace[one].mean(), digits) for one in inside] + [np.nan] * (len(WINDOWS) - len(inside))
+                     for trace, digits in ((load, 0), (bed, 0), (grounded, 2))]
+            rows.append([cases[case], members["arrangement"][member], *sum(means, [])])
+            if end[-1] < STEADY[1]:
+                continue
+            peaks.append([cases[case], members["arrangement"][member]] + [float(f"{x:.4g}") for x in peaks_of(load, step)])
             size = round(EVERY / step)
             means = load[: len(load) // size * size].reshape(-1, size).mean(axis=1)
             traces[f"{cases[case]}: {members['arrangement'][member]}"] = np.round(means).astype(int)
 
 
 def collect(folder):
-    rows, traces = [], {}
-    for name in ("level_case1", "level_case1_geometry"):
-        add_members(folder / f"{name}.h5", rows, traces)
+    rows, peaks, traces = [], [], {}
+    for name, breadth in CAMPAIGNS.items():
+        add_members(folder / f"{name}.h5", breadth, rows, peaks, traces)
+    pd.DataFrame(peaks, columns=["case", "arrangement", *PEAKS]).to_csv(DATA / "level_case1.peaks.csv", index=False)
     columns = ["case", "arrangement"] + [f"{what}_{name}" for what in ("load", "bed", "grounded") for name in NAMES]
     pd.DataFrame(rows, columns=columns).to_csv(DATA / "level_case1.members.csv", index=False)
     traces = pd.DataFrame(traces)
@@ -60,10 +99,15 @@ def collect(folder):
     traces.to_csv(DATA / "level_case1.traces.csv", index=False)
 
 
+CHANGES = {"high": "a plate that reaches 1.2 m above the water", "ice_friction_40": "friction of ice on ice 0.4 for 0.15",
+           "wide": "a slice of 3 m",
+           "plate_friction_30": "friction on the plate 0.3 for 0.1", "cells_10": "cells of 0.1 m for 0.15 m"}
+
+
 def words(case):
-    """Of a50_d46: its angle and depth."""
-    angle, depth = case.split("_")
-    return f"floes, {angle[1:]}° in 0.{depth[1:]} m"
+    """Of a50_d46: its angle and depth; of a50_d46_high also what else differs."""
+    angle, depth, *rest = case.split("_", 2)
+    return f"{angle[1:]}° in 0.{depth[1:]} m" + "".join(f", {CHANGES[one]}" for one in rest)
 
 
 def one_run(values):
@@ -87,12 +131,32 @@ def table():
         cells = []
         for name, measured in zip(NAMES, reference.measured_N):
             mean, half = one_run(rows[f"load_{name}"])
+            if not np.isfinite(mean):
+                cells.append("")
+                continue
             spread = f" ± {half / 1e3:.2f}" if np.isfinite(half) else ""
             cells.append(f"{mean / 1e3:.2f}{spread} ({mean / measured:.2f})")
-        lines.append(f"| {words(case)}, {len(rows)} {'runs' if len(rows) > 1 else 'run'} | " + " | ".join(cells) + " |")
-    first = members[members.case == members.case[0]]
-    lines.append("| of these first, borne by the bed | " +
-                 " | ".join(f"{first[f'bed_{name}'].mean() / 1e3:.2f}" for name in NAMES) + " |")
+        many = len(rows) > 1
+        lines.append(f"| {'floes, ' if many else ''}{words(case)}, {len(rows)} {'runs' if many else 'run'} | " +
+                     " | ".join(cells) + " |")
+        if case == members.case[0]:
+            lines.append("| of these, borne by the bed | " +
+                         " | ".join(f"{rows[f'bed_{name}'].mean() / 1e3:.2f}" for name in NAMES) + " |")
+    return "\n".join(lines)
+
+
+def peak_table():
+    measured = pd.read_csv(DATA / "level_case1.measured.csv").force_N.to_numpy()
+    peaks = pd.read_csv(DATA / "level_case1.peaks.csv")
+    first = peaks[peaks.case == peaks.case[0]]
+    lines = ["| from 130 to 430 s | measured | floes, one run |", "|---" * 3 + "|"]
+    what = ["standard deviation, kN", "largest over 1 s, kN", "largest over 10 s, kN", "time between falls of more than 0.5 kN, s",
+            "mean fall, kN", "share of the variance below 0.05 Hz, %"]
+    for name, key, value in zip(what, PEAKS, peaks_of(measured, 0.5)):
+        scale = 1e-3 if key.endswith("_N") else 100 if key.endswith("Hz") else 1
+        mean, half = one_run(first[key])
+        digits = 0 if key.endswith("Hz") else 1 if key.endswith("_s") and "largest" not in key else 2
+        lines.append(f"| {name} | {value * scale:.{digits}f} | {mean * scale:.{digits}f} ± {half * scale:.{digits}f} |")
     return "\n".join(lines)
 
 
@@ -115,7 +179,7 @@ def draw(path):
         likeliest = cases[k] == cases[0]
         axes.plot(traces.end_s, traces[name] / 1e3, color="tab:blue" if likeliest else "0.8", linewidth=0.6,
                   zorder=2 if likeliest else 1,
-                  label=words(cases[0]) if k == 0 else "other angles and depths" if cases[k - 1] == cases[0] != cases[k] else None)
+                  label=words(cases[0]) if k == 0 else "one change each" if cases[k - 1] == cases[0] != cases[k] else None)
     for k in range(1, 5):
         for (begin, end), value in zip(WINDOWS, windows[f"run{k}_N"]):
             axes.plot([begin, end], [value / 1e3] * 2, color="tab:orange", linewidth=1.2,
@@ -132,7 +196,7 @@ def main():
     options = parser.parse_args()
     if options.collect is not None:
         collect(options.collect)
-    fill_or_check({PAGE: {"level": table}}, options.check, "level_case1.py")
+    fill_or_check({PAGE: {"level": table, "level_peaks": peak_table}}, options.check, "level_case1.py")
     if not options.check:
         draw(DATA / "level_case1.svg")
 

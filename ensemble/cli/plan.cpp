@@ -68,15 +68,17 @@ Section plan_section(const Campaign& campaign, const PlannedMembers& planned, st
     }
     const bool calibrates = std::ranges::count(campaign.cases, Pairing::find_cfm, &Case::pairing) > 0;
     Section section;
-    section.before = fmt::format("{}: {} of {} on average, {} at most, {} each.\nRun times: {}.\n{}\n", campaign.name,
-                                 counted(members, "member"), duration_in_figures(mean_run_time),
-                                 duration_in_figures(longest), size(message_bytes), planned.source,
-                                 calibrates ? "Not counted: cases are calibrated first, about a minute.\n" : "");
+    section.before =
+        fmt::format("{}: {} of {} on average, {} at most, {} each; a core needs {} of memory.\nRun times: {}.\n{}\n",
+                    campaign.name, counted(members, "member"), duration_in_figures(mean_run_time),
+                    duration_in_figures(longest), size(message_bytes), size(core_memory(campaign)), planned.source,
+                    calibrates ? "Not counted: cases are calibrated first, about a minute.\n" : "");
     Results common = object("", {{"campaign", campaign.name},
                                  {"members", members},
                                  {"mean_run_time_s", mean_run_time},
                                  {"longest_run_time_s", longest},
                                  {"message_bytes", message_bytes},
+                                 {"core_memory_bytes", core_memory(campaign)},
                                  {"run_times_from", planned.source},
                                  {"calibration_not_counted", calibrates}});
     Results plans{.place = "plans",

@@ -1,4 +1,4 @@
-// What members cost, and would cost with other elements and windows, in words.
+// What members need of memory, and in words what they cost, and would cost with other elements and windows.
 
 #include <algorithm>
 #include <set>
@@ -85,6 +85,14 @@ std::string words_of(const Campaign& campaign, const Scenario& scenario) {
 }
 
 }  // namespace
+
+double core_memory(const Campaign& campaign) {
+    constexpr double of_program = 42e6;
+    constexpr double of_element = 22e3;
+    double most = 0;
+    for (const Case& one : campaign.cases) most = std::max(most, computed_elements(one.scenario));
+    return of_program + of_element * most;
+}
 
 std::vector<std::string> cost_words(const Campaign& campaign) {
     std::vector<std::pair<double, const Case*>> told;

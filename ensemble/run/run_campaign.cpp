@@ -732,7 +732,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         progress.say(
             fmt::format("the earlier members may differ in the last bits from results of this program; {}", change));
     }
-    const int saved = options.saves_every > 0 ? count_saved(options.places.campaign_file, system) : 0;
+    const int saved = options.saves_every > 0 ? count_saved(campaign, options.places.campaign_file, system) : 0;
     if (const std::string text = stock(recorder.tally().found(), saved); !text.empty()) progress.say(text);
     Master master(campaign, {link, groups, recorder, progress, signals},
                   {compute, own.cores, helper, options.cores, system}, mustered,

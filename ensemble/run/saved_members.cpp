@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -130,8 +132,13 @@ void remove_saved(const fs::path& campaign_file, const std::function<bool(const 
         if (!file.whole || !wanted(file.member)) system.remove(file.path);
 }
 
-int count_saved(const fs::path& campaign_file, const System& system) {
-    return static_cast<int>(std::ranges::count_if(saved_files(campaign_file, system), &SavedFile::whole));
+int count_saved(const Campaign& campaign, const fs::path& campaign_file, const System& system) {
+    std::set<std::string> cases;
+    for (std::size_t k = 0; k < campaign.cases.size(); ++k)
+        cases.insert(case_fingerprint(campaign, static_cast<int>(k)));
+    return static_cast<int>(std::ranges::count_if(saved_files(campaign_file, system), [&](const SavedFile& file) {
+        return file.whole && cases.contains(file.member.first) && file.member.second < campaign.arrangements;
+    }));
 }
 
 namespace {

@@ -44,8 +44,9 @@ std::optional<SavedMember> read_saved(const std::filesystem::path& path, const s
 void remove_saved(const std::filesystem::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted,
                   const System& system = this_system());
 
-/// How many members of the campaign have a file.
-int count_saved(const std::filesystem::path& campaign_file, const System& system = this_system());
+/// How many members of the campaign have a file; those of another one that was written there do not count.
+int count_saved(const Campaign& campaign, const std::filesystem::path& campaign_file,
+                const System& system = this_system());
 
 /// compute_member(), with members that are saved every `interval` s of wall clock, and when they are put off; 0 s:
 /// never. So are none that can_be_saved() says no of.

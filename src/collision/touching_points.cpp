@@ -11,6 +11,13 @@ double square(const Triple& a) {
     return dot(a, a);
 }
 
+void take_impulses(TouchingPoint& point, const TouchingPoint& known) {
+    point.impulse = known.impulse;
+    point.slide = known.slide;
+    point.friction_impulse = known.friction_impulse;
+    point.remembered_slip = known.remembered_slip;
+}
+
 }  // namespace
 
 void TouchingPoints::add(const PrismPlace& a, const PrismPlace& b, const Triple& on_b, const Triple& normal,
@@ -36,11 +43,21 @@ void TouchingPoints::add(const PrismPlace& a, const PrismPlace& b, const Triple&
         return;
     }
     TouchingPoint& known = (*this)[place];
-    point.impulse = known.impulse;
-    point.slide = known.slide;
-    point.friction_impulse = known.friction_impulse;
-    point.remembered_slip = known.remembered_slip;
+    floes::take_impulses(point, known);
     known = point;
+}
+
+void TouchingPoints::take_impulses(const TouchingPoints& before, double reach) {
+    for (int i = 0; i < count_; ++i) {
+        TouchingPoint& point = (*this)[i];
+        double nearest = reach * reach;
+        for (int k = 0; k < before.count(); ++k) {
+            const double apart = square(before[k].in_b - point.in_b);
+            if (apart >= nearest) continue;
+            nearest = apart;
+            floes::take_impulses(point, before[k]);
+        }
+    }
 }
 
 /// The deepest point stays; of the others that one goes without which the four span most.

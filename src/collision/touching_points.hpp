@@ -38,6 +38,9 @@ class TouchingPoints {
     void add(const PrismPlace& a, const PrismPlace& b, const Triple& on_b, const Triple& normal, double distance,
              double reach);
 
+    /// Gives each point the impulses of that one of `before` which is nearest to it on b, if nearer than `reach`.
+    void take_impulses(const TouchingPoints& before, double reach);
+
     /// Moves the points with the bodies, and drops those whose halves have come apart.
     void refresh(const PrismPlace& a, const PrismPlace& b, double reach);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "collision/solid_faces.hpp"
 #include "core/state_archive.hpp"
 #include "world/bullet_shapes.hpp"
 
@@ -46,8 +47,9 @@ BoxBeside box_beside(const btTransform& place, const Triple& half_extent) {
 
 }  // namespace
 
-void HullContacts::set_structure(std::uint32_t number, std::span<const ConvexSolid> solids) {
+void HullContacts::set_structure(std::uint32_t number, std::span<const ConvexSolid> solids, NormalLaw law) {
     structure_ = number;
+    law_ = law;
     for (const ConvexSolid& solid : solids) {
         SolidShape& shape = solids_.emplace_back(solid);
         whole_.addChildShape(shape.place(), &shape);
@@ -130,8 +132,29 @@ void HullContacts::look_round(std::uint32_t element, const BodyMotion& motion, c
     }
 }
 
-/// Takes up the point at which they are nearest or overlap most, as btConvexConvexAlgorithm does. `beside`: of the
-/// element, in the solid's axes. Returns how much nearer they must come until there may be a point; 0 if there is one.
+/// Of ice that crushes.
+TouchingPoints HullContacts::points_of(const SolidShape& solid, const IceShape& shape, const PrismCorners& prism,
+                                       const SolidGap& found, const PrismPlace& a, const PrismPlace& b,
+                                       double reach) const {
+    const double margins = solid.getMargin() + shape.core().margin;
+    TouchingPoints points;
+    const auto add = [&](const Vec3& on_prism, double gap) {
+        const Vec3 on_b = on_prism - found.normal * shape.core().margin + from_bullet(solid.place().getOrigin());
+        points.add(a, b, to_world(a, triple(on_b)), out_of(a, triple(-found.normal)), gap - margins, reach);
+    };
+    double least = std::numeric_limits<double>::infinity();
+    const BearingPoints on_faces(solid.core(), prism, found);
+    for (const BearingPoint& one : on_faces.all()) {
+        if (one.gap - margins > reach) continue;
+        add(one.on_prism, one.gap);
+        least = std::min(least, one.gap);
+    }
+    if (least > found.gap + length_rounding) add(found.on_prism, found.gap);
+    return points;
+}
+
+/// Takes up where they are nearest or overlap. `beside`: of the element, in the solid's axes. Returns how much nearer
+/// they must come until there may be a point; 0 if there is one.
 double HullContacts::touch(Pair& pair, const SolidShape& solid, std::uint32_t element, const btTransform& beside,
                            const BodyMotion& motion, const BodyMotion& structure, ContactStore& store) {
     const IceShape& shape = *shapes_[element];
@@ -147,18 +170,26 @@ double HullContacts::touch(Pair& pair, const SolidShape& solid, std::uint32_t el
     TouchingPoints& points = store[pair.points];
     const PrismPlace a{nullptr, structure.position, structure.rotation};
     const PrismPlace b{nullptr, motion.position, motion.rotation};
-    points.refresh(a, b, reach);
-    if (distance <= reach) {
-        const Vec3 on_b = found.on_prism - found.normal * shape.core().margin + from_bullet(solid.place().getOrigin());
-        points.add(a, b, to_world(a, triple(on_b)), out_of(a, triple(-found.normal)), distance, reach);
+    if (law_ == NormalLaw::crushing) {
+        TouchingPoints now;
+        if (distance <= reach) now = points_of(solid, shape, prism, found, a, b, reach);
+        now.take_impulses(points, reach);
+        points = now;
+    } else {
         points.refresh(a, b, reach);
+        if (distance <= reach) {
+            const Vec3 on_b =
+                found.on_prism - found.normal * shape.core().margin + from_bullet(solid.place().getOrigin());
+            points.add(a, b, to_world(a, triple(on_b)), out_of(a, triple(-found.normal)), distance, reach);
+            points.refresh(a, b, reach);
+        }
     }
     if (points.count() == 0) drop(pair, store);
     return 0;
 }
 
 void HullContacts::archive(StateArchive& state, std::span<IceShape* const> shapes) {
-    auto& [solids, whole, reach, structure, of_elements, radius, way, due, pairs, last, touching] = *this;
+    auto& [solids, whole, reach, structure, law, of_elements, radius, way, due, pairs, last, touching] = *this;
     std::vector<bool> looked_for;
     for (const IceShape* shape : of_elements) looked_for.push_back(shape != nullptr);
     std::array<double, 3> origin = array_of(last.getOrigin());

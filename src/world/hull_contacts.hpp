@@ -1,6 +1,8 @@
 #pragma once
-// Contacts of ice with the structure from step to step: for each of its solids and the elements near that, the point
-// at which they are nearest or overlap most, gathered as Bullet's manifolds do. Only for files inside this module.
+// Contacts of ice with the structure from step to step, for each of its solids and the elements near that. Ice that
+// crushes bears on all of a face that lies on the structure: overlap stays, so that a face borne at one point at a time
+// would sink in as it slides, corner by corner. Rigid contacts gather the points at which the two are nearest or
+// overlap most, as Bullet's manifolds do. Only for files inside this module.
 
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 
@@ -11,6 +13,7 @@
 
 #include "collision/touching_points.hpp"
 #include "solver/body_motion.hpp"
+#include "solver/contact_law.hpp"
 #include "world/bullet_shapes.hpp"
 
 namespace floes {
@@ -20,7 +23,7 @@ class StateArchive;
 class HullContacts {
   public:
     /// The structure's solids, which stay, and its number among the bodies.
-    void set_structure(std::uint32_t number, std::span<const ConvexSolid> solids);
+    void set_structure(std::uint32_t number, std::span<const ConvexSolid> solids, NormalLaw law);
 
     /// Bodies are numbered from 0; for one without a shape nothing is looked for. The shape must stay where it is.
     void add(const IceShape* shape);
@@ -56,6 +59,8 @@ class HullContacts {
     static void drop(Pair& pair, ContactStore& store);
     double way_of_structure(const BodyMotion& motion);
     void look_round(std::uint32_t element, const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
+    TouchingPoints points_of(const SolidShape& solid, const IceShape& shape, const PrismCorners& prism,
+                             const SolidGap& found, const PrismPlace& a, const PrismPlace& b, double reach) const;
     double touch(Pair& pair, const SolidShape& solid, std::uint32_t element, const btTransform& beside,
                  const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
 
@@ -63,6 +68,7 @@ class HullContacts {
     btCompoundShape whole_;          ///< of these
     double reach_ = 0;               ///< of points on the structure, m
     std::uint32_t structure_ = 0;
+    NormalLaw law_ = NormalLaw::rigid;
     std::vector<const IceShape*> shapes_;
     std::vector<double> radius_;
     std::vector<double> way_;  ///< of elements relative to the structure, turning included, at most, m

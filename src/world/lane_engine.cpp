@@ -256,7 +256,7 @@ void LaneEngine::add_structure(std::span<const ConvexSolid> solids, const Pose& 
     structure_ = static_cast<std::uint32_t>(bodies_.size());
     structure_pose_ = structure_last_ = pose;
     add_without_shape(pose).friction = friction_.structure;
-    hull_.set_structure(*structure_, solids);
+    hull_.set_structure(*structure_, solids, definition_.contact.normal);
 }
 
 void LaneEngine::add_plane(const PlaneDefinition& plane) {

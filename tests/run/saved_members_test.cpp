@@ -89,6 +89,10 @@ TEST_F(LongMembers, LoseTheirFilesWhenNobodyWantsThem) {
     std::ofstream(saved(0).string() + ".host.1.tmp") << "half";
     const std::filesystem::path other = folder / "a.b.0123-1.saved";
     std::ofstream(other) << "of a.b.h5";
+    EXPECT_EQ(count_saved(campaign, file), 2);
+    Campaign faster = campaign;
+    faster.cases.front().scenario.structure.speed *= 2;
+    EXPECT_EQ(count_saved(faster, file), 0);
     remove_saved(file, [](const MemberIdentity& member) { return member.second == 1; });
     EXPECT_FALSE(std::filesystem::exists(saved(0)));
     EXPECT_FALSE(std::filesystem::exists(saved(0).string() + ".host.1.tmp"));

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "arrangement/arrangement.hpp"
+#include "core/units.hpp"
+#include "shapes/convex_solid.hpp"
 #include "shapes/elements.hpp"
 #include "simulation/simulation.hpp"
 #include "support/level_ice.hpp"
@@ -186,6 +188,88 @@ TEST(Pile, IsPushedUpASlopeByItsWeightAndFriction) {
         else
             EXPECT_GT(way, 0.3);
     }
+}
+
+// Ride-up: a layer of loose pieces on a plate of the hull, pushed up from below, takes W (sin α + μ cos α) along the
+// plate, which then bears W cos α (sin α + μ cos α) horizontally.
+TEST(Pile, ALayerRidesUpAPlateByItsWeightAndFriction) {
+    const double angle = 50 * unit::degree;
+    const double friction = 0.1;
+    const Vec3 up_slope(std::cos(angle), std::sin(angle), 0);
+    const Vec3 out(-std::sin(angle), std::cos(angle), 0);
+    for (const double share : {0.99, 1.01}) {
+        World world(definition());
+        const double far = 20;
+        const std::vector<Vec3> corners{Vec3(0, 0, -1) - far * up_slope,
+                                        Vec3(0, 0, -1) + far * up_slope,
+                                        Vec3(0, 0, 1) - far * up_slope,
+                                        Vec3(0, 0, 1) + far * up_slope,
+                                        Vec3(far, -far, -1),
+                                        Vec3(far, -far, 1)};
+        const BodyId plate =
+            world.add_structure(std::vector<ConvexSolid>{ConvexSolid(convex_hull(corners))}, {Vec3::Zero()});
+        for (const double side : {-1.0, 1.0})  // a row of pieces that is pressed gives way sideways
+            world.add_plane({.point = {0, 0, 0.1 * side}, .normal = {0, 0, -side}});
+        std::vector<BodyId> layer;
+        double weight = 0;
+        for (int k = 0; k < 6; ++k) {
+            ElementDefinition piece{.corners = corners_of(0.1, 0.1), .half_thickness = half_thickness, .mass = 0.72};
+            piece.pose.orientation = Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()));
+            piece.pose.position = half_thickness * out + 0.2 * k * up_slope;
+            weight += piece.mass * gravity;
+            layer.push_back(world.add_element(piece));
+        }
+        const double along = weight * (std::sin(angle) + friction * std::cos(angle));
+        Vec3 start = Vec3::Zero();
+        Vec3 borne = Vec3::Zero();
+        for (int step = 0; step < 500; ++step) {
+            if (step == 100) start = world.state(layer.back()).position;  // pressed together, and moving or not
+            world.apply(layer.front(), {share * along * up_slope, Vec3::Zero()});
+            world.step();
+            if (step >= 100) borne += world.contact_force(plate) / 400;
+        }
+        const double way = (world.state(layer.back()).position - start).dot(up_slope);
+        if (share < 1) {
+            EXPECT_LT(std::abs(way), 2e-3);
+        } else {
+            EXPECT_GT(way, 0.3);
+            EXPECT_NEAR(borne.x() / (std::cos(angle) * along), 1, 5e-3);
+        }
+        for (const BodyId piece : layer) {
+            EXPECT_NEAR(world.state(piece).position.dot(out), half_thickness, 1e-3) << "it lies on the plate";
+        }
+    }
+}
+
+// A sheet that is pushed through a pile: it takes the friction of ice on ice times the weight on it, which the smooth
+// wall then bears that holds the pile back.
+TEST(Pile, BrakesASheetBelowItByItsWeightTimesFriction) {
+    Heap heap;
+    const BodyId wall = heap.world.add_plane({.point = {0.6, 0, 0}, .normal = {-1, 0, 0}});
+    for (const double side : {-1.0, 1.0}) heap.world.add_plane({.point = {0, 0, 0.25 * side}, .normal = {0, 0, -side}});
+    const BodyId sheet = heap.world.add_sliding_box(
+        {.half_extents = {3, half_thickness, 0.3}, .position = {0, -half_thickness, 0}, .mass = 1e6, .axis = 0});
+    BodyState pushed = heap.world.state(sheet);
+    pushed.velocity = {0.05, 0, 0};
+    heap.world.place(sheet, pushed);
+    const CutFloe cut = cut_into_cells(Outline{{-0.35, -0.35}, {0.35, -0.35}, {0.35, 0.35}, {-0.35, 0.35}}, 0.1);
+    for (std::size_t i = 0; i < 30; ++i) {
+        heap.add({0.14 * static_cast<double>(i % 3), 0.08 + 0.07 * std::floor(static_cast<double>(i) / 6),
+                  0.14 * (static_cast<double>(i / 3 % 2) - 0.5)},
+                 cut.elements.at(i % cut.elements.size()));
+    }
+    double borne = 0;
+    double weight = 0;
+    for (int step = 0; step < 3000; ++step) {
+        heap.step(false);
+        if (step < 1500) continue;
+        borne += heap.world.contact_force(wall).x() / 1500;
+        weight -= heap.world.contact_force(sheet).y() / 1500;
+    }
+    EXPECT_NEAR(weight / (heap.mass() * gravity), 1, 1e-3);
+    EXPECT_LT(borne / (0.3 * weight), 1.001);
+    EXPECT_GT(borne / (0.3 * weight), 0.97) << "pieces that still turn over slide less";
+    EXPECT_GT(heap.reach(1).first, 4 * half_thickness) << "more than two layers";
 }
 
 // A strip that a wall bends down grounds on a shallow bed, which then bears weight and thrust; a saved run goes on with

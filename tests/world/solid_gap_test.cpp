@@ -311,7 +311,7 @@ struct Contacts {
     ContactStore store;
 
     explicit Contacts(const Pair& pair, const ConvexSolid& solid) {
-        hull.set_structure(0, {&solid, 1});
+        hull.set_structure(0, {&solid, 1}, NormalLaw::rigid);
         hull.add(nullptr);
         hull.add(&pair.ice);
     }
