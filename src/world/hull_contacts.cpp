@@ -45,6 +45,46 @@ BoxBeside box_beside(const btTransform& place, const Triple& half_extent) {
             {half_extent[0], half_extent[1], half_extent[2]}};
 }
 
+/// An element at a solid of the structure, and how near they are.
+struct Meeting {
+    const SolidShape& solid;
+    const IceShape& shape;
+    PrismPlace of_structure, of_ice;
+    double reach;
+    PrismCorners prism;
+    SolidGap found;
+
+    double margins() const { return solid.getMargin() + shape.core().margin; }
+    double distance() const { return found.gap - margins(); }
+
+    void add(const Vec3& on_prism, double gap, TouchingPoints& points) const {
+        const Vec3 on_ice = on_prism - found.normal * shape.core().margin + from_bullet(solid.place().getOrigin());
+        points.add(of_structure, of_ice, to_world(of_structure, triple(on_ice)),
+                   out_of(of_structure, triple(-found.normal)), gap - margins(), reach);
+    }
+
+    void gather_deepest(TouchingPoints& points) const {
+        points.refresh(of_structure, of_ice, reach);
+        if (distance() > reach) return;
+        add(found.on_prism, found.gap, points);
+        points.refresh(of_structure, of_ice, reach);
+    }
+
+    void bear_on_faces(TouchingPoints& points) const {
+        TouchingPoints now;
+        double least = std::numeric_limits<double>::infinity();
+        const BearingPoints on_faces(solid.core(), prism, found);
+        for (const BearingPoint& one : on_faces.all()) {
+            if (one.gap - margins() > reach) continue;
+            add(one.on_prism, one.gap, now);
+            least = std::min(least, one.gap);
+        }
+        if (distance() <= reach && least > found.gap + length_rounding) add(found.on_prism, found.gap, now);
+        now.take_impulses(points, reach);
+        points = now;
+    }
+};
+
 }  // namespace
 
 void HullContacts::set_structure(std::uint32_t number, std::span<const ConvexSolid> solids, NormalLaw law) {
@@ -132,58 +172,29 @@ void HullContacts::look_round(std::uint32_t element, const BodyMotion& motion, c
     }
 }
 
-/// Of ice that crushes.
-TouchingPoints HullContacts::points_of(const SolidShape& solid, const IceShape& shape, const PrismCorners& prism,
-                                       const SolidGap& found, const PrismPlace& a, const PrismPlace& b,
-                                       double reach) const {
-    const double margins = solid.getMargin() + shape.core().margin;
-    TouchingPoints points;
-    const auto add = [&](const Vec3& on_prism, double gap) {
-        const Vec3 on_b = on_prism - found.normal * shape.core().margin + from_bullet(solid.place().getOrigin());
-        points.add(a, b, to_world(a, triple(on_b)), out_of(a, triple(-found.normal)), gap - margins, reach);
-    };
-    double least = std::numeric_limits<double>::infinity();
-    const BearingPoints on_faces(solid.core(), prism, found);
-    for (const BearingPoint& one : on_faces.all()) {
-        if (one.gap - margins > reach) continue;
-        add(one.on_prism, one.gap);
-        least = std::min(least, one.gap);
-    }
-    if (least > found.gap + length_rounding) add(found.on_prism, found.gap);
-    return points;
-}
-
 /// Takes up where they are nearest or overlap. `beside`: of the element, in the solid's axes. Returns how much nearer
 /// they must come until there may be a point; 0 if there is one.
 double HullContacts::touch(Pair& pair, const SolidShape& solid, std::uint32_t element, const btTransform& beside,
                            const BodyMotion& motion, const BodyMotion& structure, ContactStore& store) {
     const IceShape& shape = *shapes_[element];
     const double reach = std::min(reach_, shape.reach());
-    const double margins = solid.getMargin() + shape.core().margin;
     const PrismCorners prism(shape.core(), from_bullet(beside.getOrigin()), from_bullet(beside.getBasis()));
-    const SolidGap found = gap_between(solid.core(), prism, margins + reach);
-    const double distance = found.gap - margins;
+    const Meeting meeting{.solid = solid,
+                          .shape = shape,
+                          .of_structure = {nullptr, structure.position, structure.rotation},
+                          .of_ice = {nullptr, motion.position, motion.rotation},
+                          .reach = reach,
+                          .prism = prism,
+                          .found = gap_between(solid.core(), prism, solid.getMargin() + shape.core().margin + reach)};
     if (pair.points < 0) {
-        if (distance > reach) return std::max(0.0, distance - reach - length_rounding);
+        if (meeting.distance() > reach) return std::max(0.0, meeting.distance() - reach - length_rounding);
         pair.points = store.take();
     }
     TouchingPoints& points = store[pair.points];
-    const PrismPlace a{nullptr, structure.position, structure.rotation};
-    const PrismPlace b{nullptr, motion.position, motion.rotation};
-    if (law_ == NormalLaw::crushing) {
-        TouchingPoints now;
-        if (distance <= reach) now = points_of(solid, shape, prism, found, a, b, reach);
-        now.take_impulses(points, reach);
-        points = now;
-    } else {
-        points.refresh(a, b, reach);
-        if (distance <= reach) {
-            const Vec3 on_b =
-                found.on_prism - found.normal * shape.core().margin + from_bullet(solid.place().getOrigin());
-            points.add(a, b, to_world(a, triple(on_b)), out_of(a, triple(-found.normal)), distance, reach);
-            points.refresh(a, b, reach);
-        }
-    }
+    if (law_ == NormalLaw::crushing)
+        meeting.bear_on_faces(points);
+    else
+        meeting.gather_deepest(points);
     if (points.count() == 0) drop(pair, store);
     return 0;
 }

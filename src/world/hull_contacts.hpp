@@ -59,8 +59,6 @@ class HullContacts {
     static void drop(Pair& pair, ContactStore& store);
     double way_of_structure(const BodyMotion& motion);
     void look_round(std::uint32_t element, const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
-    TouchingPoints points_of(const SolidShape& solid, const IceShape& shape, const PrismCorners& prism,
-                             const SolidGap& found, const PrismPlace& a, const PrismPlace& b, double reach) const;
     double touch(Pair& pair, const SolidShape& solid, std::uint32_t element, const btTransform& beside,
                  const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
 
