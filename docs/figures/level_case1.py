@@ -101,8 +101,7 @@ def collect(folder):
 
 CHANGES = {"high": "a plate that reaches 1.2 m above the water", "ice_friction_40": "friction of ice on ice 0.4 for 0.15",
            "wide": "a slice of 3 m",
-           "plate_friction_30": "friction on the plate 0.3 for 0.1", "cells_12": "cells of 0.12 m for 0.15 m",
-           "cells_20": "cells of 0.20 m"}
+           "plate_friction_30": "friction on the plate 0.3 for 0.1", "cells_20": "cells of 0.2 m for 0.15 m"}
 
 
 def words(case):

@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace floes {
 namespace {
+
+// Faces and edges lie on each other where they are parallel within 5 degrees: the cosine of that, and its sine.
+constexpr double squarely = 0.996;
+constexpr double level = 0.087;
 
 /// A face of the prism, with its corners in order.
 struct PrismFace {
     Vec3 normal = Vec3::Zero();
     std::array<Vec3, 2 * most_corners> corners;
     std::size_t count = 0;
-
-    Vec3 middle() const {
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t k = 0; k < count; ++k) sum += corners[k];
-        return sum / static_cast<double>(count);
-    }
 
     /// That which looks against `direction` most squarely.
     PrismFace(const PrismCorners& prism, const Vec3& direction) {
@@ -41,6 +41,8 @@ struct PrismFace {
         for (const std::size_t k : {2 * from, 2 * to, 2 * to + 1, 2 * from + 1}) corners[count++] = all[k];
     }
 
+    bool faces(const Vec3& direction) const { return -normal.dot(direction) >= squarely; }
+
     /// Keeps what of it has outward · p <= bound; no more corners than there is room for.
     void cut(const Vec3& outward, double bound) {
         const std::array<Vec3, 2 * most_corners> before = corners;
@@ -58,76 +60,155 @@ struct PrismFace {
     }
 };
 
-/// Of faces that look at each other less squarely than this, 5 degrees, none lies on the other.
-constexpr double squarely = 0.996;
+/// A straight line from end to end.
+struct Line {
+    Vec3 from, to;
+
+    /// Keeps what of it has outward · p <= bound; false where that is nothing.
+    bool cut(const Vec3& outward, double bound) {
+        const double over = outward.dot(from) - bound;
+        const double beyond = outward.dot(to) - bound;
+        if (over > 0 && beyond > 0) return false;
+        const Vec3 between = from + over / (over - beyond) * (to - from);
+        if (over > 0) from = between;
+        if (beyond > 0) to = between;
+        return true;
+    }
+
+    bool lies_across(const Vec3& normal) const {
+        return std::abs((to - from).dot(normal)) <= level * (to - from).norm();
+    }
+};
+
+/// Keeps what of the line or face lies before a convex face with these corners, seen along the normal.
+template <class Shape, class Corner>
+bool cut_by_sides(Shape& shape, std::size_t count, const Vec3& normal, const Corner& corner) {
+    Vec3 middle = Vec3::Zero();
+    for (std::size_t k = 0; k < count; ++k) middle += corner(k) / static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const Vec3& from = corner(k);
+        Vec3 outward = (corner(k + 1 < count ? k + 1 : 0) - from).cross(normal);
+        if (outward.dot(middle - from) > 0) outward = -outward;
+        if constexpr (requires { shape.lies_across(normal); }) {
+            if (!shape.cut(outward, outward.dot(from))) return false;
+        } else {
+            shape.cut(outward, outward.dot(from));
+        }
+    }
+    return true;
+}
+
+/// The edge at the corner that lies least far along the normal, that which rises least from there.
+Line lowest_edge(const PrismCorners& prism, const Vec3& normal) {
+    const Vec3* const all = prism.begin();
+    const auto count = static_cast<std::size_t>(prism.end() - prism.begin());
+    std::size_t lowest = 0;
+    for (std::size_t k = 1; k < count; ++k)
+        if (normal.dot(all[k]) < normal.dot(all[lowest])) lowest = k;
+    Line best{all[lowest], all[lowest]};
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::size_t k : {lowest ^ 1U, (lowest + 2) % count, (lowest + count - 2) % count}) {
+        const Vec3 along = all[k] - all[lowest];
+        const double rise = normal.dot(along) / along.norm();
+        if (rise >= least) continue;
+        least = rise;
+        best.to = all[k];
+    }
+    return best;
+}
+
+/// The edge of a polyhedron at its farthest corner along the normal, that which falls least from there.
+std::optional<Line> highest_edge(const SolidCore& solid, const Vec3& normal) {
+    const Vec3 top = solid.farthest(normal);
+    std::optional<Line> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const SolidCore::Edge& edge : solid.edges()) {
+        Line line{edge.end, edge.end + edge.along};
+        if (normal.dot(line.to) > normal.dot(line.from)) std::swap(line.from, line.to);
+        const double fall = normal.dot(line.from - line.to) / edge.length;
+        if (normal.dot(top - line.from) > length_rounding || fall >= least) continue;
+        least = fall;
+        best = line;
+    }
+    return best;
+}
 
 }  // namespace
 
 BearingPoints::BearingPoints(const SolidCore& solid, const PrismCorners& prism, const SolidGap& found) {
-    if (const Frustum* of = solid.round())
-        on_round(*of, prism, found.normal);
+    const Frustum* of = solid.round();
+    if (of == nullptr)
+        on_flat(solid, prism, found.normal);
+    else if (std::abs(found.normal.y()) > squarely)
+        on_end(*of, prism, found.normal.y() > 0);
     else
-        on_flat(solid.flat(), prism, found.normal);
+        on_wall(*of, prism, found.normal);
 }
 
-void BearingPoints::on_flat(const Polyhedron& solid, const PrismCorners& prism, const Vec3& normal) {
+void BearingPoints::add(const Vec3& on_prism, double gap) {
+    if (count_ < points_.size()) points_[count_++] = {on_prism, gap};
+}
+
+void BearingPoints::on_flat(const SolidCore& solid, const PrismCorners& prism, const Vec3& normal) {
+    const Polyhedron& body = solid.flat();
     std::size_t face = 0;
-    for (std::size_t k = 1; k < solid.planes.size(); ++k)
-        if (solid.planes[k].normal.dot(normal) > solid.planes[face].normal.dot(normal)) face = k;
-    const Plane& plane = solid.planes[face];
+    for (std::size_t k = 1; k < body.planes.size(); ++k)
+        if (body.planes[k].normal.dot(normal) > body.planes[face].normal.dot(normal)) face = k;
+    const Plane& plane = body.planes[face];
+    const std::vector<int>& sides = body.faces[face];
+    const auto corner = [&](std::size_t k) -> const Vec3& { return body.corners[static_cast<std::size_t>(sides[k])]; };
+    const auto add_above_face = [&](const Vec3& point) { add(point, plane.height(point) / plane.normal.dot(normal)); };
     PrismFace ice(prism, normal);
-    if (-ice.normal.dot(plane.normal) < squarely || plane.normal.dot(normal) < squarely) return;
-    const std::vector<int>& sides = solid.faces[face];
-    for (std::size_t k = 0; k < sides.size() && ice.count > 0; ++k) {
-        const Vec3& from = solid.corners[static_cast<std::size_t>(sides[k])];
-        const Vec3& to = solid.corners[static_cast<std::size_t>(sides[k + 1 < sides.size() ? k + 1 : 0])];
-        const Vec3 outward = (to - from).cross(normal);
-        ice.cut(outward, outward.dot(from));
+    if (plane.normal.dot(normal) >= squarely) {
+        if (ice.faces(normal)) {
+            cut_by_sides(ice, sides.size(), normal, corner);
+            for (std::size_t k = 0; k < ice.count; ++k) add_above_face(ice.corners[k]);
+            return;
+        }
+        Line edge = lowest_edge(prism, normal);
+        if (!edge.lies_across(normal) || !cut_by_sides(edge, sides.size(), normal, corner)) return;
+        for (const Vec3& end : {edge.from, edge.to}) add_above_face(end);
+    } else if (ice.faces(normal)) {
+        std::optional<Line> edge = highest_edge(solid, normal);
+        if (!edge || !edge->lies_across(normal)) return;
+        if (!cut_by_sides(*edge, ice.count, normal, [&](std::size_t k) -> const Vec3& { return ice.corners[k]; }))
+            return;
+        for (const Vec3& end : {edge->from, edge->to}) {
+            const double gap = (ice.corners[0] - end).dot(ice.normal) / ice.normal.dot(normal);
+            add(end + gap * normal, gap);
+        }
     }
-    for (std::size_t k = 0; k < ice.count; ++k)
-        points_[count_++] = {ice.corners[k], plane.height(ice.corners[k]) / plane.normal.dot(normal)};
 }
 
-void BearingPoints::on_round(const Frustum& solid, const PrismCorners& prism, const Vec3& normal) {
-    const PrismFace ice(prism, normal);
-    if (std::abs(normal.y()) > squarely) {  // an end
-        const bool top = normal.y() > 0;
-        const double radius = top ? solid.top_radius : solid.bottom_radius;
-        const double height = top ? solid.top_height : solid.bottom_height;
-        if (-ice.normal.dot(normal) < squarely) return;
-        for (std::size_t k = 0; k < ice.count; ++k) {
-            const Vec3& corner = ice.corners[k];
-            if (corner.x() * corner.x() + corner.z() * corner.z() > radius * radius) continue;
-            points_[count_++] = {corner, top ? corner.y() - height : height - corner.y()};
-        }
-        return;
-    }
+void BearingPoints::on_end(const Frustum& solid, const PrismCorners& prism, bool top) {
+    const double radius = top ? solid.top_radius : solid.bottom_radius;
+    for (const Vec3& one : prism)
+        if (one.x() * one.x() + one.z() * one.z() <= radius * radius)
+            add(one, top ? one.y() - solid.top_height : solid.bottom_height - one.y());
+}
+
+void BearingPoints::on_wall(const Frustum& solid, const PrismCorners& prism, const Vec3& normal) {
     const double flat = std::sqrt(normal.x() * normal.x() + normal.z() * normal.z());
     const double cosine = normal.x() / flat;
     const double sine = normal.z() / flat;
-    const Vec3 foot(solid.bottom_radius * cosine, solid.bottom_height, solid.bottom_radius * sine);
-    const Vec3 rise = Vec3(solid.top_radius * cosine, solid.top_height, solid.top_radius * sine) - foot;
-    const double against = ice.normal.dot(normal);
-    if (-against < squarely || std::abs(rise.dot(normal)) > 0.09 * rise.norm()) return;
-    const Vec3 middle = ice.middle();
-    double from = 0;
-    double to = 1;
-    for (std::size_t k = 0; k < ice.count; ++k) {
-        const Vec3& here = ice.corners[k];
-        const Vec3& next = ice.corners[k + 1 < ice.count ? k + 1 : 0];
-        Vec3 outward = (next - here).cross(normal);
-        if (outward.dot(middle - here) > 0) outward = -outward;
-        const double over = outward.dot(foot - here);
-        const double gain = outward.dot(rise);
-        if (gain > 0) to = std::min(to, -over / gain);
-        if (gain < 0) from = std::max(from, -over / gain);
-        if (gain == 0 && over > 0) return;
+    Line wall{Vec3(solid.bottom_radius * cosine, solid.bottom_height, solid.bottom_radius * sine),
+              Vec3(solid.top_radius * cosine, solid.top_height, solid.top_radius * sine)};
+    if (!wall.lies_across(normal)) return;
+    const PrismFace ice(prism, normal);
+    if (ice.faces(normal)) {
+        if (!cut_by_sides(wall, ice.count, normal, [&](std::size_t k) -> const Vec3& { return ice.corners[k]; }))
+            return;
+        for (const Vec3& end : {wall.from, wall.to}) {
+            const double gap = (ice.corners[0] - end).dot(ice.normal) / ice.normal.dot(normal);
+            add(end + gap * normal, gap);
+        }
+        return;
     }
-    if (from > to) return;
-    for (const double share : {from, to}) {
-        const Vec3 on_solid = foot + share * rise;
-        const double gap = (ice.corners[0] - on_solid).dot(ice.normal) / against;
-        points_[count_++] = {on_solid + gap * normal, gap};
+    const Line edge = lowest_edge(prism, normal);
+    for (const Vec3& end : {edge.from, edge.to}) {
+        if (end.y() < solid.bottom_height || end.y() > solid.top_height) continue;
+        const double across = std::sqrt(end.x() * end.x() + end.z() * end.z()) - solid.radius_at(end.y());
+        add(end, across * flat);
     }
 }
 

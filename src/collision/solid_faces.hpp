@@ -1,7 +1,7 @@
 #pragma once
-// At which points a face of the ice lies on the structure: where the two faces that look at each other most squarely
-// overlap, seen along the contact's normal. Of a round wall that is the line along which it is straight. Lengths in m,
-// in the axes of the solid.
+// At which points ice lies on the structure where they meet in more than a point: two faces at the corners of what they
+// share, seen along the contact's normal, and an edge of the one on a face of the other, or the line along which a round
+// wall is straight, at both ends. Lengths in m, in the axes of the solid.
 
 #include <array>
 #include <span>
@@ -17,14 +17,16 @@ struct BearingPoint {
 
 class BearingPoints {
   public:
-    /// Those of cores whose gap is this one. None, where no face of theirs touches another.
+    /// Those of cores whose gap is this one. None, where they meet in a point.
     BearingPoints(const SolidCore& solid, const PrismCorners& prism, const SolidGap& found);
 
     std::span<const BearingPoint> all() const { return {points_.data(), count_}; }
 
   private:
-    void on_flat(const Polyhedron& solid, const PrismCorners& prism, const Vec3& normal);
-    void on_round(const Frustum& solid, const PrismCorners& prism, const Vec3& normal);
+    void on_flat(const SolidCore& solid, const PrismCorners& prism, const Vec3& normal);
+    void on_wall(const Frustum& solid, const PrismCorners& prism, const Vec3& normal);
+    void on_end(const Frustum& solid, const PrismCorners& prism, bool top);
+    void add(const Vec3& on_prism, double gap);
 
     static constexpr std::size_t room = 2 * most_corners;
     std::array<BearingPoint, room> points_;

@@ -123,5 +123,72 @@ TEST(SlidingOnHull, ItsSideOnADrum) {
                   .turning = speed});
 }
 
+/// What holds an element in its place along x and its turn about z, as others would that it lies among.
+Wrench held(const BodyState& state, const Pose& at) {
+    const Eigen::AngleAxisd turn(state.rotation * at.orientation.conjugate().toRotationMatrix());
+    return {Vec3(-60 * (state.position.x() - at.position.x()) - 5 * state.velocity.x(), 0, 0),
+            Vec3(0, 0, -2 * turn.angle() * turn.axis().z() - 0.08 * state.angular_velocity.z())};
+}
+
+/// Twenty seconds under 5 N, off the middle of the line on which it lies, on a structure that slides along the line;
+/// how deep the line goes.
+double sunk_on_line(const Polyhedron& solid, const Pose& at, const Vec3& line) {
+    World world(crushing());
+    world.add_structure(std::vector<ConvexSolid>{ConvexSolid(solid)}, {Vec3::Zero()});
+    const BodyId ice = world.add_element(element_at(at.position, at.orientation));
+    double start = 0;
+    double height = 0;
+    for (int step = 1; step <= steps; ++step) {
+        world.move_structure({Vec3(0, 0, speed * time_step * step)});
+        const BodyState state = world.state(ice);
+        const Vec3 to_line = state.rotation * line;
+        const Vec3 force(0, -5, 0);
+        Wrench wrench = held(state, at);
+        wrench.force += force;
+        wrench.moment += (to_line + Vec3(0, 0, 0.05)).cross(force);
+        world.apply(ice, wrench);
+        world.step();
+        height = (world.state(ice).position + world.state(ice).rotation * line).y();
+        if (step == settled) start = height;
+    }
+    return start - height;
+}
+
+TEST(SlidingOnHull, ItsEdgeOnAPlate) {
+    const Vec3 edge(-element_side / 2, -half_thickness, 0);
+    const Quat turn = turned(0.5, Vec3::UnitZ());
+    EXPECT_LT(std::abs(sunk_on_line(block({-1, -1, -5}, {1, 0, 5}), {-(turn * edge), turn}, edge)), 2e-5);
+}
+
+TEST(SlidingOnHull, FlatOnAnEdge) {
+    const std::vector<Vec3> roof{{-1, -1, -5}, {1, -1, -5}, {0, 0, -5}, {-1, -1, 5}, {1, -1, 5}, {0, 0, 5}};
+    EXPECT_LT(std::abs(sunk_on_line(convex_hull(roof), {Vec3(0, half_thickness, 0)}, Vec3::Zero())), 2e-5);
+}
+
+// Ice on ice is no different.
+TEST(SlidingOnIce, FlatOnASheet) {
+    World world(crushing());
+    const BodyId sheet =
+        world.add_sliding_box({.half_extents = {5, 0.02, 1}, .position = {0, -0.02, 0}, .mass = 1e6, .axis = 0});
+    BodyState moving = world.state(sheet);
+    moving.velocity = {speed, 0, 0};
+    world.place(sheet, moving);
+    for (const bool hexagon : {false, true}) {
+        ElementDefinition made = hexagon ? hexagon_at({-1, half_thickness, 0}) : element_at({1, half_thickness, 0});
+        const BodyId ice = world.add_element(made);
+        Vec3 start = Vec3::Zero();
+        for (int step = 1; step <= steps; ++step) {
+            const Vec3 force(0, -5, 0);
+            world.apply(ice, {force, Vec3(0.05, 0, 0.04).cross(force)});
+            world.step();
+            if (step == settled) start = world.state(ice).position;
+            if (step > settled) {
+                ASSERT_NEAR(world.state(ice).position.y(), start.y(), 2e-5) << step;
+            }
+        }
+        world.take_out(ice);
+    }
+}
+
 }  // namespace sliding_on_hull_test
 }  // namespace floes::test
