@@ -276,37 +276,71 @@ void advance_bodies(const LaneArrays& arrays, std::size_t groups, double time_st
 // Start velocities of bodies that carry water (carried_water.hpp): the force and torque of the step, the ice's
 // gyroscopic term and what the moving water exerts, over the inertia of body and water together.
 
+/// A body and the water that it carries, in its own axes: v, and w by which it turns.
+struct Carrier {
+    const double* water;
+    V3 ice = load3(water, carried_field::ice);
+    Pack in_plane = load(water, carried_field::in_plane);
+    Pack normal = load(water, carried_field::normal);
+    Pack mx = load(water, carried_field::x);
+    Pack mz = load(water, carried_field::z);
+    Pack xz = load(water, carried_field::xz);
+    Pack inverse = load(water, carried_field::inverse_in_plane);
+
+    V3 momentum(const V3& v, const V3& w) const {
+        return {in_plane * v.x, normal * v.y - mz * w.x + mx * w.z, in_plane * v.z};
+    }
+    V3 moment(const V3& v, const V3& w) const {
+        return {load(water, carried_field::zz) * w.x - mz * v.y - xz * w.z, load(water, carried_field::yaw) * w.y,
+                mx * v.y - xz * w.x + load(water, carried_field::xx) * w.z};
+    }
+    V3 spin(const V3& w) const { return {ice.x * w.x, ice.y * w.y, ice.z * w.z}; }
+    /// What they become faster by, along and about its axes.
+    void accelerate(const V3& force, const V3& torque, V3& faster, V3& spinning) const {
+        const V3 out = load_symmetric(water, carried_field::inverse_out) * V3{force.y, torque.x, torque.z};
+        faster = {inverse * force.x, out.x, inverse * force.z};
+        spinning = {out.y, load(water, carried_field::inverse_yaw) * torque.y, out.z};
+    }
+    Pack mass_of_ice() const { return 1.0 / inverse - in_plane; }
+    Pack energy(const V3& v, const V3& w) const {  // twice
+        return mass_of_ice() * dot(v, v) + dot(v, momentum(v, w)) + dot(w, moment(v, w) + spin(w));
+    }
+};
+
+/// Moving by itself a body keeps its energy. One that turns fast, by a few degrees a step and more, would gain some by
+/// a step that looks ahead, and run away; by what it is to be slowed, 1 where it gains less than a hundredth.
+inline Pack kept_of_motion(const Carrier& of, const V3& v, const V3& w, double time_step) {
+    constexpr double most_gain = 1e-2;
+    const V3 momentum = of.momentum(v, w) + v * of.mass_of_ice();
+    V3 faster, spinning;
+    of.accelerate(cross(momentum, w), cross(of.moment(v, w) + of.spin(w), w) + cross(momentum, v), faster, spinning);
+    const Pack step = Pack{} + time_step;
+    const Pack before = of.energy(v, w);
+    const Pack after = of.energy(v + faster * step, w + spinning * step);
+    return after > (1 + most_gain) * before ? square_root(before / after) : Pack{} + 1.0;
+}
+
 void carry_water(const LaneArrays& arrays, const double* carried, std::size_t groups, double time_step) {
     for (std::size_t i = 0; i < groups; ++i) {
         double* body = group_of(arrays.body, body_field::count, i);
-        const double* water = group_of(carried, carried_field::count, i);
+        const Carrier of{group_of(carried, carried_field::count, i)};
         const M3 turn = load_matrix(body, body_field::rotation);
         const V3 v = transposed_times(turn, load3(body, body_field::velocity));
         const V3 w = transposed_times(turn, load3(body, body_field::angular_velocity));
-        const Pack in_plane = load(water, carried_field::in_plane);
-        const Pack normal = load(water, carried_field::normal);
-        const Pack mx = load(water, carried_field::x);
-        const Pack mz = load(water, carried_field::z);
-        const Pack xz = load(water, carried_field::xz);
-        const V3 p = {in_plane * v.x, normal * v.y - mz * w.x + mx * w.z, in_plane * v.z};
-        const V3 l = {load(water, carried_field::zz) * w.x - mz * v.y - xz * w.z, load(water, carried_field::yaw) * w.y,
-                      mx * v.y - xz * w.x + load(water, carried_field::xx) * w.z};
+        const V3 p = of.momentum(v, w);
         // Velocities change in world axes: those along the body's own change by as much less as these turn.
         const V3 turning = cross(w, v);
-        const V3 ice = load3(water, carried_field::ice);
-        const V3 spin = {ice.x * w.x, ice.y * w.y, ice.z * w.z};
         const V3 force = transposed_times(turn, load3(body, body_field::force)) - cross(w, p) +
-                         V3{in_plane * turning.x, normal * turning.y, in_plane * turning.z};
-        const V3 torque = transposed_times(turn, load3(body, body_field::torque)) - cross(w, l + spin) - cross(v, p) +
-                          V3{Pack{} - mz * turning.y, Pack{}, mx * turning.y};
-
-        const Pack inverse = load(water, carried_field::inverse_in_plane);
-        const V3 out = load_symmetric(water, carried_field::inverse_out) * V3{force.y, torque.x, torque.z};
-        const V3 faster = {inverse * force.x, out.x, inverse * force.z};
-        const V3 spinning = {out.y, load(water, carried_field::inverse_yaw) * torque.y, out.z};
+                         V3{of.in_plane * turning.x, of.normal * turning.y, of.in_plane * turning.z};
+        const V3 torque = transposed_times(turn, load3(body, body_field::torque)) -
+                          cross(w, of.moment(v, w) + of.spin(w)) - cross(v, p) +
+                          V3{Pack{} - of.mz * turning.y, Pack{}, of.mx * turning.y};
+        V3 faster, spinning;
+        of.accelerate(force, torque, faster, spinning);
         const Pack step = Pack{} + time_step;
-        store3(body, body_field::start_velocity, load3(body, body_field::velocity) + turn * (faster * step));
+        const Pack kept = kept_of_motion(of, v, w, time_step);
+        store3(body, body_field::start_velocity, (load3(body, body_field::velocity) + turn * (faster * step)) * kept);
         store3(body, body_field::start_angular_velocity,
-               load3(body, body_field::angular_velocity) + turn * (spinning * step));
+               (load3(body, body_field::angular_velocity) + turn * (spinning * step)) * kept);
     }
 }
