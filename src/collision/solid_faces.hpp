@@ -1,7 +1,7 @@
 #pragma once
 // At which points ice lies on the structure where they meet in more than a point: two faces at the corners of what they
-// share, seen along the contact's normal, and an edge of the one on a face of the other, or the line along which a round
-// wall is straight, at both ends. Lengths in m, in the axes of the solid.
+// share, seen along the contact's normal, and an edge of the one on a face of the other, or the line along which a
+// round wall is straight, at both ends. Lengths in m, in the axes of the solid.
 
 #include <array>
 #include <span>
