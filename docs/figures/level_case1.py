@@ -4,8 +4,8 @@
 Usage:
     level_case1.py                        writes tables and picture
     level_case1.py --check                writes nothing; fails if the page differs from the data
-    level_case1.py --collect FOLDER       first takes the finished campaigns of configs/validation/level_case1.toml,
-                                          level_case1_factors.toml and level_case1_wide.toml, FOLDER/NAME.h5
+    level_case1.py --collect FOLDER       first takes what FOLDER has, as NAME.h5, of the campaigns level_case1,
+                                          level_case1_factors and level_case1_wide of configs/validation
 
 level_case1.measured.csv: means over 0.5 s of the measured load; Lemström, Polojärvi, Puolakka and Tuhkuri, Data in Brief
 45 (2022) 108580, doi 10.5281/zenodo.6524282, CC BY 4.0. level_case1.windows.csv: its means in five windows, and those of
@@ -90,7 +90,8 @@ def add_members(path, breadth, rows, peaks, traces):
 def collect(folder):
     rows, peaks, traces = [], [], {}
     for name, breadth in CAMPAIGNS.items():
-        add_members(folder / f"{name}.h5", breadth, rows, peaks, traces)
+        if (folder / f"{name}.h5").exists():
+            add_members(folder / f"{name}.h5", breadth, rows, peaks, traces)
     pd.DataFrame(peaks, columns=["case", "arrangement", *PEAKS]).to_csv(DATA / "level_case1.peaks.csv", index=False)
     columns = ["case", "arrangement"] + [f"{what}_{name}" for what in ("load", "bed", "grounded") for name in NAMES]
     pd.DataFrame(rows, columns=columns).to_csv(DATA / "level_case1.members.csv", index=False)
@@ -141,7 +142,7 @@ def table():
                      " | ".join(cells) + " |")
         if case == members.case[0]:
             lines.append("| of these, borne by the bed | " +
-                         " | ".join(f"{rows[f'bed_{name}'].mean() / 1e3:.2f}" for name in NAMES) + " |")
+                         " | ".join(f"{round(rows[f'bed_{name}'].mean() / 1e3, 2) + 0.0:.2f}" for name in NAMES) + " |")
     return "\n".join(lines)
 
 
@@ -179,7 +180,7 @@ def draw(path):
         likeliest = cases[k] == cases[0]
         axes.plot(traces.end_s, traces[name] / 1e3, color="tab:blue" if likeliest else "0.8", linewidth=0.6,
                   zorder=2 if likeliest else 1,
-                  label=words(cases[0]) if k == 0 else "one change each" if cases[k - 1] == cases[0] != cases[k] else None)
+                  label="floes, " + words(cases[0]) if k == 0 else "floes, one change each" if cases[k - 1] == cases[0] != cases[k] else None)
     for k in range(1, 5):
         for (begin, end), value in zip(WINDOWS, windows[f"run{k}_N"]):
             axes.plot([begin, end], [value / 1e3] * 2, color="tab:orange", linewidth=1.2,
