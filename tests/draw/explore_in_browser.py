@@ -67,7 +67,9 @@ PROBE = """
     explorer.clear();
     await later(200);
     const before = explorer.picked;
-    byId('scatter').dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowLeft'}));
+    const press = key => byId('scatter').dispatchEvent(new KeyboardEvent('keydown', {key}));
+    press('ArrowLeft');
+    if (explorer.picked === before) press('ArrowRight');  // from the first one there is none to the left
     notes.stepped = explorer.picked !== before;
     const member = Math.floor(explorer.data.count / 2);
     const x = box.left + explorer.scatter.xs[member];
