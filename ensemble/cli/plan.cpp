@@ -67,18 +67,19 @@ Section plan_section(const Campaign& campaign, const PlannedMembers& planned, st
         message_bytes = std::max(message_bytes, member.record_bytes);
     }
     const bool calibrates = std::ranges::count(campaign.cases, Pairing::find_cfm, &Case::pairing) > 0;
+    const double memory = core_memory(campaign);
     Section section;
     section.before =
         fmt::format("{}: {} of {} on average, {} at most, {} each; a core needs {} of memory.\nRun times: {}.\n{}\n",
                     campaign.name, counted(members, "member"), duration_in_figures(mean_run_time),
-                    duration_in_figures(longest), size(message_bytes), size(core_memory(campaign)), planned.source,
+                    duration_in_figures(longest), size(message_bytes), size(memory), planned.source,
                     calibrates ? "Not counted: cases are calibrated first, about a minute.\n" : "");
     Results common = object("", {{"campaign", campaign.name},
                                  {"members", members},
                                  {"mean_run_time_s", mean_run_time},
                                  {"longest_run_time_s", longest},
                                  {"message_bytes", message_bytes},
-                                 {"core_memory_bytes", core_memory(campaign)},
+                                 {"core_memory_bytes", memory},
                                  {"run_times_from", planned.source},
                                  {"calibration_not_counted", calibrates}});
     Results plans{.place = "plans",

@@ -43,8 +43,8 @@ struct PrismFace {
 
     bool faces(const Vec3& direction) const { return -normal.dot(direction) >= squarely; }
 
-    /// Keeps what of it has outward · p <= bound; no more corners than there is room for.
-    void cut(const Vec3& outward, double bound) {
+    /// Keeps what of it has outward · p <= bound, no more corners than there is room for; false where that is nothing.
+    bool cut(const Vec3& outward, double bound) {
         const std::array<Vec3, 2 * most_corners> before = corners;
         const std::size_t sides = count;
         count = 0;
@@ -57,6 +57,7 @@ struct PrismFace {
             if ((over < 0 && beyond > 0) || (over > 0 && beyond < 0))
                 if (count < corners.size()) corners[count++] = here + over / (over - beyond) * (next - here);
         }
+        return count > 0;
     }
 };
 
@@ -89,13 +90,19 @@ bool cut_by_sides(Shape& shape, std::size_t count, const Vec3& normal, const Cor
         const Vec3& from = corner(k);
         Vec3 outward = (corner(k + 1 < count ? k + 1 : 0) - from).cross(normal);
         if (outward.dot(middle - from) > 0) outward = -outward;
-        if constexpr (requires { shape.lies_across(normal); }) {
-            if (!shape.cut(outward, outward.dot(from))) return false;
-        } else {
-            shape.cut(outward, outward.dot(from));
-        }
+        if (!shape.cut(outward, outward.dot(from))) return false;
     }
     return true;
+}
+
+/// Ends of what of a line of the solid lies below a face of the ice, as points of that and gaps along the normal.
+template <class Take>
+void for_ends_below(const PrismFace& ice, Line line, const Vec3& normal, const Take& take) {
+    if (!cut_by_sides(line, ice.count, normal, [&](std::size_t k) -> const Vec3& { return ice.corners[k]; })) return;
+    for (const Vec3& end : {line.from, line.to}) {
+        const double gap = (ice.corners[0] - end).dot(ice.normal) / ice.normal.dot(normal);
+        take(end + gap * normal, gap);
+    }
 }
 
 /// The edge at the corner that lies least far along the normal, that which rises least from there.
@@ -169,14 +176,9 @@ void BearingPoints::on_flat(const SolidCore& solid, const PrismCorners& prism, c
         if (!edge.lies_across(normal) || !cut_by_sides(edge, sides.size(), normal, corner)) return;
         for (const Vec3& end : {edge.from, edge.to}) add_above_face(end);
     } else if (ice.faces(normal)) {
-        std::optional<Line> edge = highest_edge(solid, normal);
-        if (!edge || !edge->lies_across(normal)) return;
-        if (!cut_by_sides(*edge, ice.count, normal, [&](std::size_t k) -> const Vec3& { return ice.corners[k]; }))
-            return;
-        for (const Vec3& end : {edge->from, edge->to}) {
-            const double gap = (ice.corners[0] - end).dot(ice.normal) / ice.normal.dot(normal);
-            add(end + gap * normal, gap);
-        }
+        const std::optional<Line> edge = highest_edge(solid, normal);
+        if (edge && edge->lies_across(normal))
+            for_ends_below(ice, *edge, normal, [&](const Vec3& at, double gap) { add(at, gap); });
     }
 }
 
@@ -191,17 +193,12 @@ void BearingPoints::on_wall(const Frustum& solid, const PrismCorners& prism, con
     const double flat = std::sqrt(normal.x() * normal.x() + normal.z() * normal.z());
     const double cosine = normal.x() / flat;
     const double sine = normal.z() / flat;
-    Line wall{Vec3(solid.bottom_radius * cosine, solid.bottom_height, solid.bottom_radius * sine),
-              Vec3(solid.top_radius * cosine, solid.top_height, solid.top_radius * sine)};
+    const Line wall{Vec3(solid.bottom_radius * cosine, solid.bottom_height, solid.bottom_radius * sine),
+                    Vec3(solid.top_radius * cosine, solid.top_height, solid.top_radius * sine)};
     if (!wall.lies_across(normal)) return;
     const PrismFace ice(prism, normal);
     if (ice.faces(normal)) {
-        if (!cut_by_sides(wall, ice.count, normal, [&](std::size_t k) -> const Vec3& { return ice.corners[k]; }))
-            return;
-        for (const Vec3& end : {wall.from, wall.to}) {
-            const double gap = (ice.corners[0] - end).dot(ice.normal) / ice.normal.dot(normal);
-            add(end + gap * normal, gap);
-        }
+        for_ends_below(ice, wall, normal, [&](const Vec3& at, double gap) { add(at, gap); });
         return;
     }
     const Line edge = lowest_edge(prism, normal);

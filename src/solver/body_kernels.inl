@@ -286,6 +286,7 @@ struct Carrier {
     Pack mz = load(water, carried_field::z);
     Pack xz = load(water, carried_field::xz);
     Pack inverse = load(water, carried_field::inverse_in_plane);
+    Pack mass_of_ice = 1.0 / inverse - in_plane;
 
     V3 momentum(const V3& v, const V3& w) const {
         return {in_plane * v.x, normal * v.y - mz * w.x + mx * w.z, in_plane * v.z};
@@ -301,9 +302,8 @@ struct Carrier {
         faster = {inverse * force.x, out.x, inverse * force.z};
         spinning = {out.y, load(water, carried_field::inverse_yaw) * torque.y, out.z};
     }
-    Pack mass_of_ice() const { return 1.0 / inverse - in_plane; }
     Pack energy(const V3& v, const V3& w) const {  // twice
-        return mass_of_ice() * dot(v, v) + dot(v, momentum(v, w)) + dot(w, moment(v, w) + spin(w));
+        return mass_of_ice * dot(v, v) + dot(v, momentum(v, w)) + dot(w, moment(v, w) + spin(w));
     }
 };
 
@@ -311,7 +311,7 @@ struct Carrier {
 /// a step that looks ahead, and run away; by what it is to be slowed, 1 where it gains less than a hundredth.
 inline Pack kept_of_motion(const Carrier& of, const V3& v, const V3& w, double time_step) {
     constexpr double most_gain = 1e-2;
-    const V3 momentum = of.momentum(v, w) + v * of.mass_of_ice();
+    const V3 momentum = of.momentum(v, w) + v * of.mass_of_ice;
     V3 faster, spinning;
     of.accelerate(cross(momentum, w), cross(of.moment(v, w) + of.spin(w), w) + cross(momentum, v), faster, spinning);
     const Pack step = Pack{} + time_step;

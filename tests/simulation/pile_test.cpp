@@ -13,6 +13,7 @@
 #include "shapes/convex_solid.hpp"
 #include "shapes/elements.hpp"
 #include "simulation/simulation.hpp"
+#include "support/crushing_ice.hpp"
 #include "support/level_ice.hpp"
 #include "water/water_model.hpp"
 #include "world/world.hpp"
@@ -27,13 +28,7 @@ constexpr double tolerance = 1e-4;  // m/s
 
 WorldDefinition definition() {
     WorldDefinition made{.time_step = 0.01, .iterations = 500, .tolerance = tolerance, .solver = SolverKind::direct};
-    made.contact = {.ice_ice_friction = 0.3,
-                    .ice_structure_friction = 0.1,
-                    .split_impulse = false,
-                    .friction = Friction::cone,
-                    .normal = NormalLaw::crushing,
-                    .crushing_pressure = 46e3,
-                    .internal_edges = false};
+    made.contact = test::crushing_ice(46e3, 0.3, 0.1);
     return made;
 }
 

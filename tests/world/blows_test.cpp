@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene.hpp"
+#include "support/crushing_ice.hpp"
 
 namespace floes::test {
 namespace blows_test {
@@ -36,13 +37,7 @@ WorldDefinition world_of(double time_step, double tolerance = 0) {
             .iterations = 500,
             .tolerance = tolerance,
             .gravity = 0,
-            .contact = {.ice_ice_friction = 0,
-                        .ice_structure_friction = 0,
-                        .split_impulse = false,
-                        .friction = Friction::cone,
-                        .normal = NormalLaw::crushing,
-                        .crushing_pressure = strength,
-                        .internal_edges = false},
+            .contact = crushing_ice(strength, 0, 0),
             .solver = SolverKind::direct};
 }
 

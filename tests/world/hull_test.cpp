@@ -17,14 +17,6 @@ constexpr double time_step = 0.02;
 /// of a step and ice at its beginning.
 constexpr double touching = 0.5 + element_side / 2 + speed * time_step;
 
-Polyhedron block(const Vec3& low, const Vec3& high) {
-    std::vector<Vec3> corners;
-    for (int k = 0; k < 8; ++k)
-        corners.emplace_back((k & 1) != 0 ? high.x() : low.x(), (k & 2) != 0 ? high.y() : low.y(),
-                             (k & 4) != 0 ? high.z() : low.z());
-    return convex_hull(corners);
-}
-
 /// Distance from the axis at which an element that is held against the moving structure by 5 N comes to rest.
 double standoff(const std::vector<ConvexSolid>& solids, Vec3& load, int& solid) {
     World world(weightless());

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "shapes/convex_solid.hpp"
 #include "world/world.hpp"
 
 namespace floes::test {
@@ -43,6 +45,15 @@ inline ElementDefinition hexagon_at(const Vec3& position, double yaw = 0) {
     prism.mass = 1.2;
     prism.pose = {position, turned(yaw, Vec3::UnitY())};
     return prism;
+}
+
+/// A block between two corners.
+inline Polyhedron block(const Vec3& low, const Vec3& high) {
+    std::vector<Vec3> corners;
+    for (int k = 0; k < 8; ++k)
+        corners.emplace_back((k & 1) != 0 ? high.x() : low.x(), (k & 2) != 0 ? high.y() : low.y(),
+                             (k & 4) != 0 ? high.z() : low.z());
+    return convex_hull(corners);
 }
 
 inline bool same_bits(const BodyState& a, const BodyState& b) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene.hpp"
-#include "shapes/convex_solid.hpp"
+#include "support/crushing_ice.hpp"
 
 namespace floes::test {
 namespace sliding_on_hull_test {
@@ -24,13 +24,7 @@ WorldDefinition crushing() {
     made.solver = SolverKind::direct;
     made.iterations = 500;
     made.tolerance = 1e-6;
-    made.contact = {.ice_ice_friction = 0,
-                    .ice_structure_friction = 0,
-                    .split_impulse = false,
-                    .friction = Friction::cone,
-                    .normal = NormalLaw::crushing,
-                    .crushing_pressure = 46e3,
-                    .internal_edges = false};
+    made.contact = crushing_ice(46e3, 0, 0);
     return made;
 }
 
@@ -78,14 +72,6 @@ void expect_stays(const Scene& scene) {
         ASSERT_GT(turned_to.dot(lies), std::cos(1e-3)) << time;
     }
     EXPECT_NEAR(sum / (steps - settled), 5, 0.01);
-}
-
-Polyhedron block(const Vec3& low, const Vec3& high) {
-    std::vector<Vec3> corners;
-    for (int k = 0; k < 8; ++k)
-        corners.emplace_back((k & 1) != 0 ? high.x() : low.x(), (k & 2) != 0 ? high.y() : low.y(),
-                             (k & 4) != 0 ? high.z() : low.z());
-    return convex_hull(corners);
 }
 
 constexpr double half_thickness = element_thickness / 2;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "collision/random_boxes.hpp"
+#include "scene.hpp"
 #include "world/bullet_shapes.hpp"
 #include "world/hull_contacts.hpp"
 
@@ -23,14 +24,6 @@ namespace solid_gap_test {
 constexpr double everything = std::numeric_limits<double>::infinity();
 constexpr double flatness = 1e-5;  ///< what the planes of a convex_hull() leave of depths
 constexpr double half_thickness = 0.0165;
-
-Polyhedron block(const Vec3& half) {
-    std::vector<Vec3> corners;
-    for (int k = 0; k < 8; ++k)
-        corners.emplace_back((k & 1) != 0 ? half.x() : -half.x(), (k & 2) != 0 ? half.y() : -half.y(),
-                             (k & 4) != 0 ? half.z() : -half.z());
-    return convex_hull(corners);
-}
 
 /// As pieces of an STL file are: many small facets beside large ones.
 Polyhedron boulder(unsigned seed) {
@@ -48,7 +41,7 @@ std::vector<ConvexSolid> solids() {
     all.emplace_back(Frustum{-0.3, 0.6, 0.4, 0.2});
     all.emplace_back(Frustum{-0.5, 0.3, 0.5, 0.3});
     all.emplace_back(Frustum{-0.4, 0, 0.2, 0.5});
-    all.emplace_back(block({0.8, 0.3, 0.4}));
+    all.emplace_back(block({-0.8, -0.3, -0.4}, {0.8, 0.3, 0.4}));
     const std::vector<Vec3> bow{{0.9, 0.2, 0},     {0.6, -0.2, 0},    {0, 0.2, 0.35},    {0, 0.2, -0.35},
                                 {0, -0.2, 0.3},    {0, -0.2, -0.3},   {-0.9, 0.2, 0.35}, {-0.9, 0.2, -0.35},
                                 {-0.7, -0.2, 0.3}, {-0.7, -0.2, -0.3}};
@@ -199,7 +192,7 @@ constexpr double ice_margin = 0.1 * half_thickness;
 constexpr std::array<double, 5> gaps{0.003, 0.0, -0.002, -(SolidShape::margin + ice_margin), -0.006};
 
 TEST(SolidGap, OfFlushFacesIsInTheMiddleOfThem) {
-    const ConvexSolid wall(block({0.5, 0.3, 0.4}));
+    const ConvexSolid wall(block({-0.5, -0.3, -0.4}, {0.5, 0.3, 0.4}));
     for (const double gap : gaps) expect_at(at(wall, {0.6 + gap, 0.1, 0.2}), gap, Vec3::UnitX(), {0.5 + gap, 0.1, 0.2});
     // On top, where the prism lies over the edge: within both.
     const SolidGap over = at(wall, {0.48, 0.3 + half_thickness - 0.002, 0});
@@ -209,7 +202,7 @@ TEST(SolidGap, OfFlushFacesIsInTheMiddleOfThem) {
 }
 
 TEST(SolidGap, OfACornerOnAFaceKnowsHowItIsRounded) {
-    const ConvexSolid wall(block({0.5, 0.3, 0.4}));
+    const ConvexSolid wall(block({-0.5, -0.3, -0.4}, {0.5, 0.3, 0.4}));
     const double reach = std::sqrt(2.0) * (0.1 - ice_margin) + ice_margin;
     for (const double gap : gaps)
         expect_at(at(wall, {0.5 + reach + gap, 0.1, 0.2}, on_its_corner, corners_of(0.1, 0.1)), gap, Vec3::UnitX(),
@@ -218,7 +211,7 @@ TEST(SolidGap, OfACornerOnAFaceKnowsHowItIsRounded) {
 
 // As the prism lies on the corner of a block: only its own face tells the normal.
 TEST(SolidGap, OfACornerOfTheSolidIsAlongTheFaceOfTheIce) {
-    const ConvexSolid wall(block({0.5, 0.3, 0.5}));
+    const ConvexSolid wall(block({-0.5, -0.3, -0.5}, {0.5, 0.3, 0.5}));
     const Vec3 out = Vec3(1, 2, 1).normalized();
     const Quat turn = Quat::FromTwoVectors(Vec3::UnitY(), out);
     const Vec3 corner = Vec3(0.5, 0.3, 0.5) - Vec3::Constant(SolidShape::margin);
@@ -230,7 +223,7 @@ TEST(SolidGap, OfACornerOfTheSolidIsAlongTheFaceOfTheIce) {
 
 TEST(SolidGap, OfEdgesThatCrossIsBetweenThem) {
     // The upright edge of the block at 45°, and the upper edge of the prism along (1, 0, -1), tilted to lead out of it.
-    const ConvexSolid wall(block({0.5, 0.3, 0.5}));
+    const ConvexSolid wall(block({-0.5, -0.3, -0.5}, {0.5, 0.3, 0.5}));
     const Vec3 out = Vec3(1, 0, 1).normalized();
     const Quat turn =
         Quat(Eigen::AngleAxisd(-std::numbers::pi / 4, Vec3::UnitY())) * Quat(Eigen::AngleAxisd(0.6, Vec3::UnitZ()));
