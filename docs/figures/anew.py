@@ -3,6 +3,7 @@
 
     anew.py FLOES FOLDER             runs what FOLDER lacks, in the order below; stop it at will, and call it again
     anew.py FLOES FOLDER --hours 3   ends by then; a campaign that is under way goes on at the next call
+    anew.py FLOES FOLDER --only A B  runs these alone, in this order
     anew.py FLOES FOLDER --plan      only says what is left, and how long it takes on this machine's cores
     anew.py FLOES FOLDER --pages     of what is complete: data, tables and pictures of the pages, and for sentences that are
                                      written by hand FOLDER/NAME.txt, the whole summary
@@ -134,10 +135,11 @@ def members_left(floes, folder, name):
     return members, members * plan["mean_run_time_s"] / 2
 
 
-def run(floes, folder, hours):
-    """Whether all are complete."""
+def run(floes, folder, hours, names):
+    """Whether all of them are complete."""
     end = time.monotonic() + 3600 * hours
-    for name, (config, words) in CAMPAIGNS.items():
+    for name in names:
+        config, words = CAMPAIGNS[name]
         members, seconds = members_left(floes, folder, name)
         if members == 0:
             continue
@@ -150,7 +152,7 @@ def run(floes, folder, hours):
         with open(folder / f"{name}.log", "a") as log:
             if subprocess.run([*command, *limit], stdout=log, stderr=log).returncode not in (0, 85):
                 print(f"{name} did not end well: see {folder / name}.log", file=sys.stderr)
-    return all(members_left(floes, folder, name)[0] == 0 for name in CAMPAIGNS)
+    return all(members_left(floes, folder, name)[0] == 0 for name in names)
 
 
 def tell_plan(floes, folder):
@@ -192,6 +194,7 @@ def main():
     parser.add_argument("floes", type=lambda text: str(pathlib.Path(text).resolve()))
     parser.add_argument("folder", type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument("--hours", type=float, default=float("inf"))
+    parser.add_argument("--only", nargs="+", choices=CAMPAIGNS, metavar="NAME", default=list(CAMPAIGNS))
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--plan", action="store_true")
     what.add_argument("--pages", action="store_true")
@@ -201,7 +204,7 @@ def main():
         tell_plan(given.floes, given.folder)
     elif given.pages:
         make_pages(given.floes, given.folder)
-    elif not run(given.floes, given.folder, given.hours):
+    elif not run(given.floes, given.folder, given.hours, given.only):
         print("not all are complete; call it again")
 
 

@@ -4,7 +4,7 @@
 Usage:
     level_case1.py                        writes tables and picture
     level_case1.py --check                writes nothing; fails if the page differs from the data
-    level_case1.py --collect FOLDER       first takes what FOLDER has, as NAME.h5, of the campaigns level_case1,
+    level_case1.py --collect FOLDER       first takes the members that FOLDER has, as NAME*.h5, of the campaigns level_case1,
                                           level_case1_factors and level_case1_wide of configs/validation
 
 level_case1.measured.csv: means over 0.5 s of the measured load; Lemström, Polojärvi, Puolakka and Tuhkuri, Data in Brief
@@ -13,6 +13,7 @@ four runs of another program (GitHub vasopatejdl/lemstrom-case1-viewer, 9ff4783)
 """
 import argparse
 import pathlib
+import tomllib
 
 import numpy as np
 import pandas as pd
@@ -22,6 +23,7 @@ from page_blocks import fill_or_check
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "validation"
 PAGE = DATA.parent / "validation.md"
+CONFIGS = DATA.parent.parent / "configs" / "validation"
 WINDOWS = [(0, 30), (30, 130), (130, 230), (230, 330), (330, 430)]  # s
 NAMES = [f"{begin}-{end}" for begin, end in WINDOWS]
 CAMPAIGNS = {"level_case1": 0.98, "level_case1_factors": 0.98, "level_case1_wide": 2.94}  # breadth of the ice, m
@@ -87,17 +89,31 @@ def add_members(path, breadth, rows, peaks, traces):
             traces[f"{cases[case]}: {members['arrangement'][member]}"] = np.round(means).astype(int)
 
 
+def renewed(name, rows, order):
+    """The table `name` of docs/validation with these rows in place of those of the same members, by case."""
+    known = pd.read_csv(DATA / name)
+    fresh = pd.DataFrame(rows, columns=known.columns)
+    both = pd.concat([fresh, known]).drop_duplicates(["case", "arrangement"])
+    both = both[both.case.isin(order)]
+    both["order"] = both.case.map(order.index)
+    both.sort_values(["order", "arrangement"]).drop(columns="order").to_csv(DATA / name, index=False)
+
+
 def collect(folder):
     rows, peaks, traces = [], [], {}
     for name, breadth in CAMPAIGNS.items():
-        if (folder / f"{name}.h5").exists():
-            add_members(folder / f"{name}.h5", breadth, rows, peaks, traces)
-    pd.DataFrame(peaks, columns=["case", "arrangement", *PEAKS]).to_csv(DATA / "level_case1.peaks.csv", index=False)
-    columns = ["case", "arrangement"] + [f"{what}_{name}" for what in ("load", "bed", "grounded") for name in NAMES]
-    pd.DataFrame(rows, columns=columns).to_csv(DATA / "level_case1.members.csv", index=False)
-    traces = pd.DataFrame(traces)
-    traces.insert(0, "end_s", (np.arange(len(traces)) + 1) * EVERY)
-    traces.to_csv(DATA / "level_case1.traces.csv", index=False)
+        for path in sorted(folder.glob(f"{name}*.h5")):
+            add_members(path, breadth, rows, peaks, traces)
+    order = [case["name"] for name in CAMPAIGNS
+             for case in tomllib.loads((CONFIGS / f"{name}.toml").read_text())["case"]]
+    renewed("level_case1.members.csv", rows, order)
+    renewed("level_case1.peaks.csv", peaks, order)
+    known = pd.read_csv(DATA / "level_case1.traces.csv").set_index("end_s")
+    traces = pd.DataFrame(traces, index=known.index[: min(map(len, traces.values()), default=0)])
+    for name in traces:
+        known[name] = traces[name]
+    columns = sorted(known, key=lambda name: (order.index(name.split(": ")[0]), int(name.split(": ")[1])))
+    known[columns].to_csv(DATA / "level_case1.traces.csv")
 
 
 CHANGES = {"high": "a plate that reaches 1.2 m above the water", "ice_friction_40": "friction of ice on ice 0.4 for 0.15",

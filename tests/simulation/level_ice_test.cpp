@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "arrangement/arrangement.hpp"
 #include "simulation/simulation.hpp"
@@ -93,11 +95,10 @@ TEST(LevelIce, IsBentAsABeamOnWater) {
                     expected(cut.elements[i].centre.x + scenario.floe.length / 2), 0.03 * expected(0));
 }
 
-/// A wall that stands upright and does not rub, on ice that does not break.
-Scenario pressed_strip() {
-    Scenario scenario = test::level_strip(45 * degree, 0.2);
-    scenario.structure.shape = test::slope(90 * degree, scenario.floe.breadth + 0.5, 0.3);
-    scenario.structure.start = -0.0005;
+/// A wall that does not rub, on ice that does not break.
+Scenario pressed_strip(double angle, double element, double length) {
+    Scenario scenario = test::level_strip(angle, element, length);
+    if (angle == 90 * degree) scenario.structure.start = -0.0005;
     scenario.contact.ice_structure_friction = 1e-6;
     scenario.contact.crushing_pressure = 1e9;
     for (double* strength : {&scenario.ice.bending_strength, &scenario.ice.compressive_strength,
@@ -108,7 +109,7 @@ Scenario pressed_strip() {
 
 // E T b / l, l to the middle of the rigid element at the wall, and what presses one end is what the other holds.
 TEST(LevelIce, IsPressedAsARodThatIsHeld) {
-    const Scenario scenario = pressed_strip();
+    const Scenario scenario = pressed_strip(90 * degree, 0.2, 8);
     Simulation simulation(scenario, make_arrangement(scenario, 1, 0));
     double before = 0;
     while (simulation.time() < 0.8) {
@@ -123,6 +124,61 @@ TEST(LevelIce, IsPressedAsARodThatIsHeld) {
     EXPECT_NEAR(simulation.force_on_supports().x() / load, 1, 0.01);
     EXPECT_TRUE(simulation.ice().breaks().empty());
 }
+
+/// Height (m) at x (m) from the edge of a sheet on water that is pressed by a smooth wall which the whole face lies on,
+/// `tilt` (rad) off upright: w' = tilt and w''' = 0 at the edge, w = exp(-αx) (A cos βx + B sin βx).
+double height_beside_wall(const FloatingPlate& plate, double elastic_modulus, double thrust, double tilt, double x) {
+    const double rigidity = plate.flexural_rigidity(elastic_modulus);
+    const double root = std::sqrt(plate.foundation() / (4 * rigidity));
+    const double alpha = std::sqrt(root - thrust / (4 * rigidity));
+    const double beta = std::sqrt(root + thrust / (4 * rigidity));
+    const double real = alpha * (3 * beta * beta - alpha * alpha);
+    const double imaginary = beta * (3 * alpha * alpha - beta * beta);
+    const double sine = tilt / (beta + alpha * imaginary / real);
+    return std::exp(-alpha * x) * sine * (std::sin(beta * x) - imaginary / real * std::cos(beta * x));
+}
+
+struct Thrust {
+    double angle;  ///< of the wall, degrees
+    double share;  ///< of the thrust that buckles a free edge
+};
+
+class SlowThrust : public testing::TestWithParam<Thrust> {};
+
+// Pushed slowly, a sheet bends more and more the nearer the thrust is to what buckles it: √(k D) where its edge is
+// free, on a wall of 85 degrees that touches the lower corner, twice that on one of 89.5, which the whole face lies on.
+TEST_P(SlowThrust, BendsTheSheetAsABeamThatIsAboutToBuckle) {
+    const double angle = GetParam().angle * degree;
+    Scenario scenario = pressed_strip(angle, 0.1, 12);
+    scenario.structure.speed = 0.0002;  // m/s; at 0.001 the bend lags behind the thrust
+    Simulation simulation(scenario, make_arrangement(scenario, 1, 0));
+    const double afloat = simulation.element_states().front().position.y();
+    const FloatingPlate plate{scenario.floe.thickness};
+    const double modulus = scenario.ice.elastic_modulus;
+    const double breadth = scenario.floe.breadth;
+    const bool flush = GetParam().share > 1;
+    const double thrust = GetParam().share * buckling_thrust(plate, modulus);
+    while (simulation.loads().surge.empty() || simulation.loads().surge.back() < thrust * breadth) {
+        simulation.step();
+        ASSERT_LT(simulation.time(), 60);
+    }
+    const EdgeLoad load{-simulation.loads().heave.back() / breadth, simulation.loads().surge.back() / breadth,
+                        scenario.floe.thickness / 2};
+    const CutFloe& cut = simulation.ice().cut(0);
+    std::vector<double> height;
+    std::vector<double> expected;
+    for (std::size_t i = 0; i < cut.elements.size(); ++i) {
+        const double x = cut.elements[i].centre.x + scenario.floe.length / 2;
+        height.push_back(simulation.element_states()[i].position.y() - afloat);
+        expected.push_back(flush ? height_beside_wall(plate, modulus, load.horizontal, 90 * degree - angle, x)
+                                 : height_of_edge(plate, modulus, load, x));
+    }
+    const double highest = *std::ranges::max_element(expected);
+    for (std::size_t i = 0; i < height.size(); ++i) EXPECT_NEAR(height[i], expected[i], 0.06 * highest);
+}
+
+INSTANTIATE_TEST_SUITE_P(LevelIce, SlowThrust,
+                         testing::Values(Thrust{85, 0.25}, Thrust{85, 0.4}, Thrust{89.5, 1.2}, Thrust{89.5, 1.6}));
 
 // But for the water's drag, which is a thousandth of this load.
 TEST(LevelIce, ThatIsPushedOnAWallAtRestLoadsItAsTheTowThroughIceAtRest) {
