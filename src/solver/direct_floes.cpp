@@ -14,9 +14,6 @@ namespace {
 
 using Rows3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// Pieces up to this size keep their whole compliance, all columns of it.
-constexpr std::size_t most_bodies_with_columns = 64;
-
 /// The rotation nearest to a mean of rotations (Higham 1986, Newton's iteration for the polar factor). Three steps are
 /// exact where rotations differ by a tenth.
 Mat3 nearest_rotation(Mat3 mean) {
@@ -168,10 +165,11 @@ void DirectFloes::apply_whole_compliance(Piece& piece, double* delta) {
 
 void DirectFloes::apply_compliance(Piece& piece, const std::vector<std::uint32_t>& bodies,
                                    const std::vector<std::uint32_t>& within, double* delta) {
-    if (piece.bodies.size() > most_bodies_with_columns) {
+    if (!piece.compliance->is_small()) {
         apply_whole_compliance(piece, delta);
         return;
     }
+    piece.compliance->make_columns(piece.within);
     for (const std::uint32_t body : bodies) std::fill_n(delta + 8 * static_cast<std::size_t>(body), 8, 0.0);
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
         const ComplianceColumn column{piece.compliance->column(i), nullptr, bodies.data(), within.data(),
@@ -206,14 +204,15 @@ void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> co
         piece.touched.push_back(body);
         piece.touched_within.push_back(within_piece_[body]);
     }
+    for (const std::uint32_t i : touched_pieces_) pieces_[i].compliance->make_columns(pieces_[i].touched_within);
     for (const std::uint32_t i : touched_pieces_) {
         Piece& piece = pieces_[i];
-        piece.compliance->make_columns(piece.touched_within);
         apply_compliance(piece, piece.touched, piece.touched_within, all.delta);
         for (std::size_t k = 0; k < piece.touched.size(); ++k) {
-            const std::uint32_t within = piece.touched_within[k];
-            const double* blocks = piece.compliance->column(within);
-            columns_[piece.touched[k]] = {blocks, blocks + within * compliance_block, piece.touched.data(),
+            std::uint32_t& number = piece.touched_within[k];
+            const double* blocks = piece.compliance->column(number);
+            number = piece.compliance->number(number);
+            columns_[piece.touched[k]] = {blocks, blocks + number * compliance_block, piece.touched.data(),
                                           piece.touched_within.data(), piece.touched.size()};
         }
     }

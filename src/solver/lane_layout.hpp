@@ -229,7 +229,7 @@ struct ComplianceColumn {
     const double* blocks;         ///< PieceCompliance::column() of the one that the impulse is on; null for none
     const double* self;           ///< its block there
     const std::uint32_t* slots;   ///< of those moved
-    const std::uint32_t* within;  ///< their numbers in the piece
+    const std::uint32_t* within;  ///< numbers of their blocks
     std::size_t count;
 };
 

@@ -2,6 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <ranges>
+#include <utility>
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
@@ -122,55 +128,79 @@ Eigen::Matrix<double, 6, 6> inertia_of(const PieceBody& body) {
 }
 
 PlaneFactors::PlaneFactors(const std::array<Eigen::SparseMatrix<double>, 2>& matrices) {
-    using Factor = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
-    const std::array<Factor, 2> factors{Factor(matrices[0]), Factor(matrices[1])};
-    const Eigen::SparseMatrix<double>& first = factors[0].matrixL().nestedExpression();
-    const Eigen::SparseMatrix<double>& second = factors[1].matrixL().nestedExpression();
-    const Eigen::VectorXi& order = factors[0].permutationP().indices();
     // Both have entries wherever one may, so that order and pattern are the same.
-    FLOES_ENSURES(first.nonZeros() == second.nonZeros() && order == factors[1].permutationP().indices());
-    place_.assign(order.begin(), order.end());
-    start_.assign(first.outerIndexPtr(), first.outerIndexPtr() + first.outerSize() + 1);
-    row_.assign(first.innerIndexPtr(), first.innerIndexPtr() + first.nonZeros());
-    value_.reserve(2 * row_.size());
-    for (Eigen::Index k = 0; k < first.nonZeros(); ++k)
-        for (const auto* of : {&first, &second}) value_.push_back(of->valuePtr()[k]);
-    const std::array<Eigen::VectorXd, 2> diagonals{factors[0].vectorD(), factors[1].vectorD()};
-    for (Eigen::Index i = 0; i < first.outerSize(); ++i)
-        for (const Eigen::VectorXd& of : diagonals) inverse_.push_back(1 / of[i]);
+    const auto same = [](const auto& a, const auto& b, Eigen::Index count) { return std::equal(a, a + count, b); };
+    FLOES_EXPECTS(matrices[0].nonZeros() == matrices[1].nonZeros() &&
+                  same(matrices[0].innerIndexPtr(), matrices[1].innerIndexPtr(), matrices[0].nonZeros()));
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
+    factor.analyzePattern(matrices[0]);
+    place_.assign(factor.permutationP().indices().begin(), factor.permutationP().indices().end());
+    inverse_.resize(2 * place_.size());
+    for (std::size_t part = 0; part < 2; ++part) {
+        factor.factorize(matrices[part]);
+        const Eigen::SparseMatrix<double>& lower = factor.matrixL().nestedExpression();
+        if (part == 0) {
+            start_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.outerSize() + 1);
+            row_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
+            value_.resize(2 * row_.size());
+        }
+        for (std::size_t k = 0; k < row_.size(); ++k) value_[2 * k + part] = lower.valuePtr()[k];
+        const Eigen::VectorXd diagonal = factor.vectorD();
+        for (std::size_t i = 0; i < place_.size(); ++i)
+            inverse_[2 * i + part] = 1 / diagonal[static_cast<Eigen::Index>(i)];
+    }
 }
 
-template <std::size_t sides>
-void PlaneFactors::solve(double* x) const {
+std::size_t PlaneFactors::next(std::size_t place) const {
+    return start_[place] == start_[place + 1] ? size()
+                                              : static_cast<std::size_t>(row_[static_cast<std::size_t>(start_[place])]);
+}
+
+template <std::size_t sides, class Places, class Slot>
+void PlaneFactors::eliminate(const Places& places, double* x, const Slot& slot) const {
     constexpr std::size_t both = 2 * sides;
-    const std::size_t size = place_.size();
     std::array<double, both> own;
-    for (std::size_t i = 0; i < size; ++i) {
-        std::copy_n(x + i * both, both, own.begin());
+    for (const std::size_t i : places) {
+        std::copy_n(x + slot(i) * both, both, own.begin());
         if (std::ranges::all_of(own, [](double one) { return one == 0; })) continue;
         for (auto k = static_cast<std::size_t>(start_[i]); k < static_cast<std::size_t>(start_[i + 1]); ++k) {
-            double* const at = x + static_cast<std::size_t>(row_[k]) * both;
+            double* const at = x + slot(static_cast<std::size_t>(row_[k])) * both;
             for (std::size_t c = 0; c < sides; ++c) at[c] -= own[c] * value_[2 * k];
             for (std::size_t c = 0; c < sides; ++c) at[sides + c] -= own[sides + c] * value_[2 * k + 1];
         }
     }
-    for (std::size_t i = 0; i < size; ++i)
-        for (std::size_t c = 0; c < both; ++c) x[i * both + c] *= inverse_[2 * i + c / sides];
-    for (std::size_t i = size; i-- > 0;) {
-        std::copy_n(x + i * both, both, own.begin());
+    for (const std::size_t i : places)
+        for (std::size_t c = 0; c < both; ++c) x[slot(i) * both + c] *= inverse_[2 * i + c / sides];
+}
+
+template <std::size_t sides, class Places, class Slot>
+void PlaneFactors::substitute(const Places& places, double* x, const Slot& slot) const {
+    constexpr std::size_t both = 2 * sides;
+    std::array<double, both> own;
+    for (const std::size_t i : places) {
+        std::copy_n(x + slot(i) * both, both, own.begin());
         for (auto k = static_cast<std::size_t>(start_[i]); k < static_cast<std::size_t>(start_[i + 1]); ++k) {
-            const double* const at = x + static_cast<std::size_t>(row_[k]) * both;
+            const double* const at = x + slot(static_cast<std::size_t>(row_[k])) * both;
             for (std::size_t c = 0; c < sides; ++c) own[c] -= value_[2 * k] * at[c];
             for (std::size_t c = 0; c < sides; ++c) own[sides + c] -= value_[2 * k + 1] * at[sides + c];
         }
-        std::copy_n(own.begin(), both, x + i * both);
+        std::copy_n(own.begin(), both, x + slot(i) * both);
     }
 }
+
+namespace {
+
+constexpr std::uint32_t no_number = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t no_slot = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
 
 PieceCompliance::PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints)
     : bodies_(std::move(bodies)),
       joints_(std::move(joints)),
       factors_(assembled(bodies_, joints_)),
+      number_(bodies_.size(), no_number),
+      slot_(factors_.size(), no_slot),
       columns_(bodies_.size()) {}
 
 bool PieceCompliance::is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const {
@@ -178,59 +208,134 @@ bool PieceCompliance::is_of(std::span<const PieceBody> bodies, std::span<const P
     return std::ranges::equal(bodies_, bodies, same) && std::ranges::equal(joints_, joints, same);
 }
 
-template <std::size_t sources>
-void PieceCompliance::make_some(const std::array<std::size_t, sources>& bodies) {
-    constexpr std::size_t sides = 3 * sources;
-    const std::size_t size = 3 * bodies_.size();
-    solved_.assign(2 * sides * size, 0.0);
-    for (std::size_t j = 0; j < sources; ++j)
-        for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t part = 0; part < 2; ++part)
-                solved_[(2 * factors_.place(3 * bodies[j] + k) + part) * sides + 3 * j + k] = 1;
-    factors_.solve<sides>(solved_.data());
-    for (std::size_t j = 0; j < sources; ++j) {
-        AlignedArray<double>& column = columns_[bodies[j]];
-        column = AlignedArray<double>(bodies_.size() * compliance_block);
-        for (std::size_t i = 0; i < size; ++i)
-            for (std::size_t part = 0; part < 2; ++part)
-                for (std::size_t k = 0; k < 3; ++k)
-                    column[i / 3 * compliance_block + 8 * k + 4 * part + i % 3] =
-                        solved_[(2 * factors_.place(i) + part) * sides + 3 * j + k];
+std::vector<std::uint32_t> PieceCompliance::unknown_of(std::span<const std::uint32_t> bodies) const {
+    std::vector<std::uint32_t> unknown;
+    if (knows_all()) return unknown;
+    if (is_small()) {
+        unknown.resize(bodies_.size());
+        std::iota(unknown.begin(), unknown.end(), 0U);
+    } else {
+        std::ranges::copy_if(bodies, std::back_inserter(unknown),
+                             [&](std::uint32_t body) { return number_[body] == no_number; });
+    }
+    return unknown;
+}
+
+/// The places that get one, falling.
+std::vector<std::size_t> PieceCompliance::give_slots(std::span<const std::uint32_t> bodies) {
+    std::vector<std::size_t> fresh;
+    for (const std::uint32_t body : bodies) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t i = factors_.place(3 * body + k); i < factors_.size() && slot_[i] == no_slot;
+                 i = factors_.next(i)) {
+                slot_[i] = places_.size() + fresh.size();
+                fresh.push_back(i);
+            }
+        }
+    }
+    std::ranges::sort(fresh, std::greater());
+    const auto known = static_cast<std::ptrdiff_t>(places_.size());
+    places_.insert(places_.end(), fresh.begin(), fresh.end());
+    std::inplace_merge(places_.begin(), places_.begin() + known, places_.end(), std::greater());
+    return fresh;
+}
+
+void PieceCompliance::add_sources(std::span<const std::uint32_t> bodies) {
+    std::vector<std::uint32_t> moving;
+    for (const std::uint32_t body : bodies) {
+        if (bodies_[body].mass > 0)
+            moving.push_back(body);
+        else
+            columns_[body] = AlignedArray<double>(bodies_.size() * compliance_block);  // it does not feel impulses
+    }
+    std::span<const std::uint32_t> left = moving;
+    while (!left.empty()) {
+        const std::size_t count = left.size() < most_sources ? 1 : most_sources;
+        sources_.push_back({{left.begin(), left.begin() + static_cast<std::ptrdiff_t>(count)}, {}});
+        left = left.subspan(count);
     }
 }
 
-void PieceCompliance::make_columns(std::span<const std::uint32_t> sources) {
-    constexpr std::size_t most = 4;
-    std::array<std::size_t, most> some{};
-    std::size_t count = 0;
-    for (const std::uint32_t source : sources) {
-        if (columns_[source].size() > 0 || !(bodies_[source].mass > 0)) continue;
-        some[count++] = source;
-        if (count < most) continue;
-        make_some(some);
-        count = 0;
-    }
-    for (std::size_t i = 0; i < count; ++i) make_some(std::array{some[i]});
-}
-
-const double* PieceCompliance::column(std::size_t source) {
-    AlignedArray<double>& column = columns_[source];
-    if (column.size() > 0) return column.data();
-    if (bodies_[source].mass > 0)
-        make_some(std::array{source});
+/// Calls task.template operator()<number of its bodies>().
+template <class Task>
+void PieceCompliance::for_size(const Sources& of, const Task& task) {
+    if (of.bodies.size() == most_sources)
+        task.template operator()<most_sources>();
     else
-        column = AlignedArray<double>(bodies_.size() * compliance_block);  // it does not feel impulses
-    return column.data();
+        task.template operator()<1>();
+}
+
+template <std::size_t sources>
+void PieceCompliance::eliminate(Sources& of) const {
+    constexpr std::size_t sides = 3 * sources;
+    of.solved.assign(places_.size() * 2 * sides, 0.0);
+    std::vector<std::size_t> way;
+    for (std::size_t j = 0; j < sources; ++j) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t place = factors_.place(3 * of.bodies[j] + k);
+            for (std::size_t part = 0; part < 2; ++part) of.solved[(2 * slot_[place] + part) * sides + 3 * j + k] = 1;
+            for (std::size_t i = place; i < factors_.size(); i = factors_.next(i)) way.push_back(i);
+        }
+    }
+    std::ranges::sort(way);
+    way.erase(std::ranges::unique(way).begin(), way.end());
+    factors_.eliminate<sides>(way, of.solved.data(), [&](std::size_t i) { return slot_[i]; });
+}
+
+/// Solves at these places more, and writes the blocks of bodies from the number `first` on.
+template <std::size_t sources>
+void PieceCompliance::substitute(Sources& of, std::span<const std::size_t> places, std::size_t first) {
+    constexpr std::size_t sides = 3 * sources;
+    of.solved.resize(places_.size() * 2 * sides);
+    factors_.substitute<sides>(places, of.solved.data(), [&](std::size_t i) { return slot_[i]; });
+    const std::size_t size = known_.size() * compliance_block;
+    for (std::size_t j = 0; j < sources; ++j) {
+        AlignedArray<double>& column = columns_[of.bodies[j]];
+        if (column.size() < size) {
+            AlignedArray<double> longer(knows_all() ? size : size + size / 2);
+            std::copy_n(column.data(), first * compliance_block, longer.data());
+            column = std::move(longer);
+        }
+        for (std::size_t n = first; n < known_.size(); ++n)
+            for (std::size_t i = 0; i < 3; ++i)
+                for (std::size_t part = 0; part < 2; ++part)
+                    for (std::size_t k = 0; k < 3; ++k)
+                        column[n * compliance_block + 8 * k + 4 * part + i] =
+                            of.solved[(2 * slot_[factors_.place(3 * known_[n] + i)] + part) * sides + 3 * j + k];
+    }
+}
+
+void PieceCompliance::make_columns(std::span<const std::uint32_t> bodies) {
+    const std::vector<std::uint32_t> fresh = unknown_of(bodies);
+    if (fresh.empty()) return;
+    const std::size_t first = known_.size();
+    for (const std::uint32_t body : fresh) {
+        number_[body] = static_cast<std::uint32_t>(known_.size());
+        known_.push_back(body);
+    }
+    const std::vector<std::size_t> places = give_slots(fresh);
+    for (Sources& of : sources_) for_size(of, [&]<std::size_t sources> { substitute<sources>(of, places, first); });
+    const std::size_t old = sources_.size();
+    add_sources(fresh);
+    for (Sources& of : std::span(sources_).subspan(old)) {
+        for_size(of, [&]<std::size_t sources> {
+            eliminate<sources>(of);
+            substitute<sources>(of, places_, 0);
+        });
+    }
+    if (knows_all()) sources_ = {};
 }
 
 void PieceCompliance::velocity_changes(const double* impulses, double* changes) {
-    const std::size_t size = 3 * bodies_.size();
+    const std::size_t size = factors_.size();
     const auto at = [&](std::size_t i, std::size_t part) { return i / 3 * 8 + 4 * part + i % 3; };
     solved_.resize(2 * size);
     for (std::size_t i = 0; i < size; ++i)
         for (std::size_t part = 0; part < 2; ++part)
             solved_[2 * factors_.place(i) + part] = bodies_[i / 3].mass > 0 ? impulses[at(i, part)] : 0;
-    factors_.solve<1>(solved_.data());
+    const auto all = std::views::iota(std::size_t{0}, size);
+    factors_.eliminate<1>(all, solved_.data(), std::identity());
+    factors_.substitute<1>(all | std::views::reverse, solved_.data(), std::identity());
     for (std::size_t i = 0; i < size; ++i)
         for (std::size_t part = 0; part < 2; ++part) changes[at(i, part)] = solved_[2 * factors_.place(i) + part];
 }
@@ -254,7 +359,8 @@ void PieceCompliance::archive(StateArchive& state, std::shared_ptr<PieceComplian
     std::vector<PieceBody> bodies;
     std::vector<PieceJoint> joints;
     if (known) {
-        auto& [of_bodies, of_joints, factors, columns, solved] = *known;  // the others follow from these
+        auto& [of_bodies, of_joints, factors, numbered, number, places, slot, sources, columns, solved] =
+            *known;  // the others follow from these
         bodies = of_bodies;
         joints = of_joints;
     }

@@ -50,18 +50,29 @@ struct PieceJoint {
     std::array<double, 6> hold{};  ///< Δt D + Δt² K of the linear, then of the angular parts: kg, kg m²
 };
 
-/// Two systems of one pattern, L D Lᵀ each, solved side by side: in the plane, and out of it.
+/// Two systems of one pattern, L D Lᵀ each, solved side by side: in the plane, and out of it. An unknown of either has
+/// a place in the order of elimination; what a place depends on lies on its way to the root of the elimination tree.
 class PlaneFactors {
   public:
     explicit PlaneFactors(const std::array<Eigen::SparseMatrix<double>, 2>& matrices);
 
-    /// Where an unknown stands in what solve() takes: its right sides in the plane, then those out of it.
+    std::size_t size() const { return place_.size(); }
     std::size_t place(std::size_t unknown) const { return static_cast<std::size_t>(place_[unknown]); }
 
-    /// Right sides, `sides` of either system for each unknown, become solutions; each by the operations, in their
-    /// order, of Eigen's SimplicialLDLT, so that their number does not show.
-    template <std::size_t sides>
-    void solve(double* x) const;
+    /// The next place on the way to the root, which is above this one; size() from the root on.
+    std::size_t next(std::size_t place) const;
+
+    // Both take right sides `x`, `sides` in the plane and then as many out of it for the place that `slot` gives a
+    // place of. Each does what it does by the operations, in their order, of Eigen's SimplicialLDLT: neither the number
+    // of sides shows in the bits nor which other places are asked for.
+
+    /// x ← D⁻¹ L⁻¹ x at rising places: all that are not zero, with their ways to the root.
+    template <std::size_t sides, class Places, class Slot>
+    void eliminate(const Places& places, double* x, const Slot& slot) const;
+
+    /// x ← L⁻ᵀ x at falling places, of whose ways to the root the rest is known.
+    template <std::size_t sides, class Places, class Slot>
+    void substitute(const Places& places, double* x, const Slot& slot) const;
 
   private:
     std::vector<int> place_;
@@ -80,13 +91,19 @@ class PieceCompliance {
 
     std::size_t bodies() const { return bodies_.size(); }
 
-    /// Computes the columns of these bodies that are not there yet, some at a time: a factor that fills a cache is read
-    /// once for all of them.
-    void make_columns(std::span<const std::uint32_t> sources);
+    /// Small pieces know all of their compliance at once, by the numbers of the bodies.
+    bool is_small() const { return bodies_.size() <= 64; }
 
-    /// What unit impulses on body `source` do to the velocities of all bodies: a compliance_block for each. Computed
-    /// when first asked for.
-    const double* column(std::size_t source);
+    /// Makes what impulses on these bodies, and those of earlier calls, do to one another. Of large pieces nothing else
+    /// is computed.
+    void make_columns(std::span<const std::uint32_t> bodies);
+
+    /// Of a body that make_columns() knows: its number in columns.
+    std::uint32_t number(std::size_t body) const { return number_[body]; }
+
+    /// What unit impulses on this body do to the velocities of all known ones: a compliance_block for each. Moves in
+    /// memory when make_columns() meets new bodies.
+    const double* column(std::size_t source) const { return columns_[source].data(); }
 
     /// Changes of velocity by impulses on all bodies, both 8 numbers a body in the order of a block's rows. For large
     /// pieces: it needs no columns.
@@ -96,12 +113,33 @@ class PieceCompliance {
     static void archive(StateArchive& state, std::shared_ptr<PieceCompliance>& known);
 
   private:
+    static constexpr std::size_t most_sources = 4;  ///< a factor that fills a cache is read once for all of them
+
+    /// Columns of some bodies while more places of them may be asked for: by slots of places.
+    struct Sources {
+        std::vector<std::uint32_t> bodies;  ///< one, or most_sources
+        std::vector<double> solved;
+    };
+
+    bool knows_all() const { return known_.size() == bodies_.size(); }
+    std::vector<std::uint32_t> unknown_of(std::span<const std::uint32_t> bodies) const;
+    std::vector<std::size_t> give_slots(std::span<const std::uint32_t> bodies);
+    void add_sources(std::span<const std::uint32_t> bodies);
+    template <class Task>
+    static void for_size(const Sources& of, const Task& task);
     template <std::size_t sources>
-    void make_some(const std::array<std::size_t, sources>& bodies);
+    void eliminate(Sources& of) const;
+    template <std::size_t sources>
+    void substitute(Sources& of, std::span<const std::size_t> places, std::size_t first);
 
     std::vector<PieceBody> bodies_;
     std::vector<PieceJoint> joints_;
     PlaneFactors factors_;
+    std::vector<std::uint32_t> known_;   ///< bodies by their numbers
+    std::vector<std::uint32_t> number_;  ///< by body
+    std::vector<std::size_t> places_;    ///< of known bodies with their ways to the root, falling
+    std::vector<std::size_t> slot_;      ///< by place
+    std::vector<Sources> sources_;       ///< empty once all bodies are known
     std::vector<AlignedArray<double>> columns_;
     std::vector<double> solved_;
 };

@@ -1,4 +1,4 @@
-// What impulses do to a piece: two bodies by closed form, and the same bits however many columns are made at a time.
+// What impulses do to a piece: two bodies by closed form, and the same bits however its columns are asked for.
 
 #include "solver/piece_compliance.hpp"
 
@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace floes {
@@ -28,9 +29,51 @@ PieceCompliance row_of(std::size_t count, bool fixed = false) {
     return {std::move(bodies), std::move(joints)};
 }
 
+std::vector<std::uint32_t> all_of(std::size_t count) {
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
+}
+
 /// Along x, of body `of` by an impulse along x on body `source`.
 double along_x(PieceCompliance& piece, std::size_t of, std::size_t source) {
-    return piece.column(source)[of * compliance_block];
+    piece.make_columns(all_of(piece.bodies()));
+    return piece.column(source)[piece.number(of) * compliance_block];
+}
+
+/// A square of bodies 1 m apart, held alike.
+PieceCompliance square_of(int side) {
+    std::vector<PieceBody> bodies(static_cast<std::size_t>(side * side),
+                                  {.mass = mass, .inertia = Vec3(0.3, 0.5, 0.4).asDiagonal()});
+    std::vector<PieceJoint> joints;
+    for (int i = 0; i < side * side; ++i) {
+        PieceJoint joint{.a = i, .hold = {hold, 1.1 * hold, 1.2 * hold, 0.1 * hold, 0.2 * hold, 0.3 * hold}};
+        for (const auto& [step, ahead] : {std::pair(1, Vec3(0.5, 0, 0)), std::pair(side, Vec3(0, 0, 0.5))}) {
+            if (step == 1 ? i % side == side - 1 : i + side >= side * side) continue;
+            joint.b = i + step;
+            joint.lever_a = ahead;
+            joint.lever_b = -ahead;
+            joints.push_back(joint);
+        }
+    }
+    return {std::move(bodies), std::move(joints)};
+}
+
+/// Every block that the piece knows between these bodies is what it does by velocity_changes(), to the bit.
+void expect_blocks(PieceCompliance& piece, const std::vector<std::uint32_t>& bodies) {
+    for (const std::uint32_t source : bodies) {
+        for (std::size_t k = 0; k < 6; ++k) {
+            std::vector<double> impulse(8 * piece.bodies(), 0.0);
+            std::vector<double> change(8 * piece.bodies(), 0.0);
+            impulse[8 * source + 4 * (k / 3) + k % 3] = 1;
+            piece.velocity_changes(impulse.data(), change.data());
+            for (const std::uint32_t of : bodies) {
+                const double* const block = piece.column(source) + piece.number(of) * compliance_block + 8 * (k % 3);
+                for (std::size_t i = 0; i < 3; ++i)
+                    EXPECT_EQ(block[4 * (k / 3) + i], change[8 * of + 4 * (k / 3) + i]) << source << " " << of;
+            }
+        }
+    }
 }
 
 // (m + h) v₁ - h v₂ = 1, (m + h) v₂ - h v₁ = 0.
@@ -48,29 +91,25 @@ TEST(PieceCompliance, OfABodyHeldByAFixedOneIsThatOfASpring) {
     EXPECT_EQ(along_x(pair, 1, 0), 0) << "a fixed body feels no impulse";
 }
 
-TEST(PieceCompliance, HasTheSameBitsHoweverManyColumnsAreMadeAtATime) {
-    constexpr std::size_t count = 11;
-    PieceCompliance one_by_one = row_of(count);
-    PieceCompliance together = row_of(count);
-    std::vector<std::uint32_t> all(count);
-    std::iota(all.begin(), all.end(), 0U);
-    together.make_columns(all);
-    for (std::size_t source = 0; source < count; ++source) {
-        const double* const column = together.column(source);
-        for (std::size_t k = 0; k < count * compliance_block; ++k)
-            EXPECT_EQ(one_by_one.column(source)[k], column[k]) << source << " " << k;
-        for (std::size_t k = 0; k < 3; ++k) {
-            for (const std::size_t part : {0U, 1U}) {
-                std::vector<double> impulse(8 * count, 0.0);
-                std::vector<double> change(8 * count, 0.0);
-                impulse[8 * source + 4 * part + k] = 1;
-                together.velocity_changes(impulse.data(), change.data());
-                for (std::size_t i = 0; i < 3 * count; ++i)
-                    EXPECT_EQ(change[i / 3 * 8 + 4 * part + i % 3],
-                              column[i / 3 * compliance_block + 8 * k + 4 * part + i % 3]);
-            }
-        }
+TEST(PieceCompliance, OfASmallPieceIsKnownWhole) {
+    PieceCompliance piece = row_of(11);
+    piece.make_columns(std::vector<std::uint32_t>{7});
+    for (const std::uint32_t body : all_of(11)) EXPECT_EQ(piece.number(body), body);
+    expect_blocks(piece, all_of(11));
+}
+
+// As contacts come to a sheet: bodies far from each other, neighbours of them, some twice, four and more at a time.
+TEST(PieceCompliance, OfALargePieceHasTheSameBitsInWhateverOrderItsBodiesAreTouched) {
+    PieceCompliance piece = square_of(12);
+    std::vector<std::uint32_t> touched;
+    for (const std::vector<std::uint32_t>& more :
+         {std::vector<std::uint32_t>{143}, {0, 143, 70}, {}, {1, 2, 3, 4, 5, 71, 130, 142, 0}, {12}}) {
+        piece.make_columns(more);
+        touched.insert(touched.end(), more.begin(), more.end());
+        expect_blocks(piece, touched);
     }
+    piece.make_columns(all_of(144));
+    expect_blocks(piece, all_of(144));
 }
 
 }  // namespace piece_compliance_test
