@@ -4,7 +4,7 @@
 Usage:
     level_case1.py                        writes tables and picture
     level_case1.py --check                writes nothing; fails if the page differs from the data
-    level_case1.py --collect FOLDER       first takes the members that FOLDER has, as NAME*.h5, of the campaigns level_case1,
+    level_case1.py --collect FOLDER       first takes the members that FOLDER has, as NAME.h5, of the campaigns level_case1,
                                           level_case1_factors and level_case1_wide of configs/validation
 
 level_case1.measured.csv: means over 0.5 s of the measured load; Lemström, Polojärvi, Puolakka and Tuhkuri, Data in Brief
@@ -102,8 +102,8 @@ def renewed(name, rows, order):
 def collect(folder):
     rows, peaks, traces = [], [], {}
     for name, breadth in CAMPAIGNS.items():
-        for path in sorted(folder.glob(f"{name}*.h5")):
-            add_members(path, breadth, rows, peaks, traces)
+        if (folder / f"{name}.h5").exists():
+            add_members(folder / f"{name}.h5", breadth, rows, peaks, traces)
     order = [case["name"] for name in CAMPAIGNS
              for case in tomllib.loads((CONFIGS / f"{name}.toml").read_text())["case"]]
     renewed("level_case1.members.csv", rows, order)
