@@ -185,6 +185,38 @@ TEST(Pile, IsPushedUpASlopeByItsWeightAndFriction) {
     }
 }
 
+// ρ_i/ρ_w of its height.
+TEST(Pile, FloatsAsDeepAsItIsHeavy) {
+    World world(definition());
+    const CutElement plate = cut_into_cells(corners_of(0.15, 0.15), 0.3).elements.at(0);
+    const Water still{.flow = WaterFlow::still};
+    const int layers = 6;
+    const double mass = density * plate.area * 2 * half_thickness;
+    const WaterModel water(still, gravity, plate, 2 * half_thickness, mass, 0.0, 0.0);
+    std::vector<BodyId> pile;
+    for (int k = 0; k < layers; ++k) {
+        ElementDefinition made{.corners = plate.corners, .half_thickness = half_thickness, .mass = mass};
+        made.pose.position = {0, 2.001 * half_thickness * (k - layers) + half_thickness, 0};
+        pile.push_back(world.add_element(made));
+    }
+    for (int step = 0; step < 3000; ++step) {
+        for (const BodyId body : pile) {
+            const BodyState state = world.state(body);
+            world.apply(body, water.wrench({.position = state.position,
+                                            .rotation = state.rotation,
+                                            .velocity = state.velocity,
+                                            .angular_velocity = state.angular_velocity},
+                                           0));
+        }
+        world.step();
+    }
+    const double height = 2 * half_thickness * layers;
+    const double lowest = world.state(pile.front()).position.y() - half_thickness;
+    const double highest = world.state(pile.back()).position.y() + half_thickness;
+    EXPECT_NEAR(highest - lowest, height, 0.01 * height) << "its layers lie on one another";
+    EXPECT_NEAR(-lowest / height, density / 1000, 0.005);
+}
+
 // Ride-up: a layer of loose pieces on a plate of the hull, pushed up from below, takes W (sin α + μ cos α) along the
 // plate, which then bears W cos α (sin α + μ cos α) horizontally.
 TEST(Pile, ALayerRidesUpAPlateByItsWeightAndFriction) {
