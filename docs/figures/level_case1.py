@@ -81,12 +81,11 @@ def add_members(path, breadth, rows, peaks, traces):
             means = [[round(trace[one].mean(), digits) for one in inside] + [np.nan] * (len(WINDOWS) - len(inside))
                      for trace, digits in ((load, 0), (bed, 0), (grounded, 2))]
             rows.append([cases[case], members["arrangement"][member], *sum(means, [])])
-            if end[-1] < STEADY[1]:
-                continue
-            peaks.append([cases[case], members["arrangement"][member]] + [float(f"{x:.4g}") for x in peaks_of(load, step)])
             size = round(EVERY / step)
-            means = load[: len(load) // size * size].reshape(-1, size).mean(axis=1)
-            traces[f"{cases[case]}: {members['arrangement'][member]}"] = np.round(means).astype(int)
+            trace = load[: len(load) // size * size].reshape(-1, size).mean(axis=1)
+            traces[f"{cases[case]}: {members['arrangement'][member]}"] = np.round(trace).astype(int)
+            if end[-1] >= STEADY[1]:
+                peaks.append([cases[case], members["arrangement"][member]] + [float(f"{x:.4g}") for x in peaks_of(load, step)])
 
 
 def renewed(name, rows, order):
@@ -109,16 +108,14 @@ def collect(folder):
     renewed("level_case1.members.csv", rows, order)
     renewed("level_case1.peaks.csv", peaks, order)
     known = pd.read_csv(DATA / "level_case1.traces.csv").set_index("end_s")
-    traces = pd.DataFrame(traces, index=known.index[: min(map(len, traces.values()), default=0)])
-    for name in traces:
-        known[name] = traces[name]
+    for name, trace in traces.items():
+        known[name] = pd.Series(trace, index=known.index[: len(trace)])
     columns = sorted(known, key=lambda name: (order.index(name.split(": ")[0]), int(name.split(": ")[1])))
-    known[columns].to_csv(DATA / "level_case1.traces.csv")
+    known[columns].astype("Int64").to_csv(DATA / "level_case1.traces.csv")
 
 
 CHANGES = {"high": "a plate that reaches 1.2 m above the water", "ice_friction_40": "friction of ice on ice 0.4 for 0.15",
-           "wide": "a slice of 3 m",
-           "plate_friction_30": "friction on the plate 0.3 for 0.1", "cells_20": "cells of 0.2 m for 0.15 m"}
+           "wide": "a slice of 3 m"}
 
 
 def words(case):
@@ -177,6 +174,31 @@ def peak_table():
     return "\n".join(lines)
 
 
+def widths():
+    """How the load of ice of one width differs from its straight line from 30 to 130 s, by means over 2 s."""
+    traces = pd.read_csv(DATA / "level_case1.traces.csv").set_index("end_s")
+    measured = pd.read_csv(DATA / "level_case1.measured.csv").force_N.to_numpy()
+    begin, end = WINDOWS[1]
+
+    def figures(load):
+        part = load[round(begin / EVERY): round(end / EVERY)] / 1e3
+        about = part - np.polyval(np.polyfit(np.arange(len(part)), part, 1), np.arange(len(part)))
+        return part.mean(), about.std(), part.min()
+
+    lines = ["| from 30 to 130 s, kN for 10 m | mean | standard deviation about its line | least of 2 s |", "|---" * 4 + "|"]
+    size = round(EVERY / 0.5)
+    means = measured[: len(measured) // size * size].reshape(-1, size).mean(axis=1)
+    lines.append("| measured, 10 m | " + " | ".join(f"{x:.2f}" for x in figures(means)) + " |")
+    for name, case in (("slices of 1 m", "a50_d46"), ("slices of 3 m", "a50_d46_wide")):
+        runs = [figures(traces[one].to_numpy()) for one in traces if one.split(": ")[0] == case]
+        cells = []
+        for values in zip(*runs):
+            mean, half = one_run(values)
+            cells.append(f"{mean:.2f} ± {half:.2f}" if np.isfinite(half) else f"{mean:.2f}")
+        lines.append(f"| {name}, {len(runs)} runs | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
 def draw(path):
     import matplotlib
 
@@ -213,7 +235,7 @@ def main():
     options = parser.parse_args()
     if options.collect is not None:
         collect(options.collect)
-    fill_or_check({PAGE: {"level": table, "level_peaks": peak_table}}, options.check, "level_case1.py")
+    fill_or_check({PAGE: {"level": table, "level_widths": widths, "level_peaks": peak_table}}, options.check, "level_case1.py")
     if not options.check:
         draw(DATA / "level_case1.svg")
 
