@@ -13,6 +13,7 @@ FLOES: the program. Steps of --pages need packages-test-all.txt.
 """
 import argparse
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -180,8 +181,8 @@ def check():
     if named != there:
         sys.exit(f"docs/figures/anew.py names {sorted(map(str, named - there))} that are not there, and lacks "
                  f"{sorted(map(str, there - named))}")
-    if lacking := [words for _, words in STEPS if not (FIGURES / words.split()[0]).exists()]:
-        sys.exit(f"docs/figures/anew.py has steps that are not there: {lacking}")
+    if lacking := [words for _, words in STEPS if not os.access(FIGURES / words.split()[0], os.X_OK)]:
+        sys.exit(f"docs/figures/anew.py has steps that are not there, or that cannot be run: {lacking}")
 
 
 def main():
