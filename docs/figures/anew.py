@@ -3,7 +3,7 @@
 
     anew.py FLOES FOLDER             runs what FOLDER lacks, in the order below; stop it at will, and call it again
     anew.py FLOES FOLDER --hours 3   ends by then; a campaign that is under way goes on at the next call
-    anew.py FLOES FOLDER --only A B  runs these alone, in this order
+    anew.py FLOES FOLDER --only A B  these alone, in this order; with --plan, too
     anew.py FLOES FOLDER --plan      only says what is left, and how long it takes on this machine's cores
     anew.py FLOES FOLDER --pages     of what is complete: data, tables and pictures of the pages, and for sentences that are
                                      written by hand FOLDER/NAME.txt, the whole summary
@@ -153,8 +153,8 @@ def run(floes, folder, hours, names):
     return all(members_left(floes, folder, name)[0] == 0 for name in names)
 
 
-def tell_plan(floes, folder):
-    rows = [(name, *members_left(floes, folder, name)) for name in CAMPAIGNS]
+def tell_plan(floes, folder, names):
+    rows = [(name, *members_left(floes, folder, name)) for name in names]
     for name, members, seconds in rows:
         if members:
             print(f"{name:22}{members:6} members {seconds / 60:7.1f} min")
@@ -199,7 +199,7 @@ def main():
     given = parser.parse_args()
     given.folder.mkdir(exist_ok=True)
     if given.plan:
-        tell_plan(given.floes, given.folder)
+        tell_plan(given.floes, given.folder, given.only)
     elif given.pages:
         make_pages(given.floes, given.folder)
     elif not run(given.floes, given.folder, given.hours, given.only):

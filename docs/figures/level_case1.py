@@ -5,7 +5,7 @@ Usage:
     level_case1.py                        writes tables and picture
     level_case1.py --check                writes nothing; fails if the page differs from the data
     level_case1.py --collect FOLDER       first takes the members that FOLDER has, as NAME.h5, of the campaigns level_case1,
-                                          level_case1_factors and level_case1_wide of configs/validation
+                                          level_case1_factors and level_case1_wide of configs/validation; others stay
 
 level_case1.measured.csv: means over 0.5 s of the measured load; Lemström, Polojärvi, Puolakka and Tuhkuri, Data in Brief
 45 (2022) 108580, doi 10.5281/zenodo.6524282, CC BY 4.0. level_case1.windows.csv: its means in five windows, and those of
@@ -49,6 +49,12 @@ def turning_points(load, least):
     return np.array(points)
 
 
+def averaged(load, step):
+    """Means over EVERY of means over `step`, s."""
+    size = round(EVERY / step)
+    return load[: len(load) // size * size].reshape(-1, size).mean(axis=1)
+
+
 def peaks_of(load, step):
     """Of means over `step`, s, in STEADY: standard deviation, largest over 1 and 10 s, time between falls, mean fall, N and
     s, and the share of the variance below 0.05 Hz."""
@@ -81,9 +87,7 @@ def add_members(path, breadth, rows, peaks, traces):
             means = [[round(trace[one].mean(), digits) for one in inside] + [np.nan] * (len(WINDOWS) - len(inside))
                      for trace, digits in ((load, 0), (bed, 0), (grounded, 2))]
             rows.append([cases[case], members["arrangement"][member], *sum(means, [])])
-            size = round(EVERY / step)
-            trace = load[: len(load) // size * size].reshape(-1, size).mean(axis=1)
-            traces[f"{cases[case]}: {members['arrangement'][member]}"] = np.round(trace).astype(int)
+            traces[f"{cases[case]}: {members['arrangement'][member]}"] = np.round(averaged(load, step)).astype(int)
             if end[-1] >= STEADY[1]:
                 peaks.append([cases[case], members["arrangement"][member]] + [float(f"{x:.4g}") for x in peaks_of(load, step)])
 
@@ -186,9 +190,7 @@ def widths():
         return part.mean(), about.std(), part.min()
 
     lines = ["| from 30 to 130 s, kN for 10 m | mean | standard deviation about its line | least of 2 s |", "|---" * 4 + "|"]
-    size = round(EVERY / 0.5)
-    means = measured[: len(measured) // size * size].reshape(-1, size).mean(axis=1)
-    lines.append("| measured, 10 m | " + " | ".join(f"{x:.2f}" for x in figures(means)) + " |")
+    lines.append("| measured, 10 m | " + " | ".join(f"{x:.2f}" for x in figures(averaged(measured, 0.5))) + " |")
     for name, case in (("slices of 1 m", "a50_d46"), ("slices of 3 m", "a50_d46_wide")):
         runs = [figures(traces[one].to_numpy()) for one in traces if one.split(": ")[0] == case]
         cells = []
@@ -209,9 +211,7 @@ def draw(path):
     windows = pd.read_csv(DATA / "level_case1.windows.csv")
     traces = pd.read_csv(DATA / "level_case1.traces.csv")
     figure, axes = plt.subplots(figsize=(9, 3.6), layout="constrained")
-    size = round(EVERY / 0.5)
-    count = len(measured) // size * size
-    means = measured.force_N.to_numpy()[:count].reshape(-1, size).mean(axis=1) / 1e3
+    means = averaged(measured.force_N.to_numpy(), 0.5) / 1e3
     axes.plot((np.arange(len(means)) + 1) * EVERY, means, color="black", linewidth=0.8, label="measured")
     cases = [name.split(": ")[0] for name in traces.columns[1:]]
     for k, name in enumerate(traces.columns[1:]):

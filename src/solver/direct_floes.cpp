@@ -209,10 +209,10 @@ void DirectFloes::touch(const LaneArrays& all, std::span<const SolverContact> co
         Piece& piece = pieces_[i];
         apply_compliance(piece, piece.touched, piece.touched_within, all.delta);
         for (std::size_t k = 0; k < piece.touched.size(); ++k) {
-            std::uint32_t& number = piece.touched_within[k];
-            const double* blocks = piece.compliance->column(number);
-            number = piece.compliance->number(number);
-            columns_[piece.touched[k]] = {blocks, blocks + number * compliance_block, piece.touched.data(),
+            std::uint32_t& within = piece.touched_within[k];
+            const double* blocks = piece.compliance->column(within);
+            within = piece.compliance->number(within);
+            columns_[piece.touched[k]] = {blocks, blocks + within * compliance_block, piece.touched.data(),
                                           piece.touched_within.data(), piece.touched.size()};
         }
     }

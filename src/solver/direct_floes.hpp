@@ -66,8 +66,8 @@ class DirectFloes {
         std::vector<std::uint32_t> joints;  ///< alive, rising
         std::vector<Mat3> at_rest;          ///< body -> piece, unstrained
         std::shared_ptr<PieceCompliance> compliance;
-        std::vector<std::uint32_t> touched, touched_within;
-        bool broken = false;  ///< joints were removed since it was found
+        std::vector<std::uint32_t> touched, touched_within;  ///< numbers in the piece, from touch() on in columns
+        bool broken = false;                                 ///< joints were removed since it was found
     };
 
     void archive_pieces(StateArchive& state);

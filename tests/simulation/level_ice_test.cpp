@@ -98,7 +98,6 @@ TEST(LevelIce, IsBentAsABeamOnWater) {
 /// A wall that does not rub, on ice that does not break.
 Scenario pressed_strip(double angle, double element, double length) {
     Scenario scenario = test::level_strip(angle, element, length);
-    if (angle == 90 * degree) scenario.structure.start = -0.0005;
     scenario.contact.ice_structure_friction = 1e-6;
     scenario.contact.crushing_pressure = 1e9;
     for (double* strength : {&scenario.ice.bending_strength, &scenario.ice.compressive_strength,
