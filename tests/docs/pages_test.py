@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Pages lead where they say: relative links and their headings exist, docs/index.md lists every page of docs/ and all that
-the site lists, in the same order, and what the README shows of a summary is what the tutorial shows.
+the site lists, in the same order, every table has a head and rows, and what the README shows of a summary is what the
+tutorial shows.
 
 Usage: pages_test.py PROJECT_FOLDER
 """
@@ -45,6 +46,14 @@ def broken_links(page, root):
             yield f"{page.relative_to(root)}: {file.name} has no heading #{heading}"
 
 
+def torn_tables(page, root):
+    """Lines of dashes without a head above or a row below."""
+    lines = ["", *prose(page.read_text(encoding="utf-8")).splitlines(), ""]
+    for before, line, after in zip(lines, lines[1:], lines[2:]):
+        if re.fullmatch(r"\|[-|: ]*-[-|: ]*\|", line) and not (before.startswith("|") and after.startswith("|")):
+            yield f"{page.relative_to(root)}: a table lacks its head or its rows, below {before!r}"
+
+
 def listed_by(index, root):
     """Group -> the pages that docs/index.md links below it, as paths from the project's folder."""
     groups = {}
@@ -79,6 +88,7 @@ def faults(root):
         yield f"only {len(pages)} pages were found"
     for page in pages:
         yield from broken_links(page, root)
+        yield from torn_tables(page, root)
     yield from faults_of_index(root)
     for page in sorted((root / "docs").glob("*.md")):
         if not page.read_text(encoding="utf-8").startswith("# "):
