@@ -5,13 +5,14 @@
     anew.py FLOES FOLDER --hours 3   ends by then; a campaign that is under way goes on at the next call
     anew.py FLOES FOLDER --only A B  these alone, in this order; with --plan, too
     anew.py FLOES FOLDER --plan      only says what is left, and how long it takes on this machine's cores
-    anew.py FLOES FOLDER --pages     of what is complete: data, tables and pictures of the pages, and for sentences that are
-                                     written by hand FOLDER/NAME.txt, the whole summary
+    anew.py FLOES FOLDER --pages     of what is complete: its line of docs/campaigns.csv, data, tables and pictures of the
+                                     pages, and for sentences that are written by hand FOLDER/NAME.txt, the whole summary
     anew.py --check                  fails if a configuration of configs/ is in no campaign below
 
 FLOES: the program. Steps of --pages need packages-test-all.txt.
 """
 import argparse
+import csv
 import json
 import os
 import pathlib
@@ -19,9 +20,12 @@ import subprocess
 import sys
 import time
 
+import h5py
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONFIGS = ROOT / "configs"
 FIGURES = ROOT / "docs" / "figures"
+COMPUTED = ROOT / "docs" / "campaigns.csv"
 
 # Name of the file, configuration, and words that the page adds to `floes run`. Short campaigns come first, the long ones of
 # jams last.
@@ -79,11 +83,11 @@ CAMPAIGNS = {name: (CONFIGS / f"{where}.toml", " ".join(words).split()) for name
     ("level_ship", "level_ship"),
     ("widths", "validation/widths"),
     ("readings", "validation/readings"),
-    ("shapes_endless", "validation/shapes_endless", "--part 1/3"),
+    ("shapes_endless", "validation/shapes_endless"),
     ("speed_wall", "validation/speed_wall"),
     ("grain_wall_unsolved", "validation/grain_wall_unsolved"),
     ("grain_wall", "validation/grain_wall"),
-    ("gap", "validation/gap", "--part 1/3"),
+    ("gap", "validation/gap"),
     ("jam", "validation/jam"),
     ("level_case1_factors", "validation/level_case1_factors"),
     ("level_case1_wide", "validation/level_case1_wide"),
@@ -123,10 +127,8 @@ def answer(command):
 def members_left(floes, folder, name):
     """Members that are not done, and the seconds that they take on two cores by `floes plan`."""
     config, words = CAMPAIGNS[name]
-    plan = answer([floes, "plan", config, "--cores", "2", *(word for word in words if word != "--part" and "/" not in word)])
+    plan = answer([floes, "plan", config, "--cores", "2", *words])
     members, file = plan["members"], folder / f"{name}.h5"
-    if "--part" in words:
-        members //= int(words[words.index("--part") + 1].split("/")[1])
     if file.exists():
         status = answer([floes, "status", file])
         members = status["total"] - status["done"] - status["failed"]
@@ -161,8 +163,28 @@ def tell_plan(floes, folder, names):
     print(f"{'together':22}{sum(row[1] for row in rows):6} members {sum(row[2] for row in rows) / 3600:7.1f} h on two cores")
 
 
+def computed(file, name):
+    """What stands of a campaign in docs/campaigns.csv."""
+    with h5py.File(file) as campaign:
+        by = campaign["provenance"].attrs
+        seconds = campaign["provenance/cpu_time"][:]
+        return {"campaign": name, "members": len(seconds), "date": by["date"][:10], "floes": by["floes"],
+                "git_revision": by["git_revision"][:8], "core_minutes": f"{sum(seconds) / 60:.1f}"}
+
+
+def write_computed(folder, names):
+    with open(COMPUTED, newline="") as file:
+        rows = {row["campaign"]: row for row in csv.DictReader(file)}
+    rows |= {name: computed(folder / f"{name}.h5", name) for name in names}
+    with open(COMPUTED, "w", newline="") as file:
+        out = csv.DictWriter(file, ["campaign", "members", "date", "floes", "git_revision", "core_minutes"], lineterminator="\n")
+        out.writeheader()
+        out.writerows(rows[name] for name in CAMPAIGNS if name in rows)
+
+
 def make_pages(floes, folder):
     whole = {name for name in CAMPAIGNS if (folder / f"{name}.h5").exists() and members_left(floes, folder, name)[0] == 0}
+    write_computed(folder, whole)
     for name in sorted(whole):
         with open(folder / f"{name}.txt", "w") as told:
             subprocess.run([floes, "summarize", folder / f"{name}.h5", "--full"], stdout=told, stderr=told)
