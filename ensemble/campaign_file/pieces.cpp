@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign_file/content.hpp"
+#include "campaign_file/kinds.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "hdf5/columns.hpp"

@@ -20,10 +20,6 @@
 
 namespace floes {
 
-/// What says that an HDF5 file is a piece of a campaign file.
-inline constexpr hdf5::FileKind piece_kind{
-    "floes piece of a campaign", {1, 19}, 19, "piece of a campaign file of floes"};
-
 /// Places along each of found_axes: the most of a member, or all of what is listed.
 using FoundSizes = std::array<std::size_t, found_axes.size()>;
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "campaign_file/content.hpp"
+#include "campaign_file/kinds.hpp"
 #include "campaign_file/pieces.hpp"
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"

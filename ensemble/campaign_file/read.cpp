@@ -9,6 +9,7 @@
 
 #include "campaign/read.hpp"
 #include "campaign_file/array_reader.hpp"
+#include "campaign_file/kinds.hpp"
 #include "core/error.hpp"
 #include "hdf5/columns.hpp"
 #include "member/design_of.hpp"

@@ -20,9 +20,6 @@
 
 namespace floes {
 
-/// What says that an HDF5 file is a campaign file.
-inline constexpr hdf5::FileKind campaign_kind{"floes campaign", {1, 19}, 14, "campaign of floes"};
-
 // A campaign file, open for reading. To open it costs: its digests of pages are read, or without them a process of its
 // own tries whether HDF5 survives it. So who reads several things of a file opens it once.
 

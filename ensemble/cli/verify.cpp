@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "campaign_file/kinds.hpp"
 #include "campaign_file/pieces.hpp"
 #include "campaign_file/read.hpp"
 #include "cli/commands.hpp"

@@ -59,7 +59,7 @@ void compare_breaks(const CampaignFile& file, int member, const MemberResult& no
 
 /// Adds the last step of a run to a history of its own, which is kept whole where the member's is thinned.
 void add_last(const LoadHistory& of_run, LoadHistory& history) {
-    for (const auto one : load_histories) (history.*one).push_back((of_run.*one).back());
+    for (const auto& one : load_histories) (history.*one.values).push_back((of_run.*one.values).back());
 }
 
 /// A campaign of the one case, whose Σ and E are what the file says they were found to be.

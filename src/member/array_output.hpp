@@ -10,12 +10,14 @@
 #include <span>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "member/result.hpp"
 #include "scenario/scenario.hpp"
+#include "simulation/record.hpp"
 
 namespace floes {
 
@@ -216,25 +218,37 @@ struct ArrayOutput {
 
 // The list of all arrays that a member yields, beside its quantities: by it they travel from the process that computed
 // them to the journal and to the campaign file, and are read again. A new array is its field in MemberResult, one line
-// here, and its computation in run_member.cpp.
+// here, and its computation in run_member.cpp; a new history stands in simulation/record.hpp.
 
-/// A history of the load, or of how the structure moved.
-template <auto owner, auto history>
-constexpr ArrayOutput history_output(std::string_view path, std::string_view unit, std::string_view long_name,
-                                     const ArrayAxis& axis, int held_steps = 1) {
-    return {.path = path,
-            .unit = unit,
-            .long_name = long_name,
-            .axes = {&axis},
-            .access = at_vector<owner, history>(),
-            .chunks = ArrayChunks::of_its_own,
-            .held_steps = held_steps};
+/// The times of a history.
+constexpr const ArrayAxis* axis_of(HistoryOf of) {
+    constexpr std::array axes{&time_axis,     &bed_axis,    &motion_axis,  &mooring_axis,
+                              &line_use_axis, &thrust_axis, &floating_axis};
+    return axes[static_cast<std::size_t>(of)];
 }
 
-template <auto history>
-constexpr ArrayOutput motion_output(std::string_view path, std::string_view unit, std::string_view long_name,
-                                    const ArrayAxis& axis) {
-    return history_output<&MemberResult::motion, history>(path, unit, long_name, axis);
+/// An array for each history of the list.
+template <auto owner, const auto& histories>
+constexpr auto history_outputs() {
+    return []<std::size_t... k>(std::index_sequence<k...>) {
+        return std::array{ArrayOutput{.path = histories[k].path,
+                                      .unit = histories[k].unit,
+                                      .long_name = histories[k].long_name,
+                                      .axes = {axis_of(histories[k].of)},
+                                      .access = at_vector<owner, histories[k].values>(),
+                                      .chunks = ArrayChunks::of_its_own,
+                                      .held_steps = histories[k].held_steps}...};
+    }
+    (std::make_index_sequence<histories.size()>{});
+}
+
+/// One list after another.
+template <class Value, std::size_t... sizes>
+constexpr auto joined(const std::array<Value, sizes>&... lists) {
+    std::array<Value, (sizes + ...)> all{};
+    auto place = all.begin();
+    ((place = std::ranges::copy(lists, place).out), ...);
+    return all;
 }
 
 /// One number of each element of a vector, which is read with the quantities.
@@ -249,8 +263,7 @@ constexpr ArrayOutput table_output(std::string_view path, std::string_view unit,
             .in_table = true};
 }
 
-/// In the order in which they are stored and set: what others need comes first.
-inline constexpr std::array array_outputs{
+inline constexpr std::array outputs_before_histories{
     ArrayOutput{.path = "members/segment_maximum",
                 .unit = "N",
                 .long_name = "largest surge load in each segment of the window",
@@ -346,56 +359,9 @@ inline constexpr std::array array_outputs{
                 .long_name = "fourfold orientational order of the arrangement",
                 .access = at_number<&MemberResult::psi4>(),
                 .of_arrangement = true},
-    history_output<&MemberResult::history, &LoadHistory::surge>(
-        "history/surge_load", "N", "contact force on the structure against the tow", time_axis),
-    history_output<&MemberResult::history, &LoadHistory::sway>("history/sway_load", "N",
-                                                               "contact force on the structure towards +z", time_axis),
-    history_output<&MemberResult::history, &LoadHistory::heave>("history/heave_load", "N",
-                                                                "contact force on the structure upwards", time_axis),
-    history_output<&MemberResult::history, &LoadHistory::concentration>(
-        "history/concentration", "1", "concentration of ice in a box round the structure", time_axis, steps_a_look),
-    history_output<&MemberResult::history, &LoadHistory::pile_height>(
-        "history/pile_height", "m", "height above the water of the highest ice in that box", time_axis, steps_a_look),
-    history_output<&MemberResult::history, &LoadHistory::pile_draught>(
-        "history/pile_draught", "m", "depth below the water of the deepest ice in that box", time_axis, steps_a_look),
-    history_output<&MemberResult::bed, &BedHistory::surge>("history/bed_surge", "N",
-                                                           "contact force on the bed against the tow", bed_axis),
-    history_output<&MemberResult::bed, &BedHistory::weight>("history/bed_weight", "N",
-                                                            "contact force on the bed downwards", bed_axis),
-    history_output<&MemberResult::bed, &BedHistory::grounded>("history/grounded", "m2",
-                                                              "area of the elements that bear on the bed", bed_axis),
-    motion_output<&MotionHistory::x>("history/structure_x", "m", "x of the structure's axis", motion_axis),
-    motion_output<&MotionHistory::z>("history/structure_z", "m", "z of the structure's axis", motion_axis),
-    motion_output<&MotionHistory::yaw>("history/structure_yaw", "rad",
-                                       "yaw of the structure, positive where +z turns to +x", motion_axis),
-    motion_output<&MotionHistory::yaw_load>(
-        "history/yaw_load", "N m",
-        "moment of the contact forces about the structure's axis, positive where it turns +z to +x", motion_axis),
-    motion_output<&MotionHistory::surge_offset>("history/surge_offset", "m",
-                                                "offset of the moored structure along the surge load", mooring_axis),
-    motion_output<&MotionHistory::sway_offset>("history/sway_offset", "m", "offset of the moored structure towards +z",
-                                               mooring_axis),
-    motion_output<&MotionHistory::surge_mooring>("history/surge_mooring", "N",
-                                                 "force of springs and lines against the surge load", mooring_axis),
-    motion_output<&MotionHistory::sway_mooring>("history/sway_mooring", "N",
-                                                "force of springs and lines against the sway load", mooring_axis),
-    motion_output<&MotionHistory::yaw_mooring>("history/yaw_mooring", "N m",
-                                               "moment of springs and lines against the yaw load", mooring_axis),
-    motion_output<&MotionHistory::line_use>("history/line_use", "1",
-                                            "largest tension of a line over its break load, of the lines that hold",
-                                            line_use_axis),
-    motion_output<&MotionHistory::surge_thrust>(
-        "history/surge_thrust", "N", "force of thrusters against the surge load, in the structure's axes", thrust_axis),
-    motion_output<&MotionHistory::sway_thrust>(
-        "history/sway_thrust", "N", "force of thrusters against the sway load, in the structure's axes", thrust_axis),
-    motion_output<&MotionHistory::yaw_thrust>("history/yaw_thrust", "N m", "moment of thrusters against the yaw load",
-                                              thrust_axis),
-    motion_output<&MotionHistory::heave>("history/heave_offset", "m", "heave of the floating structure, upwards",
-                                         floating_axis),
-    motion_output<&MotionHistory::pitch>("history/pitch", "rad",
-                                         "pitch of the floating structure, positive with the bow up", floating_axis),
-    motion_output<&MotionHistory::roll>(
-        "history/roll", "rad", "roll of the floating structure, positive with starboard (+z) down", floating_axis),
+};
+
+inline constexpr std::array outputs_after_histories{
     ArrayOutput{.path = "members/line_tension",
                 .unit = "N",
                 .long_name = "largest tension of each mooring line over the run, horizontal where it has no weight",
@@ -460,6 +426,12 @@ inline constexpr std::array array_outputs{
                 .axes = {&piece_axis},
                 .access = at_each<&MemberResult::piece_areas, &PieceArea::area>()},
 };
+
+/// In the order in which they are stored and set: what others need comes first.
+inline constexpr auto array_outputs =
+    joined(outputs_before_histories, history_outputs<&MemberResult::history, load_histories>(),
+           history_outputs<&MemberResult::bed, bed_histories>(),
+           history_outputs<&MemberResult::motion, motion_histories>(), outputs_after_histories);
 
 /// Its number in the list; array_outputs.size() for a path that is not in it.
 constexpr std::size_t array_number(std::string_view path) {

@@ -158,13 +158,13 @@ void take_response(MemberResult& result, const Scenario& scenario) {
         std::ranges::count_if(result.line_broken_at, [](double time) { return !std::isnan(time); }));
 }
 
-/// Thins a history of every step as the campaign requests. `all`: its vectors.
-template <class History>
-History kept(History history, const auto& all, const Analysis& analysis) {
+/// Thins a history of every step as the campaign requests. `all`: its list.
+template <class Owner>
+Owner kept(Owner history, const auto& all, const Analysis& analysis) {
     if (!analysis.keep_history) return {};
     if (analysis.history_stride == 1) return history;
     const auto stride = static_cast<std::size_t>(analysis.history_stride);
-    for (const auto one : all) history.*one = batch_means(history.*one, stride);
+    for (const auto& one : all) history.*one.values = batch_means(history.*one.values, stride);
     return history;
 }
 

@@ -12,16 +12,10 @@ namespace {
 constexpr double largest = 1e4;  // m
 
 Key kind_key(Shape& shape) {
-    WordField words{
-        {"profile", "cylinder", "cone_up", "cone_down", "four_legs", "wedge_bow", "drillship", "barge", "file"},
-        [&shape] { return static_cast<std::size_t>(shape.kind()); },
-        [&shape](std::size_t word) { shape.set_kind(static_cast<HullKind>(word)); }};
-    return late_key(
-        {"hull.shape", std::move(words), "Table 2",
-         "profile: a body of revolution by structure.profile_m; cylinder: vertical; cone_up narrows upwards and breaks "
-         "ice upwards; cone_down flares upwards and breaks it downwards; four_legs: vertical, in a square; wedge_bow: "
-         "a ship with a wedge as bow and a flat stern; drillship: a wedge at either end; barge: ends that slope; file: "
-         "convex pieces of hull.file or hull.pieces. docs/structures.md has their drawings."});
+    WordField words{{hull_kind_words.begin(), hull_kind_words.end()},
+                    [&shape] { return static_cast<std::size_t>(shape.kind()); },
+                    [&shape](std::size_t word) { shape.set_kind(static_cast<HullKind>(word)); }};
+    return late_key({"hull.shape", std::move(words), "Table 2", hull_kind_doc});
 }
 
 struct SizeWords {
@@ -39,9 +33,7 @@ Key size_key(Shape& shape, const SizeWords& words) {
                       angle ? unit::degree : unit::one,
                       angle ? at_least(0).at_most(150) : at_least(0).at_most(largest)};
     const auto in_force = [&shape, name, is_flare] {
-        const HullKind kind = shape.kind();
-        if (is_flare) return kind == HullKind::wedge_bow || kind == HullKind::drillship || kind == HullKind::barge;
-        return std::ranges::count(needed_sizes(kind), name) > 0;
+        return is_flare ? is_ship(shape.kind()) : std::ranges::count(needed_sizes(shape.kind()), name) > 0;
     };
     return late_key(only_with("a hull.shape that has it (docs/structures.md)", in_force,
                               {words.path, std::move(field), is_flare ? "most ships' sides" : "not given", words.doc}));

@@ -153,9 +153,7 @@ std::optional<std::string> fault_of(HullKind kind, const HullSizes& sizes) {
                 return fmt::format("comes to a point before the height {:.4g} m; take a steeper hull.wall_deg",
                                    point.x());
     }
-    if (kind == HullKind::wedge_bow || kind == HullKind::drillship || kind == HullKind::barge)
-        return ship_fault(kind, sizes);
-    return std::nullopt;
+    return is_ship(kind) ? ship_fault(kind, sizes) : std::nullopt;
 }
 
 std::vector<Vec2> profile_of(HullKind kind, const HullSizes& s) {

@@ -2,9 +2,11 @@
 // Hulls that a few numbers describe. Axes: x ahead, y up from the waterline, z to starboard; the origin is on the
 // waterline, in the middle of its length.
 
+#include <array>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/words.hpp"
@@ -15,10 +17,25 @@ namespace floes {
 /// What a hull is given by.
 enum class HullKind { profile, cylinder, cone_up, cone_down, four_legs, wedge_bow, drillship, barge, file };
 
+/// Its words in hull.shape, and what they say.
+inline constexpr std::array<std::string_view, 9> hull_kind_words{
+    "profile", "cylinder", "cone_up", "cone_down", "four_legs", "wedge_bow", "drillship", "barge", "file"};
+inline constexpr std::string_view hull_kind_doc =
+    "profile: a body of revolution by structure.profile_m; cylinder: vertical; cone_up narrows upwards and breaks "
+    "ice upwards; cone_down flares upwards and breaks it downwards; four_legs: vertical, in a square; wedge_bow: "
+    "a ship with a wedge as bow and a flat stern; drillship: a wedge at either end; barge: ends that slope; file: "
+    "convex pieces of hull.file or hull.pieces. docs/structures.md has their drawings.";
+
 /// About the vertical axis.
 constexpr bool is_of_revolution(HullKind kind) {
     using enum HullKind;
     return kind == profile || kind == cylinder || kind == cone_up || kind == cone_down;
+}
+
+/// With a bow, a stern and sides that may flare.
+constexpr bool is_ship(HullKind kind) {
+    using enum HullKind;
+    return kind == wedge_bow || kind == drillship || kind == barge;
 }
 
 /// Lengths m, angles rad, from the horizontal; 0: not given.

@@ -2,6 +2,7 @@
 // What a run yields step by step: the ice load over time, and what is to be seen at one moment.
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "core/vector.hpp"
@@ -9,80 +10,99 @@
 
 namespace floes {
 
+/// What has a history of some kind.
+enum class HistoryOf { every_run, water_with_bed, motion, moorings, breaking_lines, thrusters, floating_hull };
+
+inline constexpr int steps_a_look = 10;  ///< from one look at the ice round the structure to the next
+
+/// A value for each step, and what files call it. A new history is its field, one line of its list, and its value in
+/// Simulation::record().
+template <class Owner>
+struct History {
+    std::vector<double> Owner::*values;
+    std::string_view path;  ///< in campaign files
+    std::string_view unit;  ///< there
+    std::string_view long_name;
+    HistoryOf of = HistoryOf::every_run;
+    int held_steps = 1;  ///< a value is that of so many steps
+};
+
 /// Contact force on the structure in each step, N. Entry k belongs to the step that ends at (k + 1) Δt; where a member
 /// keeps means over `analysis.history_steps` = N steps, to the N that end at (k + 1) N Δt. The water's force on the
 /// structure is not in it, so there is no open-water resistance to subtract. Beside it, how the ice lies there at the
 /// last look (simulation/nearby_ice.hpp).
 struct LoadHistory {
-    std::vector<double> surge;          ///< positive against the tow (-x)
-    std::vector<double> sway;           ///< positive towards +z
-    std::vector<double> heave;          ///< positive up
-    std::vector<double> concentration;  ///< of ice round the structure
-    std::vector<double> pile_height;    ///< of the highest point of that ice above the water, m
-    std::vector<double> pile_draught;   ///< of the deepest below it, m
+    std::vector<double> surge, sway, heave, concentration, pile_height, pile_draught;
 };
 
-inline constexpr int steps_a_look = 10;  ///< from one look at the ice round the structure to the next
+inline constexpr std::array load_histories{
+    History{&LoadHistory::surge, "history/surge_load", "N", "contact force on the structure against the tow"},
+    History{&LoadHistory::sway, "history/sway_load", "N", "contact force on the structure towards +z"},
+    History{&LoadHistory::heave, "history/heave_load", "N", "contact force on the structure upwards"},
+    History{&LoadHistory::concentration, "history/concentration", "1",
+            "concentration of ice in a box round the structure", HistoryOf::every_run, steps_a_look},
+    History{&LoadHistory::pile_height, "history/pile_height", "m",
+            "height above the water of the highest ice in that box", HistoryOf::every_run, steps_a_look},
+    History{&LoadHistory::pile_draught, "history/pile_draught", "m",
+            "depth below the water of the deepest ice in that box", HistoryOf::every_run, steps_a_look}};
 
-inline constexpr std::array load_histories{&LoadHistory::surge,       &LoadHistory::sway,
-                                           &LoadHistory::heave,       &LoadHistory::concentration,
-                                           &LoadHistory::pile_height, &LoadHistory::pile_draught};
-
-/// Contact force of the ice on the sea bed, N, where there is one; entries like those of LoadHistory. It is no part of
-/// the load on the structure.
+/// Contact force of the ice on the sea bed, where there is one; entries like those of LoadHistory. It is no part of the
+/// load on the structure.
 struct BedHistory {
-    std::vector<double> surge;     ///< positive against the tow (-x), as the load on the structure
-    std::vector<double> weight;    ///< positive downwards
-    std::vector<double> grounded;  ///< area of the elements that bear on the bed, m²
+    std::vector<double> surge, weight, grounded;
 };
 
-inline constexpr std::array bed_histories{&BedHistory::surge, &BedHistory::weight, &BedHistory::grounded};
+inline constexpr std::array bed_histories{
+    History{&BedHistory::surge, "history/bed_surge", "N", "contact force on the bed against the tow",
+            HistoryOf::water_with_bed},
+    History{&BedHistory::weight, "history/bed_weight", "N", "contact force on the bed downwards",
+            HistoryOf::water_with_bed},
+    History{&BedHistory::grounded, "history/grounded", "m2", "area of the elements that bear on the bed",
+            HistoryOf::water_with_bed}};
 
-// How a structure that is not towed straight on moved, and what its moorings bore, over time.
-
-/// A value for each step, like those of LoadHistory; at the end of the step. Empty for the straight tow; without
-/// moorings those of offsets and mooring forces are empty, without thrusters those of thrust, and those of heave, pitch
-/// and roll where none of these is free.
+/// How a structure that is not towed straight on moved, and what its moorings bore, at the end of each step. What a
+/// structure does not have is empty. Offsets are from the moorings' place, positive along the load; mooring forces are
+/// what springs and lines bear of the load.
 struct MotionHistory {
-    std::vector<double> x;         ///< of the structure's axis, m
-    std::vector<double> z;         ///< likewise
-    std::vector<double> yaw;       ///< about +y: +z turns to +x, rad
-    std::vector<double> yaw_load;  ///< moment of the ice about the axis and +y, N m
-
-    std::vector<double> surge_offset;   ///< from the moorings' place along the load: positive against the tow (-x), m
-    std::vector<double> sway_offset;    ///< likewise, positive towards +z, m
-    std::vector<double> surge_mooring;  ///< what springs and lines bear of the surge load, N
-    std::vector<double> sway_mooring;   ///< likewise of the sway load, N
-    std::vector<double> yaw_mooring;    ///< likewise of the yaw load, N m
-
-    std::vector<double> heave;  ///< of a hull that heaves, pitches or rolls, upwards, m
-    std::vector<double> pitch;  ///< likewise, positive with the bow up, rad
-    std::vector<double> roll;   ///< likewise, positive with starboard (+z) down, rad
-
-    /// Largest tension of a line over its break load, of those that held until the step; empty where no line breaks.
+    std::vector<double> x, z, yaw, yaw_load;
+    std::vector<double> surge_offset, sway_offset, surge_mooring, sway_mooring, yaw_mooring;
+    std::vector<double> heave, pitch, roll;
     std::vector<double> line_use;
-
-    std::vector<double> surge_thrust;  ///< of thrusters against the surge load, in the structure's axes: ahead, N
-    std::vector<double> sway_thrust;   ///< likewise against the sway load, N
-    std::vector<double> yaw_thrust;    ///< likewise against the yaw load, N m
+    std::vector<double> surge_thrust, sway_thrust, yaw_thrust;
 };
 
-inline constexpr std::array motion_histories{&MotionHistory::x,
-                                             &MotionHistory::z,
-                                             &MotionHistory::yaw,
-                                             &MotionHistory::yaw_load,
-                                             &MotionHistory::surge_offset,
-                                             &MotionHistory::sway_offset,
-                                             &MotionHistory::surge_mooring,
-                                             &MotionHistory::sway_mooring,
-                                             &MotionHistory::yaw_mooring,
-                                             &MotionHistory::heave,
-                                             &MotionHistory::pitch,
-                                             &MotionHistory::roll,
-                                             &MotionHistory::line_use,
-                                             &MotionHistory::surge_thrust,
-                                             &MotionHistory::sway_thrust,
-                                             &MotionHistory::yaw_thrust};
+inline constexpr std::array motion_histories{
+    History{&MotionHistory::x, "history/structure_x", "m", "x of the structure's axis", HistoryOf::motion},
+    History{&MotionHistory::z, "history/structure_z", "m", "z of the structure's axis", HistoryOf::motion},
+    History{&MotionHistory::yaw, "history/structure_yaw", "rad", "yaw of the structure, positive where +z turns to +x",
+            HistoryOf::motion},
+    History{&MotionHistory::yaw_load, "history/yaw_load", "N m",
+            "moment of the contact forces about the structure's axis, positive where it turns +z to +x",
+            HistoryOf::motion},
+    History{&MotionHistory::surge_offset, "history/surge_offset", "m",
+            "offset of the moored structure along the surge load", HistoryOf::moorings},
+    History{&MotionHistory::sway_offset, "history/sway_offset", "m", "offset of the moored structure towards +z",
+            HistoryOf::moorings},
+    History{&MotionHistory::surge_mooring, "history/surge_mooring", "N",
+            "force of springs and lines against the surge load", HistoryOf::moorings},
+    History{&MotionHistory::sway_mooring, "history/sway_mooring", "N",
+            "force of springs and lines against the sway load", HistoryOf::moorings},
+    History{&MotionHistory::yaw_mooring, "history/yaw_mooring", "N m",
+            "moment of springs and lines against the yaw load", HistoryOf::moorings},
+    History{&MotionHistory::line_use, "history/line_use", "1",
+            "largest tension of a line over its break load, of the lines that hold", HistoryOf::breaking_lines},
+    History{&MotionHistory::surge_thrust, "history/surge_thrust", "N",
+            "force of thrusters against the surge load, in the structure's axes", HistoryOf::thrusters},
+    History{&MotionHistory::sway_thrust, "history/sway_thrust", "N",
+            "force of thrusters against the sway load, in the structure's axes", HistoryOf::thrusters},
+    History{&MotionHistory::yaw_thrust, "history/yaw_thrust", "N m", "moment of thrusters against the yaw load",
+            HistoryOf::thrusters},
+    History{&MotionHistory::heave, "history/heave_offset", "m", "heave of the floating structure, upwards",
+            HistoryOf::floating_hull},
+    History{&MotionHistory::pitch, "history/pitch", "rad", "pitch of the floating structure, positive with the bow up",
+            HistoryOf::floating_hull},
+    History{&MotionHistory::roll, "history/roll", "rad",
+            "roll of the floating structure, positive with starboard (+z) down", HistoryOf::floating_hull}};
 
 // What is to be seen of a run at the end of a step: how everything lies, moves, bears and touches. Read on request;
 // nothing of a run depends on it.

@@ -147,12 +147,12 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
     hold_edges(floes);
     piece_water_.share_out(ice_, world_, water_);
     const auto steps = static_cast<std::size_t>(scenario.step_count());
-    for (const auto history : load_histories) (loads_.*history).reserve(steps);
+    for (const auto& history : load_histories) (loads_.*history.values).reserve(steps);
     if (motion_.is_free())
-        for (const auto history : motion_histories) (motions_.*history).reserve(steps);
+        for (const auto& history : motion_histories) (motions_.*history.values).reserve(steps);
     structure_contacts_.reserve(most_contacts);
     if (bed_) {
-        for (const auto history : bed_histories) (bed_loads_.*history).reserve(steps);
+        for (const auto& history : bed_histories) (bed_loads_.*history.values).reserve(steps);
         bed_contacts_.reserve(most_contacts);
     }
     states_.resize(ice_.elements().size());
@@ -195,11 +195,11 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, const Sim
     }
     const auto known = static_cast<std::size_t>(state.steps);
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    for (const auto history : load_histories) (loads_.*history).assign(known, unknown);
+    for (const auto& history : load_histories) (loads_.*history.values).assign(known, unknown);
     if (bed_)
-        for (const auto history : bed_histories) (bed_loads_.*history).assign(known, unknown);
+        for (const auto& history : bed_histories) (bed_loads_.*history.values).assign(known, unknown);
     if (motion_.is_free())
-        for (const auto history : motion_histories) (motions_.*history).assign(known, unknown);
+        for (const auto& history : motion_histories) (motions_.*history.values).assign(known, unknown);
     steps_ = state.steps;
     sleeping_.wake_all(world_);
     motion_.place(steps_, state.moored);

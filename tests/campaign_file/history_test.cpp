@@ -23,8 +23,8 @@ void publish_thinned(const std::filesystem::path& path, Campaign campaign, std::
         for (std::size_t k = 0; k < strides.size(); ++k) {
             if (record.case_key != case_fingerprint(campaign, static_cast<int>(k))) continue;
             LoadHistory& history = record.result.history;
-            for (const auto one : load_histories)
-                (history.*one).resize((history.*one).size() / static_cast<std::size_t>(strides[k]));
+            for (const auto& one : load_histories)
+                (history.*one.values).resize((history.*one.values).size() / static_cast<std::size_t>(strides[k]));
         }
     }
     publish(path, campaign, records, {});

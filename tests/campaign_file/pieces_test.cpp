@@ -8,6 +8,7 @@
 #include <fstream>
 #include <functional>
 
+#include "campaign_file/kinds.hpp"
 #include "campaign_file/publish.hpp"
 #include "core/error.hpp"
 #include "hdf5/pages.hpp"

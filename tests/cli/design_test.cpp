@@ -140,7 +140,7 @@ void publish_moored(const std::filesystem::path& file, double sideways = 0, doub
         swing += 10;
         MotionHistory& motion = record.result.motion;
         for (int step = 0; step < scenario.step_count(); ++step) {
-            for (const auto one : motion_histories) (motion.*one).push_back(0);
+            for (const auto& one : motion_histories) (motion.*one.values).push_back(0);
             const double time = (step + 0.5) * scenario.general.time_step;
             const double phase = std::sin(2 * std::numbers::pi * time);
             motion.surge_mooring.back() = 100 + swing * phase;

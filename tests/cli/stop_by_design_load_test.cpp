@@ -94,7 +94,7 @@ TEST_F(StopByDesignLoad, HasThatOfAStructureThatGivesWay) {
         const Scenario& scenario = campaign_.cases[member % campaign_.cases.size()].scenario;
         MotionHistory motion;
         for (int step = 0; step < scenario.step_count(); ++step) {
-            for (const auto one : motion_histories) (motion.*one).push_back(0);
+            for (const auto& one : motion_histories) (motion.*one.values).push_back(0);
             const auto drawn = static_cast<double>((member * 379 + static_cast<std::size_t>(step) * 53) % 997);
             const double higher = 1 - std::log((drawn + 0.5) / 997);
             motion.surge_offset.back() = step % 2 == 0 ? 0.1 : 0.1 + 0.02 * higher;

@@ -93,7 +93,7 @@ class MooredPageOne : public testing::Test {
         for (MemberRecord& record : records) {
             MotionHistory& motion = record.result.motion;
             for (int step = 0; step < scenario.step_count(); ++step) {
-                for (const auto one : motion_histories) (motion.*one).push_back(0);
+                for (const auto& one : motion_histories) (motion.*one.values).push_back(0);
                 const double time = (step + 0.5) * scenario.general.time_step;
                 motion.surge_mooring.back() = 100 + 10 * std::sin(2 * std::numbers::pi * time);
                 motion.surge_offset.back() = 0.2 + 0.6 * step / scenario.step_count();

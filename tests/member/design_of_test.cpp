@@ -30,7 +30,7 @@ Scenario moored() {
 MotionHistory swinging(const Scenario& scenario) {
     MotionHistory motion;
     for (int step = 0; step < scenario.step_count(); ++step) {
-        for (const auto one : motion_histories) (motion.*one).push_back(0);
+        for (const auto& one : motion_histories) (motion.*one.values).push_back(0);
         const double time = (step + 1) * scenario.general.time_step;
         motion.surge_offset.back() = 0.3 + 0.01 * time + 0.1 * std::sin(2 * std::numbers::pi * time);
         motion.sway_offset.back() = -motion.surge_offset.back();

@@ -47,7 +47,7 @@ class AskedOfAFile : public testing::Test {
         std::vector<MemberRecord> records = synthetic::records(campaign);
         for (std::size_t k = 0; k < records.size(); ++k) {
             MotionHistory& motion = records[k].result.motion;
-            for (const auto one : motion_histories) (motion.*one).assign(350, 0.0);
+            for (const auto& one : motion_histories) (motion.*one.values).assign(350, 0.0);
             records[k].result.history.surge.assign(350, 0.0);
             records[k].result.moored.line_tension = k == 1 ? 800 : 700;
         }

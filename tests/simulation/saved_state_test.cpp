@@ -51,8 +51,10 @@ void expect_same_frame(const Simulation& a, const Simulation& b) {
 
 void expect_same_run(const Simulation& a, const Simulation& b) {
     ASSERT_EQ(a.steps(), b.steps());
-    for (const auto history : load_histories) EXPECT_TRUE(same_bits(a.loads().*history, b.loads().*history));
-    for (const auto history : motion_histories) EXPECT_TRUE(same_bits(a.motions().*history, b.motions().*history));
+    for (const auto& history : load_histories)
+        EXPECT_TRUE(same_bits(a.loads().*history.values, b.loads().*history.values));
+    for (const auto& history : motion_histories)
+        EXPECT_TRUE(same_bits(a.motions().*history.values, b.motions().*history.values));
     EXPECT_EQ(a.ice().breaks(), b.ice().breaks());
     EXPECT_EQ(a.ice().peaks(), b.ice().peaks());
     EXPECT_EQ(a.ice().fracture_work(), b.ice().fracture_work());
