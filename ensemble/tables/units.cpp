@@ -9,8 +9,8 @@
 namespace floes {
 
 std::string significant(double value, int digits) {
-    const int before = value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-    return before > digits ? fmt::format("{:.0f}", value) : fmt::format("{:.{}g}", value, digits);
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    return text.find("e+") == std::string::npos ? text : fmt::format("{:.0f}", value);
 }
 
 Units::Units(double largest) {
