@@ -2,7 +2,7 @@
 """The figures of docs/field.md: whether the load of a field without end is stationary, and how much ice has to be
 computed round the structure. Writes docs/endless/loads.csv and docs/endless/load.svg, and prints the page's tables.
 
-    floes run configs/endless.toml --set campaign.arrangements=12 -o endless.h5
+    floes run configs/endless.toml --set campaign.arrangements=20 -o endless.h5
     floes run configs/validation/endless_window.toml -o window.h5
     docs/figures/endless.py endless.h5 window.h5
 """
