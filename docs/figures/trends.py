@@ -126,7 +126,7 @@ def collect(folder, floes):
         path = folder / f"{name}.h5"
         if path.exists():
             collected(path, KEYS, columns).round(6).to_csv(DATA / f"{name}.csv", index=False)
-    for case, arrangement in [("side_0.08", 0), ("side_0.33", 1)]:
+    for case, arrangement in [("side_0.08", 0), ("side_0.33", 4)]:
         subprocess.run([floes, "replay", folder / "arch_gap.h5", "--case", case, "--arrangement", f"{arrangement}", "--from",
                         "23.9", "--to", "24", "--at", "24", "--view", "above", "--size", "700x380", "-o",
                         DATA / f"{case}.png"], check=True)
