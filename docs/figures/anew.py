@@ -20,8 +20,6 @@ import subprocess
 import sys
 import time
 
-import h5py
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONFIGS = ROOT / "configs"
 FIGURES = ROOT / "docs" / "figures"
@@ -165,6 +163,8 @@ def tell_plan(floes, folder, names):
 
 def computed(file, name):
     """What stands of a campaign in docs/campaigns.csv."""
+    import h5py  # which --check does not need
+
     with h5py.File(file) as campaign:
         by = campaign["provenance"].attrs
         seconds = campaign["provenance/cpu_time"][:]
