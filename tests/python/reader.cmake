@@ -16,5 +16,5 @@ if(TARGET floes)
            COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/python/workbook.py $<TARGET_FILE:floes>
                    $<TARGET_FILE:synthetic_file>)
   set_tests_properties(tables.workbook PROPERTIES LABELS all TIMEOUT 300 COST 60)
-  set_tests_properties(python.reader PROPERTIES LABELS all TIMEOUT 600 PROCESSORS 2 COST 95)
+  set_tests_properties(python.reader PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2 COST 95)
 endif()
