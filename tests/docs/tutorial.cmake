@@ -31,11 +31,7 @@ if(TARGET floes AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
                      ${PROJECT_SOURCE_DIR} ${name})
   endforeach()
   set_tests_properties(docs.tutorial docs.coupling PROPERTIES LABELS all TIMEOUT 900 PROCESSORS 2 COST 200)
-  # Their outputs are of the buoyancy before the exact one; they are renewed with the campaigns of the pages, and are quick
-  # enough for the label all then.
-  set_tests_properties(docs.notebook.optimum docs.notebook.served PROPERTIES LABELS slow TIMEOUT 900
-                       PROCESSORS 2)
-  # Some minutes: campaigns at full scale, of a year and of a notebook.
-  set_tests_properties(docs.moored_hull docs.year_tutorial docs.notebook.design_load
-                       PROPERTIES LABELS slow TIMEOUT 1800 PROCESSORS 2)
+  # Some minutes: campaigns at full scale, of a year and of notebooks.
+  set_tests_properties(docs.moored_hull docs.year_tutorial docs.notebook.design_load docs.notebook.optimum
+                       docs.notebook.served PROPERTIES LABELS slow TIMEOUT 1800 PROCESSORS 2)
 endif()
