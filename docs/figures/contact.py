@@ -35,7 +35,7 @@ NUMERICS = {"default": "**default: 0.02 s, 1 mm/s**", "step_0.01": "step 0.01 s"
             "step_0.0025": "step 0.0025 s", "tolerance_10": "tolerance 10 mm/s",
             "tolerance_0.1": "tolerance 0.1 mm/s, at most 5000 sweeps",
             "elements_0.3": "elements 0.3 m", "elements_0.15": "elements 0.15 m", "elements_0.1": "elements 0.1 m"}
-JAM = {"tolerance_1": "**1 mm/s**", "tolerance_0.2": "0.2 mm/s", "tolerance_4": "4 mm/s"}
+JAM = {"tolerance_1": "**1 mm/s**", "tolerance_0.2": "0.2 mm/s"}
 FRICTION = {"constant": "**constant**", "ice_rate_and_state": "ice on ice by rate and state",
             "ice_power": "ice on ice by the power 0.35", "hull_power": "hull by the power 0.28"}
 
