@@ -108,7 +108,7 @@ STEPS = [
     (["channel", "physical"], "matching.py --collect {folder} {floes}"),
     (["tank"], "replay.py {floes} {folder}/tank.h5"),
     (["level_case1", "level_case1_factors", "level_case1_wide"], "level_case1.py --collect {folder}"),
-    (["order", "wall_far_end"], "order.py --collect {folder}/order.h5 {folder}/wall_far_end.h5 --program {floes}"),
+    (["order", "wall_far_end"], "order.py --collect {folder} --program {floes}"),
     ([], "froude.py --run {floes} {folder}"),
     ([], "froude.py --collect {folder}"),
     ([], "gallery.py {floes} {folder}"),
@@ -184,7 +184,8 @@ def write_computed(folder, names):
 
 def make_pages(floes, folder):
     whole = {name for name in CAMPAIGNS if (folder / f"{name}.h5").exists() and members_left(floes, folder, name)[0] == 0}
-    write_computed(folder, whole)
+    waiting = {name for needed, _ in STEPS if not whole.issuperset(needed) for name in needed}  # their page is not made
+    write_computed(folder, whole - waiting)
     for name in sorted(whole):
         with open(folder / f"{name}.txt", "w") as told:
             subprocess.run([floes, "summarize", folder / f"{name}.h5", "--full"], stdout=told, stderr=told)

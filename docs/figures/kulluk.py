@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The figure of docs/validation.md of loads and mooring forces over the thickness of the ice. Writes docs/kulluk/load.svg.
+"""The figure of docs/validation.md of loads and mooring forces over the thickness of the ice. Writes docs/kulluk/load.svg, and
+says to which power of the thickness the mean load grows.
 
     floes run configs/kulluk.toml -o kulluk.h5
     docs/figures/kulluk.py kulluk.h5
@@ -54,5 +55,12 @@ def draw(found):
     figure.savefig(DOCS / "kulluk" / "load.svg", metadata={"Date": None})
 
 
+def exponent(found):
+    """Slope of the mean load over the thickness on logarithmic axes, of each arrangement: its interval()."""
+    return interval(np.polyfit(np.log(list(found)), np.log([of["mean"] for of in found.values()]), 1)[0])
+
+
 if __name__ == "__main__":
-    draw(read(sys.argv[1]))
+    taken = read(sys.argv[1])
+    draw(taken)
+    print("mean load: thickness to the power of {:.1f} [{:.1f}, {:.1f}]".format(*exponent(taken)))

@@ -32,7 +32,7 @@ def ran():
     for name, rows in {"order": members(), "wall_far_end": walls()}.items():
         command = f"floes run configs/validation/{name}.toml"
         lines.append(f"    {command:50}# {len(rows)} members, {rows.cpu_s.sum() / 60:.0f} minutes of one core")
-    return "\n".join([*lines, "    docs/figures/order.py --collect order.h5 wall_far_end.h5 --program floes"])
+    return "\n".join([*lines, "    docs/figures/order.py --collect . --program floes"])
 
 
 def wall_table():
