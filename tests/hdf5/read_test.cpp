@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include <numeric>
+#include <array>
 
 #include "hdf5/columns.hpp"
 #include "support/temporary_folder.hpp"
