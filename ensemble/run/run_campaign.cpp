@@ -100,8 +100,9 @@ Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const 
         const auto message = link.poll();
         if (!message) {
             if (system.now() - last_word > longest_silence) {
-                throw RunError(fmt::format("Only {} of {} ranks have answered after {:g} s of silence.", present,
-                                           link.size(), longest_silence.count()));
+                throw RunError(fmt::format(
+                    "Only {} of {} ranks have answered after {:g} s of silence. Start the run again, with --resume.",
+                    present, link.size(), longest_silence.count()));
             }
             system.sleep(pause.next());
             continue;
