@@ -10,8 +10,8 @@ SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "order"
 ORDER = ["psi4", "local_order", "coverage"]
 LOADS = {"mean_load": "mean load, N", "sd_load": "SD, N", "mean_maximum": "mean maximum, N",
          "mean_maximum_1s": "mean maximum over 1 s, N", "failure_ratio": "broken floes, %"}
-COLUMNS = ["sweeps", "arrangement", *ORDER, *LOADS, "trend_p", "cpu_s"]
-WALL_COLUMNS = ["case", "arrangement", "mean_load", "sd_load", "mean_maximum_1s", "failure_ratio", "trend_p", "cpu_s"]
+COLUMNS = ["sweeps", "arrangement", *ORDER, *LOADS, "trend_p"]
+WALL_COLUMNS = ["case", "arrangement", "mean_load", "sd_load", "mean_maximum_1s", "failure_ratio", "trend_p"]
 
 
 def members():
@@ -29,8 +29,8 @@ def settings():
 
 
 def finished(campaign, program):
-    """Figures of the finished members as `program` gives them, their processor time, and the row of /arrangements as
-    `field`: `arrangement` is the number, equal for the same throw."""
+    """Figures of the finished members as `program` gives them, and the row of /arrangements as `field`: `arrangement` is
+    the number, equal for the same throw."""
     import h5py  # which --check does not need
 
     command = [program, "summarize", str(campaign), "--parts", "members", "--format", "csv"]
@@ -38,8 +38,7 @@ def finished(campaign, program):
     table = pd.read_csv(io.StringIO(text))
     with h5py.File(campaign) as file:
         row = table.arrangement.to_numpy()
-        table = table.assign(cpu_s=file["provenance/cpu_time"][:][table.member], field=row,
-                             arrangement=file["arrangements/number"][:][row])
+        table = table.assign(field=row, arrangement=file["arrangements/number"][:][row])
     return table[table.status == "done"].assign(failure_ratio=lambda rows: 100 * rows.failure_ratio)
 
 

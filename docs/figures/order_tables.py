@@ -1,7 +1,7 @@
 """The blocks of docs/field.md that its summaries give, each a function that gives Markdown."""
 import pandas as pd
 
-from order_data import LOADS, members, walls
+from order_data import LOADS, SUMMARIES, members, walls
 from validation_data import half_width
 from validation_tables import table, with_interval
 
@@ -28,10 +28,10 @@ def changes():
 
 
 def ran():
-    lines = []
-    for name, rows in {"order": members(), "wall_far_end": walls()}.items():
+    computed, lines = pd.read_csv(SUMMARIES.parent / "campaigns.csv").set_index("campaign"), []
+    for name, row in computed.loc[["order", "wall_far_end"]].iterrows():
         command = f"floes run configs/validation/{name}.toml"
-        lines.append(f"    {command:50}# {len(rows)} members, {rows.cpu_s.sum() / 60:.0f} minutes of one core")
+        lines.append(f"    {command:50}# {row.members} members, {row.core_minutes:.0f} minutes of one core")
     return "\n".join([*lines, "    docs/figures/order.py --collect . --program floes"])
 
 

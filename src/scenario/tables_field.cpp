@@ -147,11 +147,9 @@ void add_field(Keys& keys, Field& field) {
         "field.far_end", field.far_end, {"ice_sheet", "open", "never"},
         "design decision; the paper names the walls only",
         "Far end of the field: closed by a fixed ice sheet, open water, or never an end, with ice from ahead as long "
-        "as "
-        "the run lasts. With an open far end, the load on a straight 45° wall is half as large and that on a 76° wall "
-        "a fifth, and hardly any floe breaks. never: the ice is laid in parts of field.floes floes, and level ice goes "
-        "on row by row; "
-        "docs/field.md."));
+        "as the run lasts. An open far end takes three quarters off the load on a cone of 45° and nearly all of that "
+        "on one of 76°, and hardly any floe breaks. never: the ice is laid in parts of field.floes floes, and level "
+        "ice goes on row by row; docs/field.md."));
     add_window(keys, field);
     keys.push_back(
         late_key(word_key("field.sides", field.sides, {"ice_sheet", "open", "wall"}, "the paper: walls",

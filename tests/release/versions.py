@@ -19,6 +19,7 @@ PLACES = [
     ("README.md", r"floes_([0-9.]+)_amd64\.deb"),
     ("docs/start.md", r"floes_([0-9.]+)_amd64\.deb"),
     ("docs/start.md", r"spack dev-build floes@([0-9.]+) "),
+    ("docs/tutorial.md", r"^    floes ([0-9.]+)$"),
 ]
 
 
