@@ -28,8 +28,8 @@ in_job() {
     child=$!
     # SIGUSR1: the time limit is near (--signal). A SIGTERM before it comes from scancel, and then the job must not be
     # requeued. mpirun would kill the ranks on SIGTERM, but it forwards SIGUSR1.
-    trap 'trap : TERM; kill -USR1 "$child"' USR1
-    trap 'cancelled=yes; kill -USR1 "$child"' TERM
+    trap 'trap : TERM; kill -USR1 "$child" 2>/dev/null || true' USR1
+    trap 'cancelled=yes; kill -USR1 "$child" 2>/dev/null || true' TERM
     while kill -0 "$child" 2>/dev/null; do
         wait "$child" || true  # a signal ends this wait, not the child
     done

@@ -377,7 +377,7 @@ std::string variations_text(const Campaign& campaign, const Case& of) {
         "# Leave out cases that do not apply, add your own, then run it; floes summarize says what they do "
         "together.\n"
         "# Keys that are not here have their defaults.\n\n",
-        of.name, campaign.name);
+        of.name, in_a_file_name(campaign.name));
     text += tables_text(campaign, of.scenario, base_name);
     text += fmt::format("\n[[case]]\nname = {}\n", text_literal(std::string(base_name)));
     return text + cases_text(variations_of(of.scenario));

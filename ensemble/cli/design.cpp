@@ -174,8 +174,9 @@ int tell(const ContourOptions& options, const std::string& program) {
     write({.file = options.output,
            .title = "Environmental contours",
            .sections = sections,
-           .command = fmt::format("{} contour {} -o {}", typed_program(program), shell_word(options.ice),
-                                  shell_word(options.output)),
+           .command = fmt::format("{} contour {} --per-year {:g} --exposure-h {:g} --points {} -o {}",
+                                  typed_program(program), shell_word(options.ice), fmt::join(request.per_year, ","),
+                                  options.exposure_h, request.points, shell_word(options.output)),
            .picture = [&] { return figure_file(contour_figure(inputs, contours)); },
            .cases = [&] { return study_of(options, inputs, contours); }});
     return 0;

@@ -22,8 +22,8 @@ struct ExportOptions {
     MemberChoice member;
     bool all = false;
     std::optional<double> quantile;
-    std::string of;        ///< empty: the load of a step
-    double averaging = 1;  ///< s
+    std::string of;                   ///< empty: the load of a step
+    std::optional<double> averaging;  ///< s; none: 1
     std::string axes = "earth";
     LoadRequest request;
     FmuOptions fmu;
@@ -32,7 +32,7 @@ struct ExportOptions {
     /// What --worst and --quantile compare.
     Asked asked() const {
         if (of.empty() && !quantile) return {};
-        return {of.empty() ? AskedOf::load : *asked_of(of), averaging};
+        return {of.empty() ? AskedOf::load : *asked_of(of), averaging.value_or(1)};
     }
 };
 
@@ -153,12 +153,24 @@ void expect_sense(const ExportOptions& options) {
     if (ways > 1) throw InputError("Give one of --member, --worst, --quantile and --all: each chooses members.");
     if (!options.numbers.empty() && (!options.member.case_name.empty() || options.member.arrangement))
         throw InputError("--member names members by number; leave --case and --arrangement out.");
+    if (options.averaging && options.of.empty() && !options.quantile)
+        throw InputError(
+            "--averaging-s is of what --of or --quantile compare; without them --worst takes the load of a step.");
+    if (!options.fmu.overrides.empty() || !options.fmu.motion.empty())
+        throw InputError("--set and --motion are of an FMU (--fmu); a campaign file has its members.");
 }
 
 int make_fmu(const ExportOptions& options) {
     if (!options.format.empty() || !options.output.empty() || !options.numbers.empty() || options.all ||
         options.member.worst || options.quantile)
-        throw InputError("--fmu makes an FMU of a configuration: of the options for loads it takes --case alone.");
+        throw InputError(
+            "--fmu makes an FMU of a configuration: of the options for loads it takes --case and --arrangement alone.");
+    const LoadRequest& load = options.request;
+    if (load.scale != 1 || load.tow_towards != 0 || load.step || load.from || load.to || options.axes != "earth" ||
+        !options.of.empty() || options.averaging)
+        throw InputError(
+            "An FMU (--fmu) steps at the scale and in the axes of its configuration; --scale, --axes, --tow-towards, "
+            "--step, --from, --to, --of and --averaging-s are of loads from a campaign file.");
     FmuOptions fmu = options.fmu;
     fmu.arrangement = options.member.arrangement;
     return write_fmu(fmu, options.file, options.member.case_name);
@@ -200,9 +212,8 @@ void add_members(Verb& verb, ExportOptions& options) {
                 "What --worst and --quantile compare: load or mooring_force, both over --averaging-s; offset; tension; "
                 "default: the load, of --worst that of a step")
         .one_of({asked_names.begin(), asked_names.end()});
-    verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s")
-        .within(0.0, 1000.0)
-        .shows_default();
+    verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s; default: 1")
+        .within(0.0, 1000.0);
 }
 
 void add_series(Verb& verb, ExportOptions& options) {

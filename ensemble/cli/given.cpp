@@ -103,20 +103,20 @@ GivenCampaign::GivenCampaign(const std::vector<std::string>& files) : path_(file
     if (::mkdtemp(folder.data()) == nullptr)
         throw RunError(fmt::format("no folder can be made in {} to merge the parts in ({}); TMPDIR names another.",
                                    fs::temp_directory_path().string(), std::strerror(errno)));
-    path_ = fs::path(folder) / (parts.campaign().name + ".h5");
-    merged_ = true;
+    folder_ = folder;
+    path_ = folder_ / (in_a_file_name(parts.campaign().name) + ".h5");
     try {
         publish(path_, parts.campaign(), parts.members(), parts.sessions(), parts.calibrations());
     } catch (...) {
         std::error_code ignored;
-        fs::remove_all(path_.parent_path(), ignored);
+        fs::remove_all(folder_, ignored);
         throw;
     }
 }
 
 GivenCampaign::~GivenCampaign() {
     std::error_code ignored;
-    if (merged_) fs::remove_all(path_.parent_path(), ignored);
+    if (!folder_.empty()) fs::remove_all(folder_, ignored);
 }
 
 void tell_parts(const Parts& parts) {
@@ -136,6 +136,13 @@ void expect_no_other_file(const fs::path& path) {
             fmt::format("{} is an empty file, not a campaign that could be continued; delete it, or -o "
                         "names another file for the campaign.",
                         path.string()));
+    for (const char* ending : {".h5", ".hdf5", ".nc"})
+        if (const fs::path twin = fs::path(path).replace_extension(ending); twin != path && fs::exists(twin, unknown))
+            throw InputError(
+                fmt::format("{} would share its journal and pieces with {}, which is there: -o needs another name, not "
+                            "only another "
+                            "ending.",
+                            path.string(), twin.string()));
     if (kind == GivenFile::nothing || kind == GivenFile::hdf5 || empty_file) return;
     fs::path other = fs::path(path).replace_extension(".h5");
     if (other == path) other.replace_filename(path.stem().string() + "_campaign.h5");

@@ -44,7 +44,7 @@ class GivenCampaign {
   private:
     std::filesystem::path path_;
     std::string words_;
-    bool merged_ = false;
+    std::filesystem::path folder_;  ///< of the merged parts; empty: none
 };
 
 /// Throws InputError, with what to do, where a campaign file would replace something else.

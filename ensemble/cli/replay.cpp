@@ -17,12 +17,12 @@ struct ReplayOptions {
     TimeChoice times;
     std::vector<std::string> outputs;
     ReplayLook look;
-    std::string of;        ///< empty: the load of a step
-    double averaging = 1;  ///< s
+    std::string of;                   ///< empty: the load of a step
+    std::optional<double> averaging;  ///< s; none: 1
 
     Asked asked() const {
         if (of.empty()) return {};
-        return {*asked_of(of), averaging};
+        return {*asked_of(of), averaging.value_or(1)};
     }
 };
 
@@ -116,6 +116,8 @@ void check_place(const std::filesystem::path& path) {
 
 bool run(const ReplayOptions& options, const StopSignals& signals) {
     check(options.look);
+    if (options.averaging && options.of.empty())
+        throw InputError("--averaging-s is of what --of names; without it --worst takes the load of a step.");
     const bool has_record = is_recording(options.file);
     std::vector<std::string> recordings;
     for (const std::string& output : options.outputs)
@@ -166,9 +168,8 @@ void add_choices(Verb& verb, ReplayOptions& options) {
             "What is largest: load or mooring_force, both over --averaging-s; offset; tension of a line, whose moment "
             "is found by computing the member once more; default: the load of a step")
         .one_of({asked_names.begin(), asked_names.end()});
-    verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s")
-        .within(0.0, 1000.0)
-        .shows_default();
+    verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s; default: 1")
+        .within(0.0, 1000.0);
     verb.option("--from", options.times.from, "First frame, s; default: the start");
     verb.option("--to", options.times.to, "Last frame, s; default: the end");
     verb.option("--every", options.times.every,

@@ -174,7 +174,10 @@ int answer(SummarizeOptions options, const std::string& program) {
     if (options.format == "xlsx" && options.output.empty())
         throw InputError("A workbook is a file: give its name, which ends with .xlsx, with -o.");
     if (!options.output.empty()) {
-        std::string by_ending = std::filesystem::path(options.output).extension().string().substr(1);
+        std::string by_ending = std::filesystem::path(options.output).extension().string();
+        if (by_ending.empty())
+            throw InputError(fmt::format("{} is an ending without a name: give the file a name.", options.output));
+        by_ending.erase(0, 1);
         if (by_ending == "txt") by_ending = "table";
         if (options.format != "table" && options.format != by_ending)
             throw InputError(fmt::format("{} would hold --format {}, which its name denies; give another name.",

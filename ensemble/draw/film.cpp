@@ -83,7 +83,7 @@ class Ffmpeg final : public Encoder {
                                        "-r",        std::to_string(shape.rate),
                                        "-i",        "-"};
         for (std::string& word : codec_of(path_.extension().string())) words.push_back(std::move(word));
-        words.push_back(path_.string());
+        words.push_back("file:" + path_.string());  // a name may begin with "-" or have a colon
         const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(longest_picture).count();
         const timeval limit{microseconds / 1'000'000, microseconds % 1'000'000};
         ::setsockopt(write_end_.get(), SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);

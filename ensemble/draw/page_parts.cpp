@@ -24,7 +24,9 @@ void expand(std::string_view pattern, const std::function<void(std::string_view)
 }
 
 std::string in_a_script(std::string text) {
-    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos;) text.replace(at, 2, "<\\/");
+    constexpr std::string_view escaped = "\\u003c";  // of <, as "</script" and "<!--" end or swallow what follows
+    for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; at += escaped.size())
+        text.replace(at, 1, escaped);
     return text;
 }
 

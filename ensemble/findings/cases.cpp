@@ -511,7 +511,10 @@ Results find_control(const Evidence& evidence) {
             if (added) place->second = drawn(scenario, campaign.seed, campaign.arrangements);
             if (std::exchange(first, false))
                 results.add_heading(std::string{quantity.label.view()}, Results::For::everybody, unit_of(quantity));
-            const Members& members = evidence.sample.done(k);
+            Members members = evidence.sample.done(k);
+            std::erase_if(members, [&](std::size_t one) {  // as of a case that does not average over that time
+                return !std::isfinite(evidence.sample.value(one, quantity));
+            });
             Covariates known;
             for (const std::size_t member : members)
                 known.push_back({evidence.sample.value(member, *find_quantity("local_order")),

@@ -108,7 +108,10 @@ std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const Design
     const double time = averaging_time(sample, request);
     std::vector<CasePeaks> peaks;
     for (std::size_t index = 0; index < sample.cases.size(); ++index) peaks.push_back(case_peaks(sample, index, time));
-    return find_design_loads(sample, request, peaks);
+    std::vector<CaseDesignLoad> designs = find_design_loads(sample, request, peaks);
+    for (CaseDesignLoad& one : designs)
+        one.not_averaged = one.arrangements.empty() && !sample.done(one.case_index).empty();
+    return designs;
 }
 
 std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request,
@@ -175,6 +178,8 @@ std::optional<DesignDifference> difference_of(const CaseDesignLoad& first, const
     const DesignLoad& other = second.load;
     if (!one.valid() || !other.valid() || !first.of_one_kind() || !second.of_one_kind()) return {};
     const bool paired = first.arrangements == second.arrangements;
+    const bool shares = std::ranges::find_first_of(first.arrangements, second.arrangements) != first.arrangements.end();
+    if (shares && !paired) return {};
     // Draws of one number resample arrangements alike; half of them apart they have nothing in common.
     const std::size_t count = std::min(one.draws.size(), other.draws.size());
     const std::size_t shift = paired ? 0 : count / 2;
@@ -336,6 +341,7 @@ std::string doubt_lines(const Summary& summary, const std::vector<CaseDesignLoad
 }  // namespace
 
 std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
+    if (one.not_averaged) return "its members did not average the load over that time (analysis.averaging_s).";
     if (one.refused)
         return fmt::format(
             "{}, so it is not known how high it gets later. Measure later (--window auto, or run with a later "
@@ -357,7 +363,7 @@ std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
 int more_arrangements(const CaseDesignLoad& one) {
     constexpr std::size_t beginning = 8;
     const std::size_t runs = one.load.arrangements;
-    if (one.refused) return 0;
+    if (one.refused || one.not_averaged) return 0;
     if (one.load.valid()) return static_cast<int>(3 * runs);
     if (runs < fewest_members) return static_cast<int>(beginning - runs);
     if (one.load.peaks == 0 || one.load.peaks >= fewest_peaks) return 0;

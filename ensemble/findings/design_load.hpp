@@ -47,7 +47,8 @@ struct CaseDesignLoad {
     std::vector<double> peaks;      ///< of all rows, falling, N
     DesignLoad load;                ///< at the scale of the campaign; not valid if refused
     JointTrend trend;
-    bool refused = false;  ///< it rises, and nobody asked for it to be extrapolated
+    bool refused = false;       ///< it rises, and nobody asked for it to be extrapolated
+    bool not_averaged = false;  ///< its members have no loads averaged over that time
     /// Whether all members are of one kind, which the other methods and pairs take for granted.
     bool of_one_kind() const { return load.unlike.out.empty(); }
 
@@ -60,7 +61,8 @@ struct DesignDifference {
     bool paired = false;  ///< over the same arrangements; otherwise of cases that have nothing in common
 };
 
-/// With members taken as alike; none where a case has no value or members that stand out.
+/// With members taken as alike; none where a case has no value or members that stand out, or where cases share some of
+/// their arrangements.
 std::optional<DesignDifference> difference_of(const CaseDesignLoad& first, const CaseDesignLoad& second,
                                               const DesignLoadRequest& request);
 

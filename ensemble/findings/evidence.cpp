@@ -40,7 +40,7 @@ Evidence read_evidence(const CampaignFile& file, bool automatic_window, std::str
     evidence.campaign = file.campaign();
     evidence.table = read_campaign_file(file);
     if (automatic_window) {
-        const SteadyReport& steady = evidence.kept.once([&] { return find_steady(file, evidence.table); });
+        const SteadyReport steady = find_steady(file, evidence.table);  // of the window that is left
         evidence.table = with_automatic_window(file, std::move(evidence.table), steady);
     }
     complete(evidence);

@@ -128,12 +128,17 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
         section.results.front().view = Results::View::none;
         return section;
     }
+    const bool equal = std::ranges::all_of(
+        extremes, [&](const CaseExtremes& one) { return !one.gumbel.fit.valid() || one.segment == fitted->segment; });
     section.after = fmt::format(
-        "\nMaxima {}. Maximum likelihood; 1 in N: the load that one segment in N exceeds (a segment: {:g} s; 1 in "
-        "1000: once in {}). ξ: shape, below 0 with an upper bound. p A²: Anderson-Darling; small: poor fit of the "
+        "\nMaxima {}. Maximum likelihood; 1 in N: the load that one segment in N exceeds ({}). ξ: shape, below 0 with "
+        "an upper bound. p A²: Anderson-Darling; small: poor fit of the "
         "distribution.\nFor exposures longer than the one simulated, a return level is an extrapolation; floes design "
         "has loads with intervals.{}\n",
-        of_what(extremes), fitted->segment, hours(1000 * fitted->segment), chance_text(extremes));
+        of_what(extremes),
+        equal ? fmt::format("a segment: {:g} s; 1 in 1000: once in {}", fitted->segment, hours(1000 * fitted->segment))
+              : std::string{"segments differ in length"},
+        chance_text(extremes));
     return section;
 }
 

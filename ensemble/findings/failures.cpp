@@ -102,6 +102,11 @@ std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case)
     }
     for (const Floe& one : floes.floes)
         for (const std::size_t field : fields[one.shape]) found.joints[field] += 1;
+    double entered = 0;  // of a field without end more than it was laid with at once
+    for (const std::size_t member : evidence.sample.done(of_case))
+        entered += evidence.sample.value(member, quantity("floes_entered")) / row.done;
+    if (entered > 0)
+        for (double& joints : found.joints) joints *= entered / found.floes;
     const double share = 1.0 / row.done / found.floes;
     for (const BreakRow& one : breaks_of(evidence)) {
         if (evidence.case_of(one.member) != of_case) continue;

@@ -19,8 +19,17 @@ namespace floes {
 namespace {
 
 constexpr std::size_t most_changes = 6;
-constexpr std::string_view apart_words =
-    "Cases begin from other floes: differences are of means (Welch), not by arrangement.";
+
+/// How cases were compared that begin from other floes than the reference.
+std::string apart_words(const Summary& summary, const std::vector<ApartRow>& apart, std::size_t compared) {
+    if (apart.empty()) return "";
+    std::vector<std::string> names;
+    for (const ApartRow& one : apart) names.push_back(summary.label_of(one.second));
+    return fmt::format(" {} from other floes: differences are of means (Welch), not by arrangement.",
+                       names.size() == compared ? "Cases begin"
+                       : names.size() == 1      ? names.front() + " begins"
+                                                : name_list(names) + " begin");
+}
 
 std::string heading(const Evidence& evidence) {
     const Summary& summary = evidence.summary;
@@ -147,7 +156,7 @@ Section overview_section(Evidence& evidence, const Sensitivity& sensitivity) {
         const std::vector<ApartRow> apart =
             compare_apart(evidence, evidence.reference.value_or(0), loads.front().quantity, most_overview_rows);
         section.results.push_back(case_rows(evidence, loads, apart));
-        if (!apart.empty()) compared = " " + std::string{apart_words};
+        compared = apart_words(summary, apart, std::min(summary.cases.size(), most_overview_rows) - 1);
     }
     section.after = "\n" + load_columns_text(summary) + compared + "\n";
     if (many && !design)

@@ -107,7 +107,7 @@ CaseFigure mean_figure(const Evidence& evidence, const Quantity& of, const std::
 std::string doubt_words(const DesignLoadRequest& asked, const DesignLoad& found) {
     constexpr double far = 10;  // times the time that was run
     std::vector<std::string> doubts;
-    if (const double apart = disagreement(found); apart > much_disagreement)
+    if (const double apart = disagreement(found); found.unlike.out.empty() && apart > much_disagreement)
         doubts.push_back(fmt::format("methods differ by {:.0f} %", apart / unit::percent));
     if (const double times = asked.model_exposure() / found.time_run; times > far)
         doubts.push_back(fmt::format("extrapolated to {:.2g} times the time run", times));
@@ -148,7 +148,7 @@ CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignL
             made.later = std::string{request.of.word};
         } else if (!one.load.valid()) {
             more = more_arrangements(one);
-            value = Undefined{more_words(more)};
+            value = Undefined{one.not_averaged ? "not averaged over that time" : more_words(more)};
         } else {
             const LoadFigure& found = one.load.estimates.front().quantiles.front();
             const bool said = says_something(found.value, found.interval, static_cast<int>(one.load.arrangements));
@@ -264,7 +264,9 @@ std::string after_text(const Evidence& evidence, const std::vector<CaseFigure>& 
                         evidence.safety_factor, 1 / evidence.safety_factor);
     if (compared(evidence))
         text += std::ranges::any_of(figures, &CaseFigure::apart)
-                    ? " Differences: of cases that begin from other floes, of their means and design values."
+                    ? " Differences: by pairs over the same arrangements; of cases that begin from other floes, of "
+                      "their means "
+                      "and design values."
                     : " Differences: by pairs over the same arrangements.";
     return text;
 }

@@ -108,12 +108,14 @@ InterpolatedDesign::InterpolatedDesign(const MatchWave& campaign, const std::str
     measured_.mean = divided.mean;
     rows_ = std::move(divided.rows);
     std::vector<std::size_t> counts(campaign.campaign.cases.size(), 0);
-    for (const MemberRow& row : campaign.table.members) {
-        const auto of_case = static_cast<std::size_t>(row.case_index);
-        if (campaign.campaign.cases[of_case].base != base || row.averaged_over(time) == nullptr) continue;
-        members_.push_back(static_cast<int>(&row - campaign.table.members.data()));
-        ++counts[of_case];
-    }
+    for (const MatchPoint& point : data_.points)  // in the order of runs_of()
+        for (const MemberRow& row : campaign.table.members) {
+            const auto of_case = static_cast<std::size_t>(row.case_index);
+            const Case& about = campaign.campaign.cases[of_case];
+            if (about.point != point.number || about.base != base || row.averaged_over(time) == nullptr) continue;
+            members_.push_back(static_cast<int>(&row - campaign.table.members.data()));
+            ++counts[of_case];
+        }
     fewest_ = std::numeric_limits<std::size_t>::max();
     for (const std::size_t count : counts)
         if (count > 0) fewest_ = std::min(fewest_, count);
@@ -527,12 +529,14 @@ Section sources_section(const Year& year, const YearRequest& request) {
             all.add({source.words(), source.members.size(), hours * source.time_run, source.unlike.out.size(),
                      source.interpolation, level.per_year, level.uncertainty[k]});
         }
+    const auto members = [](const TailSource& one) { return one.members.size(); };
+    const std::size_t fewest = members(*std::ranges::min_element(year.sources, {}, members));
     return {
         .results = {std::move(shown), std::move(all)},
         .after = fmt::format(
             "\nOf the uncertainty: the part of the variance of the load's logarithm that would go if this tail were "
             "known. A kind of member that is none of the {} may be {} of all; its loads are not in the figures.\n",
-            year.sources.front().members.size(), percent_of(unseen_share(year.sources.front().members.size())))};
+            fewest, percent_of(unseen_share(fewest)))};
 }
 
 }  // namespace

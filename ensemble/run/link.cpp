@@ -106,7 +106,7 @@ namespace {
 
 constexpr std::size_t most_receives_at_once = 256;  // bounds the master's memory if many ranks answer at once
 constexpr std::chrono::seconds longest_parting{10};
-constexpr unsigned longest_finalize = 60;  // s
+constexpr unsigned longest_finalize = 150;  // s, longer than the command of --on-end may take
 
 /// Throws naming the call that failed.
 void check(int code, const char* call) {

@@ -140,8 +140,8 @@ class MpiLink final : public Link {
 
     /// Waits (asleep, for a limited time) until all messages are sent, then ends MPI. During an exception MPI_Finalize
     /// is not called, because the other ranks may never reach it: mpirun then sees an improper exit and ends them all,
-    /// instead of waiting without end. It is not called either if a rank was abandoned. If a rank hangs in it for a
-    /// minute, SIGALRM ends this process.
+    /// instead of waiting without end. It is not called either if a rank was abandoned. If a rank hangs in it for
+    /// minutes, SIGALRM ends this process.
     ~MpiLink() override;
 
     int rank() const override { return rank_; }

@@ -151,7 +151,12 @@ JobTimeLeft find_time_left(double asked, Seconds longest_wait) {
     if (asked > 0) return {asked, {}};
     const char* job = std::getenv("SLURM_JOB_ID");
     if (job == nullptr || !number(job)) return {};
-    const ProgramAnswer answer = answer_of({"squeue", "-h", "-j", job, "-o", "%L"}, longest_wait);
+    const char* array = std::getenv("SLURM_ARRAY_JOB_ID");
+    const char* task = std::getenv("SLURM_ARRAY_TASK_ID");
+    // One task of an array has the number of the whole array, of which squeue tells of all tasks.
+    const bool of_array = array != nullptr && task != nullptr && number(array) && number(task);
+    const std::string asked_of = of_array ? fmt::format("{}_{}", array, task) : job;
+    const ProgramAnswer answer = answer_of({"squeue", "-h", "-j", asked_of, "-o", "%L"}, longest_wait);
     if (answer.good() && answer.output.starts_with("UNLIMITED")) return {};
     if (const auto seconds = parse_time_left(answer.output); answer.good() && seconds) return {seconds, {}};
     const std::string why =

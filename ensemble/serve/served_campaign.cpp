@@ -41,7 +41,11 @@ double middle(const ModelInput& input) {
 int kept_arrangements(const std::filesystem::path& file) {
     const std::filesystem::path journal = journal_path(file);
     if (!std::filesystem::exists(journal)) return 0;
-    return read_stored_campaign(read_journal(journal), journal).arrangements;
+    try {
+        return read_stored_campaign(read_journal(journal), journal).arrangements;
+    } catch (const std::exception&) {
+        return 0;  // whether the run can go on from it is decided when it is opened
+    }
 }
 
 /// The members of the first `arrangements`; none where the file does not say how all of them ended.
@@ -185,7 +189,8 @@ Campaign ServedCampaign::at(const ModelQuestion& question) const {
 std::filesystem::path ServedCampaign::file_of(const Campaign& campaign) const {
     Campaign one = campaign;
     one.arrangements = 1;
-    return options_.folder / fmt::format("{}-{}.h5", campaign.name, fingerprint(one).substr(0, digits_of_a_name));
+    return options_.folder /
+           fmt::format("{}-{}.h5", in_a_file_name(campaign.name), fingerprint(one).substr(0, digits_of_a_name));
 }
 
 /// Throws what reading and computing throw.

@@ -135,7 +135,8 @@ class FrontWriter {
         };
         if (const auto* estimate = std::get_if<Estimate>(&one.get())) {
             number(estimate->value, cell);
-            if (estimate->said) number((estimate->high - estimate->low) / 2, static_cast<lxw_col_t>(cell + 1));
+            const double half = std::max(estimate->high - estimate->value, estimate->value - estimate->low);
+            if (estimate->said) number(half, static_cast<lxw_col_t>(cell + 1));
         } else if (const auto* plain = std::get_if<double>(&one.get())) {
             number(*plain, cell);
         } else if (const auto* named = std::get_if<Named>(&one.get())) {

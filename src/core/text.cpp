@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -36,6 +37,12 @@ bool is_utf8(std::string_view text) {
 bool is_utf16(std::string_view text) {
     const std::string_view first = text.substr(0, 2);
     return first == "\xFF\xFE" || first == "\xFE\xFF" || first.find('\0') != std::string_view::npos;
+}
+
+std::string in_a_file_name(std::string name) {
+    std::ranges::replace_if(
+        name, [](unsigned char c) { return c == '/' || c < 32; }, '_');
+    return name;
 }
 
 std::string_view beginning(std::string_view text, std::size_t most) {

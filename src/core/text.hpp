@@ -25,6 +25,9 @@ std::string markup_escaped(std::string_view text);
 /// The first bytes of a text, `most` or so many fewer that no letter is cut apart.
 std::string_view beginning(std::string_view text, std::size_t most);
 
+/// A name that people gave, as part of a file's name: without "/" and control characters.
+std::string in_a_file_name(std::string name);
+
 // Counts and durations in words, the same wherever the program says them.
 
 /// "1 member", "3 members": nouns that take an s.

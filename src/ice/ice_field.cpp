@@ -578,7 +578,8 @@ std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
     const double energy = strength.crack_energy * fibre_tension(load, strength.section).facing;
     const double over = cracking(used.share, smooth, strength.stiffness, now.angle, energy, strength.length_over_span);
     if (!(over > 1)) return std::nullopt;
-    floes_[static_cast<std::size_t>(joint.floe)].cracked = true;
+    for (const int end : {joint.a, joint.b})
+        floes_[static_cast<std::size_t>(elements_[static_cast<std::size_t>(end)].floe)].cracked = true;
     joint.crack.emplace(cohesive_law(strength.stiffness, now.angle / over, energy));
     return crack_on(world, joint);
 }

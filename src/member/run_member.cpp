@@ -85,6 +85,8 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_sway = mean_of(in_window(result.history.sway));
     result.mean_heave = mean_of(in_window(result.history.heave));
     result.work = simulation.work();
+    if (scenario.field.level_pushed)  // the structure is at rest, and no tow works
+        for (const auto share : all_work_shares) result.work.*share = MemberResult::not_measured;
     const IceField& ice = simulation.ice();
     const double entered = simulation.floes_entered();
     result.floes_entered = entered;

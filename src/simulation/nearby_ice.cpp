@@ -23,8 +23,25 @@ NearbyIce::NearbyIce(const Scenario& scenario, const Channel& channel)
     const double breadth = high_.z() - low_.z();
     high_ += Vec3{breadth, 0, breadth};
     low_.z() -= breadth;
-    within_.reserve(4 + sheets_.size());
-    for (Outline* outline : {&box_, &seen_, &spare_}) outline->reserve(most_corners + 4 + sheets_.size());
+    if (scenario.field.sides == FieldSides::wall)
+        for (const double side : {-1.0, 1.0}) walls_.push_back({{0, side}, scenario.field.half_width});
+    within_.reserve(4 + sheets_.size() + walls_.size());
+    for (Outline* outline : {&box_, &seen_, &spare_})
+        outline->reserve(most_corners + 4 + sheets_.size() + walls_.size());
+    if (!walls_.empty()) waterplane_ = waterplane_between_walls(scenario.structure.shape);
+}
+
+/// Of a hull that does not turn: it may be wider than the field.
+double NearbyIce::waterplane_between_walls(const Shape& shape) {
+    double area = 0;
+    for (const std::vector<Vec2>& outline : shape.waterlines()) {
+        seen_.clear();
+        for (const Vec2& corner : outline) seen_.push_back({corner.x(), corner.y()});
+        if (area_of(seen_) < 0) std::ranges::reverse(seen_);
+        for (const HalfPlane& wall : walls_) cut_to(wall);
+        if (!seen_.empty()) area += area_of(seen_);
+    }
+    return area;
 }
 
 void NearbyIce::cut_to(const HalfPlane& half) {
@@ -52,6 +69,7 @@ void NearbyIce::lay_box(std::span<const SheetMotion> sheets, const StructurePose
         within_.push_back({{-form.inwards.x(), -form.inwards.z()}, -edge.dot(form.inwards)});
         cut_to(within_.back());
     }
+    for (const HalfPlane& wall : walls_) cut_to(within_.emplace_back(wall));
     box_.swap(seen_);
 }
 
@@ -122,7 +140,7 @@ IceAmount NearbyIce::astern(const IceField& ice, std::span<const BodyState> stat
 }
 
 void NearbyIce::archive(StateArchive& state) {
-    auto& [sheets, waterline, low, high, waterplane, thickness, within, box, seen, spare, concentration, height,
+    auto& [sheets, walls, waterline, low, high, waterplane, thickness, within, box, seen, spare, concentration, height,
            draught] = *this;
     state(concentration, height, draught);
 }

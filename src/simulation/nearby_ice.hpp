@@ -3,10 +3,10 @@
 //
 // Concentration: the area of ice, seen from above, in a box round the hull over that of the water there. In the
 // structure's axes the box goes from the aft end of its waterline to a breadth of it ahead of the forward end, and a
-// breadth to either side of it. Of the box counts what lies between the ice sheets, less what the hull cuts out of the
-// water. Ice whose middle is more than its thickness below the water does not count: it lies below the hull, or below
-// other ice that does. The highest and the deepest point are of all elements in the box, of [ice]'s thickness. Looked
-// at every `steps_a_look` steps of the run.
+// breadth to either side of it. Of the box counts what lies between the ice sheets or walls, less what the hull cuts
+// out of the water there. Ice whose middle is more than its thickness below the water does not count: it lies below the
+// hull, or below other ice that does. The highest and the deepest point are of all elements in the box, of [ice]'s
+// thickness. Looked at every `steps_a_look` steps of the run.
 //
 // Astern of the structure is what lies behind the line across the tow through the aft end of its waterline, over the
 // whole width of the field. Areas count by elements, so that pieces of a broken floe go by themselves; floes by the
@@ -60,15 +60,17 @@ class NearbyIce {
     /// Refills box_ with the part of the box between the sheets, and its edges.
     void lay_box(std::span<const SheetMotion> sheets, const StructurePose& at);
     void cut_to(const HalfPlane& half);
+    double waterplane_between_walls(const Shape& shape);
     double area_in_box(const CutElement& element, const BodyState& state);
     void reach_to(const CutElement& element, const BodyState& state);
 
     std::vector<IceSheet> sheets_;
+    std::vector<HalfPlane> walls_;   ///< the field between them; none: no walls
     std::vector<Vec3> waterline_;    ///< corners of the hull's, in its axes
     Vec3 low_, high_;                ///< of the box, likewise
     double waterplane_;              ///< m²
     double thickness_;               ///< m
-    std::vector<HalfPlane> within_;  ///< between the sheets and in the box
+    std::vector<HalfPlane> within_;  ///< between sheets and walls, and in the box
     Outline box_, seen_, spare_;     ///< the box, and the element that is looked at
     double concentration_ = 0, height_ = 0, draught_ = 0;
 };

@@ -91,8 +91,10 @@ const char* place_of(const IceSheet& form) {
 Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
     : confining_(scenario.field.confining),
       push_(scenario.field.level_pushed ? scenario.structure.speed : 0),
-      radius_(scenario.structure.shape.waterline_radius()),
-      ahead_(scenario.structure.shape.waterline_ahead()) {
+      radius_(scenario.structure.shape.waterline_radius()) {
+    if (!scenario.structure.shape.is_of_revolution())
+        for (const std::vector<Vec2>& outline : scenario.structure.shape.waterlines())
+            for (const Vec2& corner : outline) waterline_.push_back({corner.x(), 0, corner.y()});
     for (const IceSheet& form : channel.sheets) {
         if (!give_way()) {
             fixed_.push_back(
@@ -165,7 +167,12 @@ void Sheets::check_fixed(const StructurePose& at, const Vec2& offset, double tim
 
 bool Sheets::touches(const IceSheet& form, const Vec3& centre, const StructurePose& at) const {
     const Vec3 edge = centre + form.half_extents.cwiseProduct(form.inwards);
-    return !((at.position - edge).dot(form.inwards) > (is_side(form) ? radius_ : ahead_));
+    const auto clear = [&](const Vec3& from_axis, double radius) {
+        return (at.position + from_axis - edge).dot(form.inwards) > radius;
+    };
+    if (waterline_.empty()) return !clear(Vec3::Zero(), radius_);
+    const Quat turn = turned_about_y(at.yaw);
+    return !std::ranges::all_of(waterline_, [&](const Vec3& corner) { return clear(turn * corner, 0); });
 }
 
 Vec3 Sheets::velocity(BodyId body) const {
@@ -175,7 +182,7 @@ Vec3 Sheets::velocity(BodyId body) const {
 }
 
 void Sheets::archive(StateArchive& state) {
-    auto& [confining, push, radius, ahead, fixed, sheets, motions, mean_speed] = *this;
+    auto& [confining, push, radius, waterline, fixed, sheets, motions, mean_speed] = *this;
     state(motions, mean_speed);
 }
 

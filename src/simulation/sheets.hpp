@@ -96,9 +96,9 @@ class Sheets {
     bool touches(const IceSheet& form, const Vec3& centre, const StructurePose& structure) const;
 
     double confining_;
-    double push_;    ///< m/s along -x, of fixed sheets
-    double radius_;  ///< of the structure
-    double ahead_;   ///< of its waterline, from the axis, m
+    double push_;                  ///< m/s along -x, of fixed sheets
+    double radius_;                ///< of the structure at the waterline, m
+    std::vector<Vec3> waterline_;  ///< its corners in the structure's axes, m; none of a body of revolution
     std::vector<Fixed> fixed_;
     std::vector<Sheet> sheets_;
     std::vector<SheetMotion> motions_;

@@ -357,6 +357,7 @@ void Simulation::share_out_water(std::size_t first_break) {
         if (!ice_.is_sheet()) piece_water_.share_out(place, ice_, world_, water_);
         lee_.look_from(place, ice_, states_);
     }
+    if (ice_.is_sheet() && breaks.size() > first_break) lee_.distrust();  // an event names one of its two elements
 }
 
 void Simulation::read_ice_load() {
@@ -445,6 +446,7 @@ void Simulation::start_window(const FloeSet& floes, IceAhead ahead) {
     for (int place = 0; place < ice_.places(); ++place) {
         ice_.set_resting(place, true);
         sleeping_.rest(world_, ice_, place, states_);
+        if (scenario_.field.level_pushed) push(place);
     }
     encounters_.enter(-ice_.floes());
     move_window();
@@ -553,7 +555,7 @@ void Simulation::measure_anew() {
 void Simulation::measure_places() {
     const FloeSet floes = gathered(window_->places());
     states_before_.resize(states_.size());
-    water_ = make_water(scenario_, floes, ice_);
+    water_ = make_water(by_motion(scenario_), floes, ice_);
     piece_water_ = PieceWater(scenario_, floes);
     lee_.measure(floes, ice_);
     work_.measure(floes, ice_);

@@ -317,7 +317,7 @@ void MooredMotion::look_at_lines() {
 Vec6 MooredMotion::pull_of_lines() const {
     Vec6 sum = turret_pull(moorings_, state_.offset);
     for (std::size_t i = 0; i < pulls_.size(); ++i)
-        if (std::isnan(state_.broken_at[i])) sum += pulls_[i].force - level_[i];
+        sum += std::isnan(state_.broken_at[i]) ? Vec6(pulls_[i].force - level_[i]) : Vec6(-level_[i]);
     return sum;
 }
 

@@ -35,6 +35,7 @@ struct SlipFriction {
     double memory = 10;                    ///< T, s, above 0: in which a contact forgets how fast it slid
     double least = 0.05;                   ///< bounds of every coefficient that is above 0
     double largest = 1;                    ///< up to 10, not below `least`
+    double slowest = 1e-5;  ///< slower than this nothing slides, m/s: the slowest of the tests that the laws come from
 
     friend bool operator==(const SlipFriction&, const SlipFriction&) = default;
 };

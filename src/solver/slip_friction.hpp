@@ -5,9 +5,6 @@
 
 namespace floes {
 
-/// Slower than this nothing slides for friction, m/s: the slowest of the tests that the laws come from.
-inline constexpr double slowest_slip = 1e-5;
-
 /// The law of one kind of surfaces, with its coefficient.
 struct SlipLaw {
     SlipEffect effect = SlipEffect::constant;

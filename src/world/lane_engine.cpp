@@ -418,6 +418,7 @@ void LaneEngine::lay_out() {
         bodies.back() = {};
         bodies.back().half_extent = body.parts.half_extent;
         bodies.back().crushing_pressure = body.parts.crushing_pressure;
+        bodies.back().is_prism = body.parts.is_prism;
     }
     std::vector<SolverJoint> awake;
     joint_in_system_.assign(joints_.size(), not_in_system);

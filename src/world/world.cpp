@@ -54,6 +54,9 @@ WorldDefinition FroudeUnits::to_own(WorldDefinition definition) const {
     definition.time_step /= time_;
     definition.contact.split_impulse_depth /= length_;
     definition.contact.crushing_pressure *= length_ * length_;
+    definition.contact.slip.speed /= time_;
+    definition.contact.slip.slowest /= time_;
+    definition.contact.slip.memory /= time_;
     return definition;
 }
 

@@ -62,6 +62,33 @@ TEST_F(GivenFiles, ThatAreNoCampaignAreNotReplacedByOne) {
     EXPECT_NO_THROW(expect_no_other_file(path("nothing.h5"))) << "--resume writes it again";
 }
 
+TEST_F(GivenFiles, ThatWouldShareAJournalAreNotReplaced) {
+    std::ofstream(path("my.h5")) << "kept";
+    EXPECT_THAT(refusal([&] { expect_no_other_file(path("my.nc")); }),
+                HasSubstr("my.nc would share its journal and pieces with " + path("my.h5")));
+    EXPECT_NO_THROW(expect_no_other_file(path("other.nc")));
+}
+
+// The name is people's, and may have a slash, as a scale has; nothing outside the folder of the merged parts is
+// touched.
+TEST_F(GivenFiles, OfACampaignWithAnyNameAreMergedInAFolderOfTheirOwn) {
+    std::filesystem::create_directory(path("mine"));
+    std::ofstream(path("mine/kept")) << "kept";
+    for (const std::string& name : {std::string("tank 1/36"), path("mine/tank"), std::string("../x")}) {
+        Campaign campaign = synthetic::campaign();
+        campaign.name = name;
+        const std::vector<MemberRecord> records = synthetic::records(campaign);
+        for (const char* part : {"1", "2"}) {
+            Journal journal =
+                open_journal(path(std::string("a.part") + part + ".journal"), campaign, Existing::replace);
+            for (const MemberRecord& record : records) journal.append(record);
+        }
+        EXPECT_THAT(verb_output(add_summarize, "summarize " + path("a.part1.h5") + " " + path("a.part2.h5")),
+                    HasSubstr("soft"));
+        EXPECT_TRUE(std::filesystem::exists(path("mine/kept"))) << name;
+    }
+}
+
 TEST_F(GivenFiles, ThatAreNoCampaignAreCalledWhatTheyAre) {
     std::ofstream(path("my.toml")) << "[campaign]\nseed = 1\n";
     std::ofstream(path("my.csv")) << "case,mean\n";

@@ -44,6 +44,10 @@ class Summarize : public testing::Test {
     std::filesystem::path file_ = folder_ / "synthetic.h5";
 };
 
+TEST_F(Summarize, WantsANameBeforeTheEnding) {
+    EXPECT_THAT(refusal([&] { summarize("-o .csv"); }), HasSubstr(".csv is an ending without a name"));
+}
+
 TEST_F(Summarize, GivesJsonOfWhatTheFileHolds) {
     const json summary = json::parse(summarize("--format json"));
     EXPECT_EQ(summary.at("campaign"), "synthetic");

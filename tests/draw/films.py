@@ -37,6 +37,10 @@ def main(floes, config):
             subprocess.run([floes, "replay", recording, "-o", film, "--size", "320x200"], check=True, capture_output=True)
             if probed(film) != [21, 320, 200]:
                 sys.exit(f"{film.name} has {probed(film)} frames, width, height")
+        film = folder / "case:E60.mp4"  # ffmpeg would take it for a protocol
+        subprocess.run([floes, "replay", recording, "-o", film, "--size", "320x200"], check=True, capture_output=True)
+        if not film.stat().st_size:
+            sys.exit(f"{film.name} is empty")
         film = folder / "stopped.mp4"
         run = subprocess.Popen([floes, "replay", campaign, "0", "--every", "0.02", "-o", film, "--size", "1920x1200"],
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)

@@ -9,6 +9,7 @@
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
+#include "draw/page_parts.hpp"
 #include "draw/synthetic_recording.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -32,6 +33,13 @@ class ReplayPage : public testing::Test {
 
     TemporaryFolder folder_;
 };
+
+TEST(ScriptText, EndsNoScriptAndSwallowsNone) {
+    const std::string text = R"({"name":"</script><!--<script>"})";
+    const std::string escaped = in_a_script(text);
+    EXPECT_EQ(escaped.find('<'), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(escaped), nlohmann::json::parse(text));
+}
 
 TEST_F(ReplayPage, HasTheHistoriesOfAHullThatGivesWay) {
     EXPECT_TRUE(header(page(20))["hull_histories"].empty());

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "arrangement/arrangement.hpp"
 #include "core/random.hpp"
 
@@ -68,6 +70,16 @@ TEST(ControlFinding, CorrectsWhatFollowsTheOrderAndNothingElse) {
     const std::string told = text(std::vector{control_section(evidence)}, 100);
     EXPECT_THAT(told, testing::ContainsRegex("\nmean, N *\none "));
     EXPECT_THAT(told, testing::HasSubstr("off"));
+}
+
+TEST(ControlFinding, LeavesOutACaseThatLacksAQuantity) {
+    const Campaign campaign = small();
+    CampaignTable table = table_of(campaign);
+    for (MemberRow& row : table.members)
+        if (row.case_index == 1) row.load.mean_maximum = std::nan("");
+    const Results found = find_control(evidence_of(campaign, table));
+    EXPECT_TRUE(std::isfinite(found.number(4, "plain")));
+    EXPECT_FALSE(std::isfinite(found.number(5, "plain")));
 }
 
 TEST(ControlFinding, HasNothingToDrawWherePosesAreGiven) {

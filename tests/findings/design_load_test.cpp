@@ -121,9 +121,20 @@ TEST(DesignFinding, ComparesCasesWithOtherNumbersOfPeaks) {
 TEST(DesignFinding, PairsNoOtherArrangements) {
     CampaignTable table = campaign();
     table.members.back().arrangement = 99;
-    const auto told =
-        nlohmann::json::parse(json(design_load_sections(summarise(table), find_design_loads(table, {}), {})));
+    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
+    const auto told = nlohmann::json::parse(json(design_load_sections(summarise(table), designs, {})));
     EXPECT_FALSE(told.at("design").contains("pairs"));
+    EXPECT_FALSE(difference_of(designs[0], designs[1], {})) << "they are neither paired nor independent";
+}
+
+TEST(DesignFinding, SaysWhichCaseDidNotAverageOverThatTime) {
+    CampaignTable table = campaign();
+    for (MemberRow& row : table.members)
+        if (row.case_index == 1) row.averaged.front().time = 0.5;
+    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
+    EXPECT_FALSE(designs[0].not_averaged);
+    EXPECT_EQ(more_arrangements(designs[1]), 0);
+    EXPECT_THAT(none_text(designs[1], table.cases[1]), testing::HasSubstr("did not average the load over that time"));
 }
 
 TEST(DesignFinding, SaysWhatItRestsOn) {

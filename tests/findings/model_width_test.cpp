@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "findings/example.hpp"
@@ -75,6 +76,18 @@ TEST(ModelWidth, LeavesOutWhatSamplingAdds) {
     ASSERT_TRUE(width);
     EXPECT_NEAR(width->widths[0].up, std::sqrt(16 - error * error), 1e-9);
     EXPECT_EQ(width->widths[0].down, 0);
+}
+
+// Where a member of the base stands out, its interval is the mixture's that its row shows.
+TEST(ModelWidth, SaysOfSamplingWhatTheBaseRowSays) {
+    Evidence evidence = varied({30, 27, 34, 33}, 0);
+    evidence.table.members.front().load.mean = 300;
+    evidence = evidence_of(evidence.campaign, evidence.table);
+    const std::optional<ModelWidth> width = find_model_width(evidence);
+    ASSERT_TRUE(width);
+    const Estimate shown = over(evidence.sample, evidence.sample.done(0), width->widths[0].quantity);
+    EXPECT_EQ(width->widths[0].base, shown.value);
+    EXPECT_EQ(width->widths[0].sampling, std::max(shown.high - shown.value, shown.value - shown.low));
 }
 
 TEST(ModelWidth, ComparesOtherFloesWithoutPairs) {

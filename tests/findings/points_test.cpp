@@ -162,6 +162,19 @@ TEST(Answer, ComparesTheMeansOfCasesWithOtherFloes) {
     EXPECT_THAT(answer.basis, Not(testing::Contains(HasSubstr("largest"))));
 }
 
+// Two cases share their arrangements, a third has other floes: it alone is compared without pairs, and is named.
+TEST(Answer, NamesTheCasesThatHaveOtherFloes) {
+    Evidence evidence = evidence_with(
+        "[campaign]\narrangements = 4\n[[case]]\nname = \"alike\"\n[[case]]\nname = \"slow\"\nstructure.speed_m_s = "
+        "0.02\n[[case]]\nname = \"mixed\"\nsizes.law = \"lognormal\"\nsizes.largest_m = 1.0\n");
+    for (MemberRow& row : evidence.table.members) row.arrangement += row.case_index == 2 ? 4 : 0;
+    evidence = evidence_of(evidence.campaign, evidence.table);
+    const std::string overview = text(std::vector{overview_section(evidence, find_sensitivity(evidence))}, 200);
+    EXPECT_THAT(overview, HasSubstr(" mixed begins from other floes: differences are of means (Welch)"));
+    EXPECT_THAT(find_page_one(evidence).table.after,
+                HasSubstr("by pairs over the same arrangements; of cases that begin from other floes, of their means"));
+}
+
 // A doubt that matters stands beside the figure: the methods lie between 40 and 75 N, 70 % of 50 N apart, and 3 h are
 // 108 times the 100 s that were run.
 TEST(Answer, SaysDoubtsBesideTheFigure) {

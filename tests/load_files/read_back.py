@@ -130,6 +130,10 @@ def test_refusals(folder, file):
     refused("There is no case hard", file, "--all", "--case", "hard", *out)
     refused("There is no arrangement 9", file, "--all", "--arrangement", "9", *out)
     refused("Give one of --member, --worst, --quantile and --all", file, "--all", "--worst", *out)
+    refused("without them --worst takes the load of a step", file, "--worst", "--averaging-s", "2", *out)
+    refused("--set and --motion are of an FMU", file, "--worst", "--set", "structure.speed_m_s=0.2", *out)
+    refused("An FMU (--fmu) steps at the scale and in the axes of its configuration", "my.toml", "--fmu", f"{folder}/a.fmu",
+            "--scale", "36")
     refused("leave --case and --arrangement out", file, "--member", "1", "--case", "soft", *out)
     refused("give one of them", file, "--member", "1", "--of", "load", *out)
     refused("stored as means over 0.02 s (a time step)", file, "--member", "1", *out, "--step", "0.01")

@@ -116,6 +116,18 @@ TEST(Year, OfACaseInTwoRegimesHasOneTail) {
     EXPECT_NEAR(year.levels[0].load.value / whole.levels[0].load.value, 1, 1e-6);
 }
 
+// Rows of a design lie point by point, its members arrangement by arrangement.
+TEST(Year, NamesTheMembersOfADesignThatStandOut) {
+    MatchWave wave = design();
+    constexpr std::size_t jammed = 25;
+    for (AveragedLoad& averaged : wave.table.members[jammed].averaged)
+        for (double& peak : averaged.peaks) peak *= 20;
+    const Year year = find_year(wave, {at_thickness(0.045, 300)}, {});
+    const TailSource& source = year.sources[0];
+    ASSERT_EQ(source.unlike.out.size(), 1u);
+    EXPECT_EQ(source.members[source.unlike.out[0]], static_cast<int>(jammed));
+}
+
 TEST(Year, LiesBetweenThePointsOfADesign) {
     const MatchWave wave = design();
     for (const double thickness : {0.025, 0.045, 0.07}) {

@@ -57,6 +57,11 @@ with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
     about = list(csv.DictReader(io.StringIO(floes("summarize", "a.h5", "--format", "csv", "--parts", "cases", folder=folder))))
     for row, case in zip(overview[head + 1:], about):
         assert row[0] == case["name"] and same(row[2], case["mean_load"]), (row, case)
+        for heading, key, factor in (("mean load, N", "mean_load", 1), ("broken floes, %", "failure_ratio", 100)):
+            at = overview[head].index(heading)
+            value, low, high = (float(case[name]) for name in (key, f"{key}_low", f"{key}_high"))
+            longer = factor * max(high - value, value - low)  # as the screen has it
+            assert row[at + 1] == "" or same(row[at + 1], longer), (heading, row, case)
     assert len(book["overview"]._charts) == 1
     contents = {row[0]: row[1] for row in rows_of(book["contents"])}
     assert set(book.sheetnames[2:]) < set(contents) and contents["campaign"] == "synthetic", contents

@@ -39,7 +39,7 @@ class TimeLeftInAJob : public testing::Test {
     }
     ~TimeLeftInAJob() override {
         ::setenv("PATH", path_.c_str(), 1);
-        ::unsetenv("SLURM_JOB_ID");
+        for (const char* name : {"SLURM_JOB_ID", "SLURM_ARRAY_JOB_ID", "SLURM_ARRAY_TASK_ID"}) ::unsetenv(name);
     }
 
     JobTimeLeft with(const std::string& does, double longest = 60) {
@@ -57,6 +57,13 @@ TEST_F(TimeLeftInAJob, IsWhatSqueueSays) {
     const JobTimeLeft unlimited = with("echo UNLIMITED");
     EXPECT_FALSE(unlimited.seconds);
     EXPECT_EQ(unlimited.remark, "");
+}
+
+// One task of an array has the number of the whole array.
+TEST_F(TimeLeftInAJob, IsThatOfTheTaskInAnArray) {
+    ::setenv("SLURM_ARRAY_JOB_ID", "12", 1);
+    ::setenv("SLURM_ARRAY_TASK_ID", "3", 1);
+    EXPECT_EQ(with("test \"$*\" = '-h -j 12_3 -o %L' && echo 1:30").seconds, 90.0);
 }
 
 TEST_F(TimeLeftInAJob, IsNotKnownWhereSqueueHangsOrFails) {

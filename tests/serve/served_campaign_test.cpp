@@ -6,6 +6,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <csignal>
+#include <fstream>
 #include <mutex>
 #include <sstream>
 #include <thread>
@@ -150,6 +151,15 @@ TEST(ServedCampaign, GoesOnWithWhatIsKeptOfMore) {
     EXPECT_DOUBLE_EQ(served.mean({{0.03}, 2}), 150.1);
     EXPECT_EQ(served.computed, 4);
     EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+// As a full disk leaves it.
+TEST(ServedCampaign, BeginsAPointAnewWhoseJournalIsEmpty) {
+    const TemporaryFolder folder;
+    Served served(folder / "kept");
+    const std::filesystem::path file = served.campaign.file_of(served.campaign.at({{0.03}}));
+    std::ofstream(std::filesystem::path(file).replace_extension(".journal")).close();
+    EXPECT_DOUBLE_EQ(served.mean({{0.03}, 2}), 150.1);
 }
 
 TEST(ServedCampaign, KeepsEachPointInAFile) {

@@ -120,5 +120,19 @@ TEST(EndlessSheet, ThatIsPushedLoadsTheWallAsTheTow) {
     EXPECT_NEAR(pushed.time, towed.time, 0.1);
 }
 
+// The hull is at rest, so water at rest does not flow round it.
+TEST(EndlessSheet, ThatIsPushedComesThroughWaterAtRest) {
+    Scenario scenario = under_barge(6);
+    scenario.field.level_pushed = true;
+    Simulation round_the_hull = tow(scenario);
+    scenario.water.flow = WaterFlow::still;
+    Simulation still = tow(scenario);
+    for (const BodyState& state : still.element_states()) EXPECT_EQ(state.velocity.x(), -scenario.structure.speed);
+    ASSERT_TRUE(round_the_hull.run({}));
+    ASSERT_TRUE(still.run({}));
+    ASSERT_FALSE(still.ice().breaks().empty());
+    EXPECT_EQ(round_the_hull.loads().surge, still.loads().surge);
+}
+
 }  // namespace endless_sheet_test
 }  // namespace floes

@@ -63,6 +63,25 @@ Mat6 water_of(const Shape& shape, const Moorings& moorings) {
     return water_stiffness(hydrostatics(shape), density, gravity, moorings.mass, moorings.height);
 }
 
+// The ballast stays when a line breaks: what the line pulled down is then too little.
+TEST(FloatingMotion, RisesAndTrimsWhenALineBreaks) {
+    Moorings moorings = spar_moorings();
+    const LinePull at_rest = pull(moorings, 0, Vec6::Zero());
+    moorings.hanging[0].break_load = 1.001 * at_rest.tension;
+    const double step = 0.02;
+    MooredMotion motion(moorings, water_of(spar(), moorings), step);
+    int k = 0;
+    for (; k < 2000 && std::isnan(motion.state().broken_at[0]); ++k)
+        motion.advance(along(Motion::surge, at_rest.force[0] > 0 ? -1e5 : 1e5), step * (k + 1));
+    ASSERT_FALSE(std::isnan(motion.state().broken_at[0]));
+    const double heave = motion.state().velocity[number(Motion::heave)];
+    const double second = step * 50;
+    for (int i = 0; i < 50; ++i, ++k) motion.advance(Vec6::Zero(), step * (k + 1));
+    const double expected = -at_rest.force[number(Motion::heave)] / (moorings.mass + 2.4e5) * second;
+    ASSERT_GT(expected, 0);
+    EXPECT_NEAR((motion.state().velocity[number(Motion::heave)] - heave) / expected, 1, 0.1);
+}
+
 // RAFT's test of the OC3 spar has 125.5, 30.8, 29.6 s in surge, heave and pitch; surge and pitch swing together, and by
 // itself surge would have another period.
 TEST(FloatingMotion, PeriodsOfTheOC3SparAreThePublishedOnes) {

@@ -222,5 +222,21 @@ TEST(MooredStructure, FailsAtTheBank) {
     }
 }
 
+TEST(MooredStructure, FailsWhereItsBowTurnsIntoTheBank) {
+    Scenario scenario = short_channel();
+    const double length = 2 * scenario.field.half_width + 0.4;
+    scenario.structure.shape =
+        Shape(HullKind::barge, {.length = length, .beam = 0.6, .draught = 0.3, .freeboard = 0.2, .stem = 0.25 * pi});
+    scenario.structure.start = scenario.field.begin - length;
+    scenario.moorings = of_period(6);
+    const FloeSet floes = make_arrangement(scenario, 1, 0);
+    SimulationState turned = Simulation(scenario, floes).state();
+    Simulation along(scenario, floes, turned);
+    EXPECT_NO_THROW(along.step());
+    turned.moored.offset = in_plane({0, 0, 0.5 * pi});
+    Simulation across(scenario, floes, turned);
+    EXPECT_THROW(across.step(), MemberFailure);
+}
+
 }  // namespace moored_test
 }  // namespace floes

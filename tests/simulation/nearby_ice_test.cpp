@@ -63,6 +63,13 @@ TEST(Concentration, IsOfTheWaterBetweenTheIceSheets) {
     EXPECT_NEAR(concentration(scenario, {{1.6, 0, 0}, {0.2, 0.85, 0}}), 2 * side * side / (2.4 * 2.95 - 2), 1e-6);
 }
 
+TEST(Concentration, IsOfTheWaterBetweenWallsThatTheHullIsWiderThan) {
+    Scenario scenario = with_barge(1);
+    scenario.field.sides = FieldSides::wall;
+    scenario.field.half_width = 0.4;
+    EXPECT_NEAR(concentration(scenario, {{1.6, 0, 0}}), side * side / (0.8 * 3 - 0.8 * 2), 1e-6);
+}
+
 TEST(Concentration, IsOfABoxThatTurnsWithTheStructure) {
     Scenario scenario = with_barge(2);
     const double quarter = 0.5 * std::numbers::pi;  // the bow to port, -z

@@ -69,14 +69,16 @@ SlipFriction power(bool structure) {
 }
 
 TEST(SlipFriction, EachKindOfSurfaceHasTheCoefficientOfItsSpeed) {
-    for (const bool structure : {false, true}) {
-        for (const double speed : {0.05, 0.2, 0.6}) {
-            Floor floor(with(power(structure), 9.81, 0.002), speed, structure);
-            floor.world.step();
-            const double expected = coefficient * std::pow(speed / V, -n);
-            EXPECT_NEAR(floor.friction(), expected, 1e-9) << structure << " " << speed;
-        }
-    }
+    for (const double unit : {0.25, 1.0, 30.0})  // of length, in which the world computes
+        for (const bool structure : {false, true})
+            for (const double speed : {0.05, 0.2, 0.6}) {
+                WorldDefinition definition = with(power(structure), 9.81, 0.002);
+                definition.length_unit = unit;
+                Floor floor(definition, speed, structure);
+                floor.world.step();
+                const double expected = coefficient * std::pow(speed / V, -n);
+                EXPECT_NEAR(floor.friction(), expected, 1e-9) << unit << " " << structure << " " << speed;
+            }
 }
 
 // dv/dt = -f g (v / V)^-n: v^(1+n) = v0^(1+n) - (1+n) f g V^n t.
@@ -98,16 +100,20 @@ TEST(SlipFriction, ABlockSlowsByThePowerLaw) {
 TEST(SlipFriction, APushRaisesFrictionAtOnceAndLowersItWithTime) {
     constexpr double gravity = 1e-3;
     const SlipFriction slip{.ice_ice = SlipEffect::rate_and_state, .largest = 10};
-    Floor floor(with(slip, gravity), 0.01, false);
-    for (int i = 0; i < 10; ++i) floor.world.step();
-    const double slow = floor.friction();
-    EXPECT_NEAR(slow, coefficient + 0.072 * std::log(10.0), 0.01);
-    floor.world.apply(floor.block, {Vec3(element_mass * 0.09 / 0.02, 0, 0), Vec3::Zero()});
-    floor.world.step();
-    floor.world.step();
-    EXPECT_NEAR(floor.friction() - slow, 0.31 * std::log(10.0), 0.02);
-    for (int i = 0; i < 500; ++i) floor.world.step();
-    EXPECT_NEAR(floor.friction(), coefficient + 0.382 * std::exp(-1.0) * std::log(10.0), 0.02);
+    for (const double unit : {1.0, 30.0}) {
+        WorldDefinition definition = with(slip, gravity);
+        definition.length_unit = unit;
+        Floor floor(definition, 0.01, false);
+        for (int i = 0; i < 10; ++i) floor.world.step();
+        const double slow = floor.friction();
+        EXPECT_NEAR(slow, coefficient + 0.072 * std::log(10.0), 0.01) << unit;
+        floor.world.apply(floor.block, {Vec3(element_mass * 0.09 / 0.02, 0, 0), Vec3::Zero()});
+        floor.world.step();
+        floor.world.step();
+        EXPECT_NEAR(floor.friction() - slow, 0.31 * std::log(10.0), 0.02) << unit;
+        for (int i = 0; i < 500; ++i) floor.world.step();
+        EXPECT_NEAR(floor.friction(), coefficient + 0.382 * std::exp(-1.0) * std::log(10.0), 0.02) << unit;
+    }
 }
 
 TEST(SlipFriction, StockRefusesIt) {
