@@ -51,7 +51,7 @@ TEST_F(ContourVerb, WritesAPictureAndAPage) {
     EXPECT_THAT(got("a.svg"), testing::StartsWith("<svg"));
     contour("-o " + path("a.html"));
     EXPECT_THAT(got("a.html"), HasSubstr("Environmental contours"));
-    EXPECT_THAT(got("a.html"), HasSubstr("--per-year 0.01,0.0001 --exposure-h 3 --points 24 -o "));
+    EXPECT_THAT(got("a.html"), HasSubstr("--per-year 0.01,0.0001 --exposure-h 3 --points 12 -o "));
 }
 
 TEST_F(ContourVerb, WritesCasesThatAreACampaign) {

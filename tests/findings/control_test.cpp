@@ -78,8 +78,8 @@ TEST(ControlFinding, LeavesOutACaseThatLacksAQuantity) {
     for (MemberRow& row : table.members)
         if (row.case_index == 1) row.load.mean_maximum = std::nan("");
     const Results found = find_control(evidence_of(campaign, table));
-    EXPECT_TRUE(std::isfinite(found.number(4, "plain")));
-    EXPECT_FALSE(std::isfinite(found.number(5, "plain")));
+    EXPECT_TRUE(std::isfinite(found.number(4, "mean")));
+    EXPECT_FALSE(std::isfinite(found.number(5, "mean")));
 }
 
 TEST(ControlFinding, HasNothingToDrawWherePosesAreGiven) {
