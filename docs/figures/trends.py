@@ -46,7 +46,7 @@ def base_of(case):
 
 def ratio(rows, case):
     """Geometric mean over that of the base, with its 95 % interval."""
-    mean, half = change(rows, "log_N", case, base_of(case))
+    mean, half = change(rows, "log_N", case, base_of(case), not case.startswith("length"))
     return tuple(np.exp([mean, mean - half, mean + half]))
 
 
@@ -79,7 +79,7 @@ def verdicts():
 
     def apart(*cases):
         """How the share that falls through differs from that of the base, and whether any difference is beyond chance."""
-        found = [change(rows, "passes", case, BASE) for case in cases]
+        found = [change(rows, "passes", case, BASE, case != "twice_as_wide") for case in cases]
         return (", ".join(f"{mean:+.0f} ± {half:.0f}" for mean, half in found) + " points",
                 any(abs(mean) > half for mean, half in found))
 

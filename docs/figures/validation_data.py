@@ -125,14 +125,14 @@ def as_far_off(figures, mean, share, scatter, freedom):
     return stats.f.sf(squared * (freedom - count + 1) / (freedom * count), count, freedom - count + 1)
 
 
-def change(table, quantity, case, base):
+def change(table, quantity, case, base, same_floes=True):
     """Change of `case` from `base` and the half width of its 95 % interval: paired, or by Welch's t if the two began from
-    different arrangements."""
-    wide = across(table, quantity, [case, base])
-    if len(wide) > 1:
+    other floes, of which arrangements have the numbers alone in common."""
+    if same_floes:
+        wide = across(table, quantity, [case, base])
         differences = wide[case] - wide[base]
         return differences.mean(), half_width(differences)
-    one, other = (table[table.case == name][quantity] for name in (case, base))
+    one, other = (table[table.case == name][quantity].dropna() for name in (case, base))
     errors = one.var() / len(one), other.var() / len(other)
     freedom = sum(errors) ** 2 / (errors[0] ** 2 / (len(one) - 1) + errors[1] ** 2 / (len(other) - 1))
     return one.mean() - other.mean(), stats.t.ppf(0.975, freedom) * np.sqrt(sum(errors))

@@ -51,7 +51,7 @@ def boundaries():
         cells = [words, with_interval(own.mean_N.to_numpy())]
         for quantity in ["mean_N", "maximum_1s_N"]:
             if case != "fixed":
-                cells.append(difference(*change(rows, quantity, case, "fixed")))
+                cells.append(difference(*change(rows, quantity, case, "fixed", not case.startswith(("width", "length")))))
             else:
                 cells.append("" if quantity == "mean_N" else with_interval(own[quantity].to_numpy()))
         lines.append(cells)

@@ -421,13 +421,14 @@ Odd large_elements(const Case& one) {
     const FloatingPlate plate{.thickness = scenario.floe.thickness,
                               .water_density = scenario.water.density,
                               .gravity = scenario.general.gravity};
-    const double length = plate.characteristic_length(scenario.ice.elastic_modulus);
+    const double length = plate.characteristic_length(scenario.mean_ice().elastic_modulus);
     const double element = largest_element(scenario);
     if (one.pairing == Pairing::find_modulus || element < length) return {};
-    return {fmt::format("{} is not below {:.3g} m, the characteristic length of ice of {:g} MPa; such elements are too "
-                        "large to show where the ice would bend and break",
-                        element_words(scenario, element), length, scenario.ice.elastic_modulus / unit::megapascal),
-            element / length};
+    return {
+        fmt::format("{} is not below {:.3g} m, the characteristic length of ice of {:g} MPa; such elements are too "
+                    "large to show where the ice would bend and break",
+                    element_words(scenario, element), length, scenario.mean_ice().elastic_modulus / unit::megapascal),
+        element / length};
 }
 
 Odd thick_elements(const Case& one) {

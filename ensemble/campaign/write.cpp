@@ -341,8 +341,12 @@ std::string cases_text(const std::vector<Variation>& cases) {
 
 std::vector<Variation> variations_of(const Scenario& scenario) {
     Open open(scenario);
-    open.times("ice.bending_strength_kPa", {0.8, 1.25}, "scatter of beam tests within one sheet");
-    if (scenario.joint.model == JointModel::beam)
+    const bool by_brine = scenario.brine.salinity > 0;
+    if (by_brine)
+        open.times("brine.salinity_ppt", {0.8, 1.25}, "it decides strength and modulus");
+    else
+        open.times("ice.bending_strength_kPa", {0.8, 1.25}, "scatter of beam tests within one sheet");
+    if (scenario.joint.model == JointModel::beam && !by_brine)
         open.times("ice.elastic_modulus_MPa", {0.5, 2}, "methods of measuring E differ by this");
     open.times("ice.compressive_strength_kPa", {0.5, 2}, "rarely measured, depends on the rate");
     open.at("ice.fracture_energy_J_m2", {tough(scenario)}, "ice so tough that cracks wait for their energy");

@@ -114,9 +114,11 @@ void check_bed(const Scenario& scenario, Contradictions& found) {
     if (scenario.field.endless() && water.bed_slope != 0)
         return refuse(scenario, found, {"water.bed_slope_deg", far_end},
                       "<water.bed_slope_deg> comes out of the water somewhere ahead of <field.far_end>; take 0");
+    if (!found.empty()) return;  // what lies where is known of a field without fault
     double draught = 0;
-    for (const FloeShape& shape : floe_sizes(scenario))
-        draught = std::max(draught, shape.thickness * scenario.ice.density / water.density);
+    const FloeSet floes = floes_of(scenario);
+    for (std::size_t i = 0; i < floes.size(); ++i)
+        draught = std::max(draught, floes.shape(i).thickness * floes.material(i).ice.density / water.density);
     for (const double x : {scenario.field.begin, scenario.field_end()}) {
         const double depth = water.depth - std::tan(water.bed_slope) * (x - scenario.structure.start);
         if (depth > draught) continue;

@@ -541,6 +541,7 @@ void check_given_floes(const Scenario& scenario, Contradictions& found) {
         std::set<std::pair<std::size_t, std::size_t>> kinds;
         Scenario alike = scenario;
         alike.arrangement = {};  // a copy of the poses for each kind of floe would take too long
+        alike.arrangement.method = ArrangementMethod::file;
         for (std::size_t i = 0; i < floes.size(); ++i) {
             if (!kinds.emplace(floes.floes[i].shape, floes.floes[i].material).second) continue;
             alike.floe = floes.shape(i);

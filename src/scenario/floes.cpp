@@ -259,6 +259,12 @@ void follow_brine(Ice& ice, double salinity, double temperature) {
 
 }  // namespace
 
+Ice Scenario::mean_ice() const {
+    Ice own = ice;
+    if (brine.salinity > 0) follow_brine(own, brine.salinity, brine.temperature);
+    return own;
+}
+
 void scale_strengths(Ice& ice, double factor) {
     for (double* strength : {&ice.bending_strength, &ice.compressive_strength, &ice.shear_strength,
                              &ice.tensile_strength, &ice.torsion_strength, &ice.in_plane_bending_strength})

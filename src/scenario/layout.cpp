@@ -91,6 +91,7 @@ FloeMeasures measures_of_floes(const Scenario& scenario) {
         floes.area += shape.length * shape.breadth / static_cast<double>(shapes.size());
     }
     floes.mean = std::sqrt(floes.area);
+    if (scenario.arrangement.level()) floes.side = floes.mean = scenario.characteristic_length();  // of what breaks off
     return floes;
 }
 
@@ -209,7 +210,7 @@ class Layout {
         }
         lay_floes(shared.length);
         lay_lattice();
-        if (!field.endless() && !is_open(LaidKey::floes)) end_with_field();
+        if (!field.endless() && (!is_open(LaidKey::floes) || scenario_.arrangement.given())) end_with_field();
         lay_segments();
         std::ranges::sort(one_.laid, {}, &LaidValue::key);
     }
@@ -342,11 +343,12 @@ class Layout {
         const int segments = analysis.segments;
         const double way = std::max(breadths_of_segment * hull_.breadth(), floes_of_segment * floes_.mean);
         const double moving = speed();
-        const double by_way = moving > 0 ? usual_segments * way / moving : 0;
+        const int parts = std::max(segments, usual_segments);
+        const double by_way = moving > 0 ? parts * way / moving : 0;
         const double by_swing = periods_of_window * swing_.period;
         const double by_average = segments * longest_average();
         std::string reason = fmt::format(
-            "three times {}, at {:.3g} m/s",
+            "{} times {}, at {:.3g} m/s", parts == usual_segments ? "three" : std::to_string(parts),
             larger_of(breadths_of_segment * hull_.breadth(), fmt::format("two breadths of the hull, {:.4g} m", way),
                       floes_of_segment * floes_.mean, fmt::format("five floes, {:.4g} m", way)),
             moving);

@@ -101,7 +101,7 @@ Mat6 Scenario::water_stiffness() const {
 
 double Scenario::characteristic_length() const {
     const double rigidity =
-        ice.elastic_modulus * std::pow(floe.thickness, 3) / (12 * (1 - ice.poisson_ratio * ice.poisson_ratio));
+        mean_ice().elastic_modulus * std::pow(floe.thickness, 3) / (12 * (1 - ice.poisson_ratio * ice.poisson_ratio));
     return std::pow(rigidity / (water.density * general.gravity), 0.25);
 }
 

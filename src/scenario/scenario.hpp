@@ -430,7 +430,8 @@ struct Scenario {
     /// Time over which stress is averaged before it meets the strength, s: joint.averaging, or its default, a tenth of
     /// √(l/g), l = (E T³/(12 (1 - ν²) ρ_w g))^(1/4) of the plate on water (docs/fracture.md).
     double stress_averaging() const;
-    /// L_c = (E T³/(12 (1 - ν²) ρ_w g))^(1/4) of the scenario's ice on its water, m.
+    Ice mean_ice() const;  ///< [ice], with strengths and modulus of [brine] where that says them
+    /// L_c = (E T³/(12 (1 - ν²) ρ_w g))^(1/4) of that ice on the scenario's water, m.
     double characteristic_length() const;
     int stress_steps() const;  ///< the same in steps, at least 1
     /// Of a field without end: field.ahead, or its default, m: two widths of the field; in level ice the structure's

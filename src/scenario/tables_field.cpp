@@ -247,7 +247,7 @@ void add_analysis(Keys& keys, Analysis& analysis) {
                                "Number of equal parts of the window; mean_maximum is the mean of their maxima."));
     keys.push_back(history_steps(analysis));
     keys.push_back(late_key(numbers_key(
-        "analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one, at_least(0).at_most(1e6), "none",
+        "analysis.exceedance_levels_N", analysis.exceedance_levels, unit::one, at_least(0).at_most(1e12), "none",
         "Load levels, ascending: each member counts the steps of the window with a surge load "
         "above each level, and how often the load rises through it. Needs no history.")));
     keys.push_back(late_key(numbers_key(

@@ -365,7 +365,7 @@ void add_moorings(Keys& keys, Moorings& moorings) {
             "moorings.mass_t > 0", [&moorings] { return moorings.give_way(); }, std::move(key)));
     };
     const auto number = [&](std::string_view path, double& field, double unit, std::string_view doc) {
-        keys.push_back(held(number_key(path, field, unit, at_least(0).at_most(1e9), "none", doc)));
+        keys.push_back(held(number_key(path, field, unit, at_least(0).at_most(1e12), "none", doc)));
     };
     add_hull_mass(keys, moorings, held, number);
     add_springs(keys, moorings, held, number);

@@ -220,7 +220,7 @@ constexpr double right_angle = std::numbers::pi / 2;
 
 LevelIce level_ice_of(const Scenario& scenario) {
     return {.thickness = scenario.floe.thickness,
-            .bending_strength = scenario.ice.bending_strength,
+            .bending_strength = scenario.mean_ice().bending_strength,
             .density = scenario.ice.density,
             .water_density = scenario.water.density,
             .gravity = scenario.general.gravity};

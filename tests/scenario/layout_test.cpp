@@ -165,6 +165,41 @@ TEST(Layout, StatedFloesEndTheRun) {
     EXPECT_THAT(reason(scenario, LaidKey::window, but({LaidKey::floes})), HasSubstr("until the ice of 100 floes ends"));
 }
 
+TEST(Layout, GivenPlacesEndTheRun) {
+    Scenario scenario = cone();
+    scenario.field.far_end = FarEnd::ice_sheet;
+    scenario.field.half_width = 130;
+    scenario.arrangement.method = ArrangementMethod::file;
+    scenario.arrangement.poses.resize(100);
+    lay_one(scenario, all());
+    const Analysis& analysis = scenario.analysis;
+    const double end = scenario.structure.start + 0.5 * (analysis.steady_start + analysis.window) + 40.5;
+    EXPECT_LE(end, scenario.field_end());
+    EXPECT_GT(end, scenario.field_end() - 30);
+}
+
+// Its pieces are some characteristic lengths long; the sheet's own length is no floe's.
+TEST(Layout, LevelIceIsMeasuredByWhatBreaksOff) {
+    Scenario scenario = cone();
+    scenario.arrangement.method = ArrangementMethod::level;
+    scenario.field.floes = 1;
+    scenario.floe.breadth = 200;
+    Scenario farther = scenario;
+    farther.field.ahead = 1000;
+    lay_one(scenario, all());
+    lay_one(farther, but({LaidKey::ahead}));
+    EXPECT_DOUBLE_EQ(scenario.analysis.window, 3 * 330);  // 3 times two breadths of 81 m, at 0.5 m/s, to two figures
+    EXPECT_DOUBLE_EQ(farther.analysis.window, scenario.analysis.window);
+    EXPECT_DOUBLE_EQ(farther.analysis.steady_start, scenario.analysis.steady_start);
+}
+
+TEST(Layout, EachOfManySegmentsHasTheWay) {
+    Scenario scenario = cone();
+    scenario.analysis.segments = 6;
+    lay_one(scenario, all());
+    EXPECT_GE(scenario.analysis.window / 6, 2 * 81 / 0.5);
+}
+
 TEST(Layout, OneOfStartAndBeginFollowsTheOther) {
     Scenario scenario = cone();
     scenario.field.begin = 100;

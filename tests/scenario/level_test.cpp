@@ -51,6 +51,17 @@ TEST(LevelIce, IsOneSheetFromTheNearEdgeToTheFarEnd) {
         << "each arrangement has its own cut";
 }
 
+// Strength and modulus follow from the brine wherever the ice's own are asked for.
+TEST(LevelIce, OfBrineHasItsLengths) {
+    Scenario salty = level();
+    salty.brine = {.salinity = 5e-3, .temperature = -5};
+    Scenario stated = level();
+    stated.ice = floes_of(salty).material(0).ice;
+    EXPECT_EQ(salty.characteristic_length(), stated.characteristic_length());
+    EXPECT_EQ(salty.stress_steps(), stated.stress_steps());
+    EXPECT_GT(salty.characteristic_length(), 2 * level().characteristic_length());
+}
+
 TEST(LevelIce, WithoutEndIsAsLongAsWhatIsComputed) {
     Scenario scenario = level();
     scenario.field.far_end = FarEnd::never;

@@ -2,6 +2,7 @@
 
 #include "scenario/validate.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -342,6 +343,43 @@ TEST(Validate, BordersAreConsistent) {
                   s.analysis.window = 120;
               }),
               "consistent");
+}
+
+TEST(Validate, VoronoiCellsNeedNoLattice) {
+    const auto dense = [](ShapeKind kind) {
+        Scenario scenario;
+        scenario.shapes.kind = kind;
+        scenario.field.concentration = 0.92;
+        scenario.analysis.window = 60;
+        std::string all;
+        for (const Contradiction& one : find_contradictions(scenario)) all += one.sentence;
+        return all;
+    };
+    EXPECT_EQ(dense(ShapeKind::voronoi), "");
+    EXPECT_THAT(dense(ShapeKind::rectangle), testing::HasSubstr("cannot hold field.floes = 189"));
+}
+
+TEST(Validate, SingleFloesInOpenWaterMayHaveColumns) {
+    EXPECT_EQ(sentence([](Scenario& s) {
+                  use_file(s);
+                  s.field.concentration = 0.005;
+                  s.arrangement.columns = "ice.thickness_m";
+                  s.arrangement.values = {{0.03}, {0.04}};
+              }),
+              "consistent");
+}
+
+TEST(Validate, TheBedIsBelowTheThickestFloe) {
+    const auto over = [](double thickest) {
+        return sentence([=](Scenario& s) {
+            use_file(s);
+            s.water.depth = 0.5;
+            s.arrangement.columns = "ice.thickness_m";
+            s.arrangement.values = {{0.03}, {thickest}};
+        });
+    };
+    EXPECT_EQ(over(0.04), "consistent");
+    EXPECT_THAT(over(0.6), testing::HasSubstr("is to float at the start"));
 }
 
 TEST(Validate, FirstKeyNamedIsAKey) {

@@ -97,9 +97,11 @@ function towArrow(replay, time) {
 
 // The mooring lines that hold at a frame, as far as they are to be seen.
 function lineArrows(replay, frame) {
-  const {structure: {radius}, lines} = replay.header;
-  if (!lines) return [];
-  return (lines[frame] || []).map(([x, y, z, ...along]) => ({start: [x, y + 0.02 * radius, z], along,
+  const {structure: {radius}, lines, poses, step} = replay.header;
+  if (!lines || !poses) return [];
+  // Of all frames of the recording, some of which the page may have left out.
+  const recorded = poses.findIndex(([time]) => time > replay.times[frame] - 0.5 * step);
+  return (lines[recorded] || []).map(([x, y, z, ...along]) => ({start: [x, y + 0.02 * radius, z], along,
     colour: new THREE.Color(styled('ink')).toArray(), thick: 0.015 * radius}));
 }
 

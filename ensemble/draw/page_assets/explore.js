@@ -64,6 +64,7 @@ class Explorer {
   }
 
   clear() {
+    if (byId('ranges').contains(document.activeElement)) document.activeElement.blur(); // or its box would stay
     this.marks.ranges.clear();
     this.marks.window = null;
     this.markLater(null);
@@ -146,7 +147,9 @@ function drawRanges(explorer) {
         'aria-label': `${column.words} ${k === 0 ? 'from' : 'to'}`});
       input.value = Number(limit.toPrecision(5));
       input.addEventListener('change', () => {
-        const changed = explorer.marks.ranges.get(place).slice();
+        const known = explorer.marks.ranges.get(place);
+        if (!known || input.value === '') return;
+        const changed = known.slice();
         changed[k] = Number(input.value);
         explorer.setRanges([[column, changed]], null);
       });

@@ -51,10 +51,11 @@ class Marks {
     const {marked} = this;
     marked.fill(1);
     for (const [place, [low, high]] of this.ranges) {
-      const {values} = this.data.columns[place];
-      // In single precision, as the values are: a limit that is typed as 0.3 holds the value 0.3.
-      const from = Math.fround(low);
-      const to = Math.fround(high);
+      const {values, categories} = this.data.columns[place];
+      // In single precision, as the values are: a limit that is typed as 0.3 holds the value 0.3. Points of a category
+      // stand up to 0.25 beside its place.
+      const from = categories.length > 0 ? Math.ceil(low - 0.25) : Math.fround(low);
+      const to = categories.length > 0 ? Math.floor(high + 0.25) : Math.fround(high);
       for (let i = 0; i < marked.length; ++i)
         if (!(values[i] >= from && values[i] <= to)) marked[i] = 0;
     }
