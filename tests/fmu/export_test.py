@@ -79,7 +79,7 @@ class Export(unittest.TestCase):
         for words, *options in (
                 ("has no moorings.*--motion outside", "--case", "fixed", "--motion", "inside", "--fmu", "a.fmu"),
                 ("no case nothing", "--case", "nothing", "--fmu", "a.fmu"),
-                ("takes --case alone", "--case", "moored", "--fmu", "a.fmu", "--all"),
+                ("takes --case and --arrangement alone", "--case", "moored", "--fmu", "a.fmu", "--all"),
                 ("--fmu names the FMU", "--case", "moored"),
                 ("fmu", "--case", "moored", "--fmu", "a.zip")):
             self.assertRegex(self.export(*options, status=2)[1], words)
