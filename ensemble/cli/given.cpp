@@ -13,11 +13,13 @@
 #include <fmt/format.h>
 
 #include "campaign/read.hpp"
+#include "campaign_file/kinds.hpp"
 #include "campaign_file/publish.hpp"
 #include "cli/answer.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
+#include "hdf5/read.hpp"
 #include "run/parts.hpp"
 #include "store/journal.hpp"
 
@@ -127,6 +129,19 @@ void tell_parts(const Parts& parts) {
         if (!sentence.empty()) note("{}", sentence);
 }
 
+namespace {
+
+bool is_campaign_file(const fs::path& path) {
+    const hdf5::QuietErrors quiet;
+    try {
+        return hdf5::is_of_kind(hdf5::open_for_reading(path).id(), campaign_kind);
+    } catch (const std::exception&) {
+        return false;  // no such file, or none that can be read
+    }
+}
+
+}  // namespace
+
 void expect_no_other_file(const fs::path& path) {
     const GivenFile kind = given_file(path);
     std::error_code unknown;
@@ -137,11 +152,11 @@ void expect_no_other_file(const fs::path& path) {
                         "names another file for the campaign.",
                         path.string()));
     for (const char* ending : {".h5", ".hdf5", ".nc"})
-        if (const fs::path twin = fs::path(path).replace_extension(ending); twin != path && fs::exists(twin, unknown))
+        if (const fs::path twin = fs::path(path).replace_extension(ending); twin != path && is_campaign_file(twin))
             throw InputError(
-                fmt::format("{} would share its journal and pieces with {}, which is there: -o needs another name, not "
-                            "only another "
-                            "ending.",
+                fmt::format("{} would share its journal and pieces with {}, a campaign file that is there: -o needs "
+                            "another name, not "
+                            "only another ending.",
                             path.string(), twin.string()));
     if (kind == GivenFile::nothing || kind == GivenFile::hdf5 || empty_file) return;
     fs::path other = fs::path(path).replace_extension(".h5");

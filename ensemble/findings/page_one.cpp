@@ -265,8 +265,7 @@ std::string after_text(const Evidence& evidence, const std::vector<CaseFigure>& 
     if (compared(evidence))
         text += std::ranges::any_of(figures, &CaseFigure::apart)
                     ? " Differences: by pairs over the same arrangements; of cases that begin from other floes, of "
-                      "their means "
-                      "and design values."
+                      "their means and design values."
                     : " Differences: by pairs over the same arrangements.";
     return text;
 }

@@ -63,7 +63,9 @@ TEST_F(GivenFiles, ThatAreNoCampaignAreNotReplacedByOne) {
 }
 
 TEST_F(GivenFiles, ThatWouldShareAJournalAreNotReplaced) {
-    std::ofstream(path("my.h5")) << "kept";
+    publish(path("my.h5"), synthetic::campaign(), synthetic::records(synthetic::campaign()), {});
+    std::ofstream(path("hull.nc")) << "of a diffraction program";
+    EXPECT_NO_THROW(expect_no_other_file(path("hull.h5")));
     EXPECT_THAT(refusal([&] { expect_no_other_file(path("my.nc")); }),
                 HasSubstr("my.nc would share its journal and pieces with " + path("my.h5")));
     EXPECT_NO_THROW(expect_no_other_file(path("other.nc")));
