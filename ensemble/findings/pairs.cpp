@@ -425,8 +425,7 @@ std::optional<ModelWidth> find_model_width(const Evidence& evidence) {
         const std::vector<double> values = values_of(sample, *base, load.quantity);
         if (width.widths.empty() && values.size() < 2) return {};
         const Estimate mean = over(values, kind_of(load.quantity));
-        width.widths.push_back(
-            {load.quantity, load.words, mean.value, std::max(mean.high - mean.value, mean.value - mean.low), 0, 0});
+        width.widths.push_back({load.quantity, load.words, mean.value, mean.longer_side(), 0, 0});
     }
     const std::vector<Case>& cases = evidence.campaign.cases;
     std::set<std::string> inputs;

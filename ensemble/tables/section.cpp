@@ -194,8 +194,7 @@ struct ToCell {
         const bool sign = column.form == ResultColumn::Form::difference && one.value >= 0;
         const std::string text = (sign ? "+" : "") + number(one.value);
         if (one.low == one.high) return text + " in all";
-        const double half = std::max(one.high - one.value, one.value - one.low);
-        return fmt::format("{} ± {}", text, one.said ? number(half) : "–");
+        return fmt::format("{} ± {}", text, one.said ? number(one.longer_side()) : "–");
     }
     Cell operator()(const Estimate& one) const {
         if (column.form != ResultColumn::Form::bracket) return plus_minus(one);

@@ -2,6 +2,7 @@
 // Results as rows under columns, sections of them with sentences and figures, and the writers of text, CSV and JSON.
 // Pages are written by who shows them.
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -35,6 +36,9 @@ struct Estimate {
     double low = std::numeric_limits<double>::quiet_NaN();
     double high = std::numeric_limits<double>::quiet_NaN();
     bool said = true;  ///< false: the interval would say nothing, so people see "–"; programs get it all the same
+
+    /// What stands behind "±".
+    double longer_side() const { return std::max(high - value, value - low); }
 };
 
 /// An interval without a value of its own, such as that of one further run.

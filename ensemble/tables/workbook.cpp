@@ -135,8 +135,7 @@ class FrontWriter {
         };
         if (const auto* estimate = std::get_if<Estimate>(&one.get())) {
             number(estimate->value, cell);
-            const double half = std::max(estimate->high - estimate->value, estimate->value - estimate->low);
-            if (estimate->said) number(half, static_cast<lxw_col_t>(cell + 1));
+            if (estimate->said) number(estimate->longer_side(), static_cast<lxw_col_t>(cell + 1));
         } else if (const auto* plain = std::get_if<double>(&one.get())) {
             number(*plain, cell);
         } else if (const auto* named = std::get_if<Named>(&one.get())) {
