@@ -73,6 +73,8 @@ def main(paths):
 def show(pooled):
     rows = []
     for (column, name), values in pooled.items():
+        if len(values) < 2:
+            continue
         value_a, value_b = np.transpose(values)
         difference = value_a - value_b
         half = stats.sem(difference) * stats.t.ppf(0.975, len(difference) - 1)

@@ -39,12 +39,17 @@ std::uint64_t arrangement_seed(const Campaign& campaign, int case_index) {
     return digest64(fmt::format("seed {} case {}", campaign.seed, name));
 }
 
+std::vector<std::string> case_names(const Campaign& campaign) {
+    std::vector<std::string> names;
+    for (const Case& one : campaign.cases) names.push_back(one.name);
+    return names;
+}
+
 const Case& chosen_case(const Campaign& campaign, const std::string& name) {
     if (campaign.cases.size() == 1 && name.empty()) return campaign.cases.front();
     const auto found = std::ranges::find(campaign.cases, name, &Case::name);
     if (found != campaign.cases.end()) return *found;
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
+    const std::vector<std::string> names = case_names(campaign);
     throw InputError(
         name.empty()
             ? fmt::format("one case is taken, and this campaign has several; name it with --case: {}", name_list(names))
@@ -59,11 +64,12 @@ std::optional<std::size_t> base_case(const Campaign& campaign) {
 
 std::vector<int> sharing_groups(const Campaign& campaign) {
     std::vector<int> groups;
-    std::map<std::uint64_t, int> of_geometry;
+    std::map<std::pair<std::uint64_t, bool>, int> of_geometry;
     for (const Case& one : campaign.cases) {
         const int next = static_cast<int>(campaign.common_arrangements ? of_geometry.size() : groups.size());
         groups.push_back(campaign.common_arrangements
-                             ? of_geometry.try_emplace(geometry_key(one.scenario), next).first->second
+                             ? of_geometry.try_emplace({geometry_key(one.scenario), one.scenario.field.endless()}, next)
+                                   .first->second
                              : next);
     }
     return groups;
@@ -131,12 +137,6 @@ namespace {
 /// What members depend on besides their scenarios.
 CampaignHead head_of(const Campaign& campaign) {
     return {"", campaign.seed, campaign.arrangements, campaign.common_arrangements};
-}
-
-std::vector<std::string> case_names(const Campaign& campaign) {
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
-    return names;
 }
 
 std::string cfm_text(const Case& one) {

@@ -108,6 +108,8 @@ MemberKey member_key(const Campaign& campaign, int number);
 /// common, otherwise one that the case's name gives.
 std::uint64_t arrangement_seed(const Campaign& campaign, int case_index);
 
+std::vector<std::string> case_names(const Campaign& campaign);
+
 /// The campaign's case of that name, or its only one where none is named. Throws InputError if there is none.
 const Case& chosen_case(const Campaign& campaign, const std::string& name);
 
@@ -115,7 +117,7 @@ const Case& chosen_case(const Campaign& campaign, const std::string& name);
 std::optional<std::size_t> base_case(const Campaign& campaign);
 
 /// A number for each case, equal for two cases exactly when each arrangement of one has the same floes as that of the
-/// other: common arrangements and the same field geometry. From 0, in order of the first case of each.
+/// other: common arrangements, the same field geometry, and an end or none. From 0, in order of the first case of each.
 std::vector<int> sharing_groups(const Campaign& campaign);
 
 /// The case's value of a key that takes numbers, in the key's unit.

@@ -411,10 +411,9 @@ class CampaignReader {
 
     void refuse_base_case(const Campaign& campaign) const {
         if (rules_.base_case.empty() || base_case(campaign)) return;
-        std::vector<std::string> names;
-        for (const Case& one : campaign.cases) names.push_back(one.name);
         throw InputError(fmt::format("{}: run.base_case = {} names no case; the cases are {}",
-                                     origins_.at("run.base_case"), text_literal(rules_.base_case), name_list(names)));
+                                     origins_.at("run.base_case"), text_literal(rules_.base_case),
+                                     name_list(case_names(campaign))));
     }
 
     void refuse_key(std::string sentence) {

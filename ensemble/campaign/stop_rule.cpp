@@ -53,8 +53,7 @@ InputError no_stop_pair(const StopRule& rule, const std::string& which) {
 
 std::optional<StopFault> stop_case_fault(const Campaign& campaign) {
     const StopRule& rule = campaign.stop;
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
+    const std::vector<std::string> names = case_names(campaign);
     const char* key = "stop.case";
     try {
         stop_case(rule, names);

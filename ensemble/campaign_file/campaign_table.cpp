@@ -62,7 +62,7 @@ CaseRow case_row(const Case& one) {
     const Scenario& scenario = one.scenario;
     return {one.name,
             followed_cfm(scenario.joint),
-            scenario.ice.elastic_modulus,
+            scenario.mean_ice().elastic_modulus,
             scenario.field.far_end,
             scenario.contact_law(),
             scenario.structure.shape,

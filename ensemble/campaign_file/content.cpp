@@ -309,7 +309,7 @@ void write_cases(hid_t file, const CampaignContent& content, const CampaignScale
     column("cfm", "1", "constraint force mixing of the joints (Sigma); NaN for beam joints",
            [](const Scenario& s) { return followed_cfm(s.joint); });
     column("elastic_modulus", "Pa", "elastic modulus that the case stands for",
-           [](const Scenario& s) { return s.ice.elastic_modulus; });
+           [](const Scenario& s) { return s.mean_ice().elastic_modulus; });
     column("contact_erp", "1", "error reduction parameter of contacts (Gamma)",
            [](const Scenario& s) { return s.contact.erp; });
     column("crushing_pressure", "Pa", "pressure at which edges crush, where they do",

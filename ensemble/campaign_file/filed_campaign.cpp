@@ -73,8 +73,8 @@ class FiledRecords {
     explicit FiledRecords(const std::filesystem::path& path)
         : file_(path),
           places_(file_.campaign()),
-          arrangements_(file_.campaign()),
           states_(read_states(file_)),
+          arrangements_(column<std::int32_t>("members/arrangement")),
           wall_time_(column<double>("provenance/wall_time")),
           attempts_(column<std::int32_t>("provenance/attempts")) {
         for (std::size_t k = 0; k < file_.campaign().cases.size(); ++k)
@@ -157,7 +157,7 @@ class FiledRecords {
             return {{places.size()}, std::move(places)};
         }
         if (one.axis_of(AxisKind::listed) != nullptr) return share(lists_[number], member);
-        const auto row = one.of_arrangement ? static_cast<std::size_t>(arrangements_.row(key)) : member;
+        const auto row = one.of_arrangement ? static_cast<std::size_t>(arrangements_[member]) : member;
         return trimmed(one, readers_[number]->read(row, key.case_index));
     }
 
@@ -171,8 +171,8 @@ class FiledRecords {
 
     CampaignFile file_;
     ArrayPlaces places_;
-    ArrangementRows arrangements_;
     std::vector<RowStatus> states_;
+    std::vector<std::int32_t> arrangements_;  ///< rows of /arrangements, as their writer counted them
     std::vector<double> wall_time_;
     std::vector<std::int32_t> attempts_;
     std::vector<std::string> keys_;     ///< of cases

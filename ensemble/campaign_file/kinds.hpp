@@ -7,8 +7,8 @@ namespace floes {
 
 inline constexpr hdf5::FileKind campaign_kind{"floes campaign", {1, 19}, 14, "campaign of floes"};
 
-/// Pieces are read with the layout that they were written with.
-inline constexpr hdf5::FileKind piece_kind{"floes piece of a campaign", campaign_kind.version, campaign_kind.version[1],
+/// Pieces came with layout 1.19.
+inline constexpr hdf5::FileKind piece_kind{"floes piece of a campaign", campaign_kind.version, 19,
                                            "piece of a campaign file of floes"};
 
 }  // namespace floes

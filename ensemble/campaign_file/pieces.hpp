@@ -69,7 +69,7 @@ using DigestsOver =
 
 /// Publishes the campaign file over pieces that are there and on the disk, in order, which have all arrangements. Every
 /// digest in it is that of a file with rows of its own. `most`: as PieceRows has it. Removes the pieces that it does
-/// not refer to. The rest as publish().
+/// not refer to, or these where it cannot be written. The rest as publish().
 void publish_over_pieces(const std::filesystem::path& campaign_file, const Campaign& campaign,
                          std::span<const FilePiece> pieces, const FoundSizes& most, std::span<const Session> sessions,
                          std::span<const CalibrationRecord> calibrations, const DigestsOver& digests);

@@ -186,8 +186,7 @@ void publish_over_pieces(const std::filesystem::path& campaign_file, const Campa
                          std::span<const FilePiece> pieces, const FoundSizes& most, std::span<const Session> sessions,
                          std::span<const CalibrationRecord> calibrations, const DigestsOver& digests) {
     const CampaignContent content(campaign, pieces, most);
-    // Beside the pieces, which it names relative to its folder.
-    replace_published(target_of(campaign_file), [&](const std::filesystem::path& aside) {
+    const auto write = [&](const std::filesystem::path& aside) {
         std::vector<std::string> open;
         {
             hdf5::Handle file = write_contents(aside, content, sessions, calibrations);
@@ -199,6 +198,15 @@ void publish_over_pieces(const std::filesystem::path& campaign_file, const Campa
         for (const std::string& path : open)
             hdf5::write_attribute(hdf5::open_dataset(file.id(), path).id(), hdf5::digest_attribute, found.at(path));
         complete(std::move(file), aside);
+    };
+    // Beside the pieces, which it names relative to its folder.
+    replace_published(target_of(campaign_file), [&](const std::filesystem::path& aside) {
+        try {
+            write(aside);
+        } catch (...) {
+            remove_those(campaign_file, pieces);  // on a full disk the journals need the room
+            throw;
+        }
     });
     remove_pieces(campaign_file, pieces);
 }

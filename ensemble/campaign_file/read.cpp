@@ -117,8 +117,10 @@ std::vector<PlanarPose> read_poses(const CampaignFile& file, int member) {
     const ArrayPlaces places(file.campaign());
     const MemberKey key = member_key(file.campaign(), member);
     MemberResult result;
+    const auto rows = hdf5::read_column<std::int32_t>(file.id(), "members/arrangement",
+                                                      static_cast<std::size_t>(member_count(file.campaign())));
     ArrayReader(file, array_output("arrangements/pose"), places)
-        .read(static_cast<std::size_t>(ArrangementRows(file.campaign()).row(key)), key.case_index, result);
+        .read(static_cast<std::size_t>(rows[static_cast<std::size_t>(member)]), key.case_index, result);
     return result.arrangement;
 }
 

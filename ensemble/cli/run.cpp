@@ -136,10 +136,11 @@ struct RunVerb {
 };
 
 std::filesystem::path output_of(const RunVerb& verb) {
-    if (!verb.output.empty()) return target_of(verb.output);  // a link is the campaign that it leads to
     const std::string name = std::filesystem::path(verb.config).stem().string();
     const std::string part = verb.part.substr(0, verb.part.find('/'));
-    return verb.part.empty() ? name + ".h5" : fmt::format("{}.part{}.h5", name, part);
+    return target_of(!verb.output.empty() ? verb.output  // a link is the campaign that it leads to
+                     : verb.part.empty()  ? name + ".h5"
+                                          : fmt::format("{}.part{}.h5", name, part));
 }
 
 constexpr double longest_save = 30;  // s, for a state to reach the disk
@@ -199,14 +200,15 @@ Existing existing_of(const RunVerb& verb) {
     return verb.overwrite ? Existing::replace : Existing::refuse;
 }
 
-/// `ended`: gets the campaign's name and the members of a run that has begun.
+/// `ended`: gets the campaign's name and the members of a run that has begun. `began`: when the time left was as
+/// stated.
 int lead(const RunVerb& verb, const std::string& program, Link& link, const MemberFunction& compute, Helper& helper,
-         CampaignStatus& ended) {
+         CampaignStatus& ended, Walltime::Time began) {
     if (verb.ranks > 0 && verb.ranks != link.size())
         throw InputError(fmt::format("--ranks {} inside mpirun, which started {}; leave --ranks out there.", verb.ranks,
                                      counted(link.size(), "rank")));
     const JobTimeLeft time_left = find_time_left(verb.time_left);
-    const Walltime walltime(time_left.seconds);
+    const Walltime walltime(time_left.seconds, verb.time_left > 0 ? began : std::chrono::steady_clock::now());
     Campaign campaign = load_campaign(verb.config, verb.overrides);
     RunOptions options{.places = {.campaign_file = output_of(verb),
                                   .existing = existing_of(verb),
@@ -288,13 +290,15 @@ void tell_of_end(const RunVerb& verb, int status, const CampaignStatus& ended) {
 }
 
 int run(const RunVerb& verb, const std::string& program) {
+    const auto began = std::chrono::steady_clock::now();  // MPI may take minutes to start
     outlive_readers();
     const MemberFunction compute = long_members(output_of(verb), saves_every(verb));
     Helper helper(compute, verb.checkpoint > 0 ? longest_save : 0);  // before MPI and the first thread
     const std::unique_ptr<Link> link = open_link();
     if (link->rank() != 0) return serve_campaign(*link, verb.threads, compute, &helper);
     CampaignStatus ended;
-    const int status = lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, compute, helper, ended); });
+    const int status =
+        lead_ranks(*link, std::cerr, [&] { return lead(verb, program, *link, compute, helper, ended, began); });
     tell_of_end(verb, status, ended);
     return status;
 }

@@ -36,9 +36,7 @@ std::string command_of(const ShowOptions& options) {
 }
 
 std::string other_cases(const Campaign& campaign) {
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
-    return fmt::format("Drawn is the first case; --case names another: {}.\n", name_list(names));
+    return fmt::format("Drawn is the first case; --case names another: {}.\n", name_list(case_names(campaign)));
 }
 
 std::string in_terminal(const Section& told) {

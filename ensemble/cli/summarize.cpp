@@ -26,7 +26,7 @@ std::string sheet_name(std::string_view part) {
 }
 
 /// Parts in the order of their sheets, and what a sheet holds.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kinds{{
+constexpr auto kinds = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"cases",
      "a line for each case: means over arrangements with their 95 % intervals: _low and _high by "
      "Student's t, _prediction_ of one further run"},
@@ -44,9 +44,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kinds{{
     {"lines", "the largest tension of each mooring line, over its break load"},
     {"steady", "when the load became steady"},
     {"energy", "where the work of the tow goes, over the distance towed"},
-    {"parts", "loads on the parts of the hull"},
-    {"moments", "moments on the hull about its axis at the waterline"},
-}};
+    {"hull", "loads on the parts of the hull, and moments on it about its axis at the waterline"},
+    {"model", "what the model leaves open, from the cases of floes vary"},
+    {"control", "means corrected for the order of the floes and the coverage ahead"},
+    {"pieces", "sizes of the ice at the start and at the end"},
+});
 
 auto kind_of(std::string_view part) {
     return std::ranges::find(kinds, part, [](const auto& one) { return one.first; });

@@ -228,9 +228,10 @@ json conditions(const RecordingSubject& subject) {
     return rows;
 }
 
-/// Time, x, z, yaw, y, pitch and roll of the structure in each frame; null on the straight tow.
+/// Time, x, z, yaw, y, pitch and roll of the structure in each frame; null where it is towed straight on.
 json poses(const Recording& recording) {
-    if (recording.subject().scenario.towed_straight()) return nullptr;
+    const Scenario& scenario = recording.subject().scenario;
+    if (scenario.towed_straight() && !scenario.field.level_pushed) return nullptr;
     json all = json::array();
     for (int frame = 0; frame < recording.frames(); ++frame) {
         const StructurePose pose = recording.structure(frame);

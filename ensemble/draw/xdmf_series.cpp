@@ -87,7 +87,7 @@ std::vector<float> vectors(const Items& items, Read read) {
 
 }  // namespace
 
-XdmfMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken) {
+XdmfMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken, int sheet) {
     XdmfMesh mesh;
     std::vector<std::int32_t> element;
     std::vector<std::int32_t> floe;
@@ -106,7 +106,8 @@ XdmfMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const s
             element.push_back(static_cast<std::int32_t>(frame.id(i)));
             floe.push_back(one.floe);
             piece.push_back(frame.pieces[i]);
-            is_broken.push_back(static_cast<std::int8_t>(broken[static_cast<std::size_t>(one.floe)]));
+            is_broken.push_back(sheet < 0 ? static_cast<std::int8_t>(broken[static_cast<std::size_t>(one.floe)])
+                                          : frame.pieces[i] != sheet);
             utilisation.push_back(static_cast<float>(frame.utilisation[i]));
             append(velocity, frame.elements[i].velocity);
         }
@@ -415,7 +416,8 @@ XdmfSeries::XdmfSeries(const std::filesystem::path& path, const RecordingSubject
 
 void XdmfSeries::add(const Frame& frame) {
     // First what every frame has: ParaView takes its times from the first part.
-    write("ice", ice_part(frame, layout_, broken_floes(breaks_, layout_.floes(), frame.time)), frame.time);
+    const int sheet = subject_.scenario.arrangement.level() ? largest_piece(frame) : -1;
+    write("ice", ice_part(frame, layout_, broken_floes(breaks_, layout_.floes(), frame.time), sheet), frame.time);
     write("structure", structure_part(hull_, frame.structure), frame.time);
     write("load", load_part(frame), frame.time);
     write("contacts", contacts_part(frame), frame.time);

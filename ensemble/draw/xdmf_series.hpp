@@ -44,9 +44,9 @@ struct XdmfMesh {
 // What ParaView shows of a run, part by part. World axes and SI throughout; forces in N, velocities in m/s.
 
 /// Hexahedra and wedges of the elements, one for each that is a box. Cells have element, floe, piece (the first element
-/// of the piece), broken (1: a joint of its floe has failed), utilisation (0-1, cracks to 2) and velocity. `broken`: of
-/// each floe.
-XdmfMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken);
+/// of the piece), broken (1: a joint of its floe has failed; of level ice: it has broken off), utilisation (0-1, cracks
+/// to 2) and velocity. `broken`: of each floe. `sheet`: of level ice, its piece that is not broken off.
+XdmfMesh ice_part(const Frame& frame, const IceLayout& layout, std::span<const std::uint8_t> broken, int sheet = -1);
 
 /// A point for each contact that exerts a force. Points have normal, friction and force (their sum) on the element, the
 /// element, and the other element or one of touches_structure, touches_ice_sheet, touches_bed.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -501,13 +502,14 @@ Results find_control(const Evidence& evidence) {
                                 estimates("", "corrected", ""),
                                 {.key = "arrangements_saved", .words = "arrangements saved", .decimals = 0}}};
     const Campaign& campaign = evidence.campaign;
-    std::map<std::uint64_t, Covariates> populations;
+    std::map<std::tuple<std::uint64_t, bool, double>, Covariates> populations;  // by floes, and the path through them
     for (const Quantity& quantity : shown_in(evidence.summary.quantities, Shown::in_headlines)) {
         bool first = true;
         for (std::size_t k = 0; k < evidence.sample.cases.size(); ++k) {
             const Scenario& scenario = campaign.cases.at(k).scenario;
             if (scenario.arrangement.given()) continue;
-            const auto [place, added] = populations.try_emplace(geometry_key(scenario));
+            const auto [place, added] = populations.try_emplace(
+                {geometry_key(scenario), scenario.field.endless(), scenario.structure.shape.waterline_radius()});
             if (added) place->second = drawn(scenario, campaign.seed, campaign.arrangements);
             if (std::exchange(first, false))
                 results.add_heading(std::string{quantity.label.view()}, Results::For::everybody, unit_of(quantity));

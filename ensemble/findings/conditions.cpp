@@ -115,8 +115,6 @@ Words window_words(const Analysis& analysis) {
                      Words::counted(analysis.segments, "segment"));
 }
 
-}  // namespace
-
 /// ", friction of floes by a power of the speed", or nothing where friction does not know the speed.
 std::string slip_words(const char* surfaces, SlipEffect effect) {
     switch (effect) {
@@ -129,6 +127,8 @@ std::string slip_words(const char* surfaces, SlipEffect effect) {
     }
     return {};
 }
+
+}  // namespace
 
 Words contact_words(const ContactLaw& law) {
     Words words;

@@ -312,7 +312,7 @@ Results rate_rows(const Summary& summary, const std::vector<CaseDesignLoad>& des
         return fitted.valid() && load >= fitted.threshold ? Datum(rate_above(fitted, load)) : Datum(Undefined{});
     };
     for (const CaseDesignLoad& design : designs)
-        for (std::size_t k = 0; k < design.peaks.size(); ++k)
+        for (std::size_t k = 0; k < design.peaks.size() && !design.refused; ++k)
             results.add({summary.named(design.case_index), design.peaks[k],
                          static_cast<double>(k + 1) / design.load.time_run, tail(design.load.pareto, design.peaks[k]),
                          tail(design.load.weibull, design.peaks[k])});

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "arrangement/arrangement.hpp"
 #include "campaign_file/read.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
@@ -271,9 +272,12 @@ Section largest_load_section(Evidence& evidence) {
     for (const BreakRow& row : breaks_of(evidence))
         if (row.member == *number) broken.insert(row.floe);
     const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
+    const std::uint64_t seed = arrangement_seed(evidence.campaign, static_cast<int>(of_case));
+    const auto arrangement = static_cast<std::uint32_t>(member_key(evidence.campaign, *number).arrangement);
+    // Without an end the first floes are of several draws, in the order of their places.
+    const bool drawn_in_parts = scenario.field.endless() && !scenario.arrangement.level();
     FloeSet floes =
-        floes_of(scenario, {arrangement_seed(evidence.campaign, static_cast<int>(of_case)),
-                            static_cast<std::uint32_t>(member_key(evidence.campaign, *number).arrangement)});
+        drawn_in_parts ? make_arrangement(scenario, seed, arrangement) : floes_of(scenario, {seed, arrangement});
     const std::vector<PlanarPose> poses = read_poses(evidence.file, *number);
     for (std::size_t i = 0; i < floes.size(); ++i) floes.floes[i].pose = poses.at(i);
     Figure figure = plan_view(scenario, floes, broken);

@@ -237,6 +237,7 @@ FloeAreas floe_areas(const Campaign& campaign) {
         const MemberKey key = member_key(campaign, member);
         const auto of_case = static_cast<std::size_t>(key.case_index);
         const Scenario& scenario = campaign.cases[of_case].scenario;
+        if (scenario.arrangement.level() && scenario.field.endless()) return std::vector<double>{};
         if (!scenario.shapes.any()) return of_cases[of_case];
         return areas_of(floes_of(
             scenario, {arrangement_seed(campaign, key.case_index), static_cast<std::uint32_t>(key.arrangement)}));
@@ -332,8 +333,9 @@ std::vector<SizesOfCase> find_piece_sizes(const Sample& sample, std::span<const 
         const auto member = static_cast<std::size_t>(number);
         if (sample.status(member) != RowStatus::done) continue;
         SizesOfCase& sizes = cases[sample.case_of(member)];
-        ++sizes.runs;
         const std::vector<double> areas = floes(number);
+        if (areas.empty()) continue;
+        ++sizes.runs;
         // Every part of a field without end has floes of the same sizes. Files before 1.13 do not count them.
         const double entered = sample.value(member, quantity("floes_entered"));
         const double parts = entered > 0 ? entered / static_cast<double>(areas.size()) : 1.0;
@@ -359,9 +361,11 @@ std::vector<SizesOfCase> find_piece_sizes(const Sample& sample, std::span<const 
 
 Section piece_sizes_section(Evidence& evidence) {
     const std::vector<PieceRow>& pieces = pieces_of(evidence);
-    if (pieces.empty())
-        return {.missing = "Sizes of the ice: as at the start, or not kept; no floe is known to be in pieces.\n"};
+    const Section nothing{.missing =
+                              "Sizes of the ice: as at the start, or not kept; no floe is known to be in pieces.\n"};
+    if (pieces.empty()) return nothing;
     const std::vector<SizesOfCase> cases = find_piece_sizes(evidence.sample, pieces, floe_areas(evidence.campaign));
+    if (cases.empty()) return nothing;
     Results results{.place = "ice_sizes",
                     .columns = {{"case", "case"},
                                 {"runs", "runs"},

@@ -530,7 +530,7 @@ Sensitivity find_sensitivity(const Evidence& evidence) {
                 row.indices = sobol_indices(at);
             }
             row.fit = fit_of(places, values, means);
-            fitted = row.fit.has_value();
+            fitted = fitted || row.fit.has_value();
         }
         if (!fitted)
             found.notes.push_back(fmt::format(

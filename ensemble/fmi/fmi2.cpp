@@ -175,12 +175,12 @@ FLOES_FMI int fmi2DoStep(void* instance, double at, double length, int) {
 }
 
 FLOES_FMI int fmi2GetRealStatus(void* instance, int kind, double* value) {
-    if (kind != last_successful_time) return lacks<Fmi2Instance>(instance, "fmi2GetRealStatus");
+    if (kind != last_successful_time) return fmi_discard;
     return on<Fmi2Instance>(instance, [&](const Fmi2Instance& one) { *value = one.session.time(); });
 }
 
 FLOES_FMI int fmi2GetBooleanStatus(void* instance, int kind, int* value) {
-    if (kind != terminated) return lacks<Fmi2Instance>(instance, "fmi2GetBooleanStatus");
+    if (kind != terminated) return fmi_discard;
     return on<Fmi2Instance>(instance, [&](const Fmi2Instance& one) { *value = one.over ? 1 : 0; });
 }
 
@@ -220,9 +220,20 @@ FLOES_LACKS(fmi2GetDirectionalDerivative)
 FLOES_LACKS(fmi2SetRealInputDerivatives)
 FLOES_LACKS(fmi2GetRealOutputDerivatives)
 FLOES_LACKS(fmi2CancelStep)
-FLOES_LACKS(fmi2GetStatus)
-FLOES_LACKS(fmi2GetIntegerStatus)
-FLOES_LACKS(fmi2GetStringStatus)
 #undef FLOES_LACKS
+
+// A status that it cannot give is discarded, and no error (FMI 2.0.4, 4.2.3).
+
+FLOES_FMI int fmi2GetStatus(void*) {
+    return fmi_discard;
+}
+
+FLOES_FMI int fmi2GetIntegerStatus(void*) {
+    return fmi_discard;
+}
+
+FLOES_FMI int fmi2GetStringStatus(void*) {
+    return fmi_discard;
+}
 
 }  // namespace floes

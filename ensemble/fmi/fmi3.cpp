@@ -144,6 +144,7 @@ FLOES_FMI int fmi3DoStep(void* instance, double at, double length, bool, bool* e
         const bool over = one.session.step(at, length) == FmuSession::StepEnd::run_is_over;
         if (terminates != nullptr) *terminates = over;
         if (last_time != nullptr) *last_time = one.session.time();
+        if (over) one.log(fmi_discard, "the run is over, and the step was not taken.");
         return over ? fmi_discard : fmi_ok;
     });
 }

@@ -28,67 +28,33 @@ enum class Use {
     none,  // nothing at rest
 };
 
-using Name = std::pair<std::string_view, Use>;
+/// Each name between blanks.
+using Names = std::pair<Use, std::string_view>;
 
-constexpr auto names = std::to_array<Name>({{"WTRDNSTY", Use::density},
-                                            {"RHO", Use::density},
-                                            {"RHOW", Use::density},
-                                            {"G", Use::gravity},
-                                            {"GRAVITY", Use::gravity},
-                                            {"WTRDPTH", Use::depth},
-                                            {"WTRDEPTH", Use::depth},
-                                            {"DEPTH", Use::depth},
-                                            {"FRICTIONCOEFFICIENT", Use::friction},
-                                            {"MU_KA", Use::friction},
-                                            {"MU_KT", Use::sideways_friction},
-                                            {"KBOT", Use::bottom},
-                                            {"KB", Use::bottom},
-                                            {"STATDYNFRICSCALE", Use::static_friction},
-                                            {"MC", Use::static_friction},
-                                            {"WAVEKIN", Use::waves},
-                                            {"WATERKIN", Use::waves},
-                                            {"CURRENTS", Use::currents},
-                                            {"SEAFLOORFILE", Use::seafloor}});
-
-/// Of time steps, initial conditions, damping and outputs.
-constexpr auto idle_names = std::to_array<std::string_view>({"DTM",
-                                                             "DT",
-                                                             "CFL",
-                                                             "WRITELOG",
-                                                             "TSCHEME",
-                                                             "CBOT",
-                                                             "CB",
-                                                             "DTIC",
-                                                             "ICDT",
-                                                             "TMAXIC",
-                                                             "ICTMAX",
-                                                             "CDSCALEIC",
-                                                             "ICDFAC",
-                                                             "THRESHIC",
-                                                             "ICTHRESH",
-                                                             "ICGENDYNAMIC",
-                                                             "GENDYNAMICIC",
-                                                             "FILEIC",
-                                                             "ICFILE",
-                                                             "DTWAVE",
-                                                             "WAVEKIN_RAMPT",
-                                                             "UNIFYCURRENTGRID",
-                                                             "WRITEUNITS",
-                                                             "FRICDAMP",
-                                                             "CV",
-                                                             "DTOUT",
-                                                             "OUTSWITCH",
-                                                             "DISABLEOUTPUT",
-                                                             "DISABLEOUTTIME",
-                                                             "INERTIALF",
-                                                             "INERTIALF_RAMPT",
-                                                             "ECHO"});
+constexpr auto names = std::to_array<Names>({
+    {Use::density, " WTRDNSTY RHO RHOW "},
+    {Use::gravity, " G GRAVITY "},
+    {Use::depth, " WTRDPTH WTRDEPTH DEPTH "},
+    {Use::friction, " FRICTIONCOEFFICIENT MU_KA "},
+    {Use::sideways_friction, " MU_KT "},
+    {Use::bottom, " KBOT KB "},
+    {Use::static_friction, " STATDYNFRICSCALE MC "},
+    {Use::waves, " WAVEKIN WATERKIN "},
+    {Use::currents, " CURRENTS "},
+    {Use::seafloor, " SEAFLOORFILE "},
+    // Of time steps, initial conditions, damping and outputs.
+    {Use::none,
+     " DTM DT CFL WRITELOG TSCHEME CBOT CB DTIC ICDT TMAXIC ICTMAX CDSCALEIC ICDFAC THRESHIC ICTHRESH ICGENDYNAMIC "
+     "GENDYNAMICIC FILEIC ICFILE DTWAVE WAVEKIN_RAMPT UNIFYCURRENTGRID WRITEUNITS FRICDAMP CV DTOUT OUTSWITCH "
+     "DISABLEOUTPUT DISABLEOUTTIME INERTIALF INERTIALF_RAMPT ECHO "},
+});
 
 /// Nothing for a word that is no option.
 std::optional<Use> use_of(const std::string& word) {
-    const auto found = std::ranges::find(names, upper(word), &Name::first);
-    if (found != names.end()) return found->second;
-    return std::ranges::find(idle_names, upper(word)) == idle_names.end() ? std::nullopt : std::optional(Use::none);
+    const std::string wanted = " " + upper(word) + " ";
+    const auto found = std::ranges::find_if(
+        names, [&](const Names& one) { return one.second.find(wanted) != std::string_view::npos; });
+    return found == names.end() ? std::nullopt : std::optional(found->first);
 }
 
 /// Value and name in this order: of "1025 rho", and also of "rho = 1025" and "rho 1025".

@@ -217,7 +217,7 @@ double YearLoad::expected_above(std::size_t regime, const Year& year, double x) 
     const Choice& choice = year[one.source];
     const double factor = one.factor * std::max(least_factor, 1 + one.factor_sd * choice.off);
     const double window = sources_[one.source]->window();
-    return -log_below(*choice.tail, window, one.time / window, x / factor);
+    return -log_below(*choice.tail, window, one.time / window, x / factor, Scales::far);
 }
 
 double YearLoad::expected_above(const Year& year, double x) const {
@@ -286,7 +286,10 @@ std::vector<double> YearLoad::uncertainty(double probability) const {
         values.ab.push_back(log_loads(mixed));
     }
     std::vector<double> made(sources_.size(), undefined);
-    if (!std::ranges::all_of(values.a, [](double value) { return std::isfinite(value); })) return made;
+    const auto is_known = [](const std::vector<double>& all) {
+        return std::ranges::all_of(all, [](double value) { return std::isfinite(value); });
+    };
+    if (!is_known(values.a) || !is_known(values.b) || !std::ranges::all_of(values.ab, is_known)) return made;
     const SobolIndices indices = sobol_indices(values, {.resamples = 999});
     for (std::size_t source = 0; source < made.size(); ++source)
         made[source] = std::clamp(indices.first[source].estimate, 0.0, 1.0);

@@ -109,12 +109,6 @@ int minimum_of(const StopRule& rule) {
                             : std::max(fewest_by_default, members_to_see(PrecisionStop::share_seen(rule)));
 }
 
-std::vector<std::string> names_of(const Campaign& campaign) {
-    std::vector<std::string> names;
-    for (const Case& one : campaign.cases) names.push_back(one.name);
-    return names;
-}
-
 }  // namespace
 
 PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string>& cases,
@@ -122,7 +116,7 @@ PrecisionStop::PrecisionStop(const StopRule& rule, const std::vector<std::string
     : rule_(rule), minimum_(minimum_of(rule)), cases_(cases.size()), targets_(targets_of(rule, cases, groups)) {}
 
 PrecisionStop::PrecisionStop(const Campaign& campaign)
-    : PrecisionStop(campaign.stop, names_of(campaign), sharing_groups(campaign)) {
+    : PrecisionStop(campaign.stop, case_names(campaign), sharing_groups(campaign)) {
     if (rule_.design_of() == nullptr) return;
     std::vector<bool> watched(cases_, false);
     for (const Target& target : targets_) {

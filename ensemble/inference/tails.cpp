@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
@@ -207,7 +208,7 @@ struct Node {
 };
 
 /// The standard normal distribution in equal steps.
-constexpr int node_count = 11;
+template <int node_count>
 std::array<Node, node_count> make_nodes() {
     std::array<Node, node_count> nodes{};
     double sum = 0;
@@ -219,7 +220,13 @@ std::array<Node, node_count> make_nodes() {
     for (Node& node : nodes) node.share /= sum;
     return nodes;
 }
-const std::array<Node, node_count> nodes = make_nodes();
+constexpr int node_count = 11;
+const std::array<Node, node_count> nodes = make_nodes<node_count>();
+const std::array<Node, 21> far_nodes = make_nodes<21>();
+
+std::span<const Node> nodes_of(Scales scales) {
+    return scales == Scales::far ? std::span<const Node>(far_nodes) : std::span<const Node>(nodes);
+}
 
 /// H(y) and log of its derivative; infinite beyond an upper bound, or below where the tail begins.
 struct Hazard {
@@ -415,11 +422,11 @@ UnlikeTails draw_tails(TailKind kind, const TailData& data, const WalkOptions& o
 namespace {
 
 /// Log of the probability that a member's largest peak stays below x, where that is nearly impossible.
-double log_hardly_below(const Hazards& hazards, double window, double x) {
+double log_hardly_below(const Hazards& hazards, double window, double x, Scales scales) {
     const UnlikeTail& tail = hazards.tail();
     std::vector<double> logs;
     const auto add = [&](double share, double middle, double scatter) {
-        for (const Node& node : nodes)
+        for (const Node& node : nodes_of(scales))
             logs.push_back(std::log(share * node.share) -
                            window * hazards.rate(x, middle * std::exp(scatter * node.at)));
     };
@@ -434,19 +441,19 @@ double log_hardly_below(const Hazards& hazards, double window, double x) {
 
 }  // namespace
 
-double log_below(const UnlikeTail& tail, double window, double members, double x) {
+double log_below(const UnlikeTail& tail, double window, double members, double x, Scales scales) {
     constexpr double nearly_all = 1 - 1e-12;
     const Hazards hazards(tail);
     const auto above = [&](double middle, double scatter) {
         if (scatter == 0) return -std::expm1(-window * hazards.rate(x, middle));
         double sum = 0;
-        for (const Node& node : nodes)
+        for (const Node& node : nodes_of(scales))
             sum -= node.share * std::expm1(-window * hazards.rate(x, middle * std::exp(scatter * node.at)));
         return sum;
     };
     double sum = (1 - tail.out_share) * above(1, tail.scatter);
     if (tail.out_share > 0) sum += tail.out_share * above(tail.out_factor, tail.out_scatter);
-    return members * (sum < nearly_all ? std::log1p(-sum) : log_hardly_below(hazards, window, x));
+    return members * (sum < nearly_all ? std::log1p(-sum) : log_hardly_below(hazards, window, x, scales));
 }
 
 double largest_at(const UnlikeTail& tail, double window, double members, double log_p) {

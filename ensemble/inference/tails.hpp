@@ -101,8 +101,12 @@ struct UnlikeTails {
 /// Draws from the posterior; none if the data cannot be fitted.
 UnlikeTails draw_tails(TailKind kind, const TailData& data, const WalkOptions& options);
 
+/// Over which scales of members: to three standard deviations, or to six, where what is nearly never exceeded comes
+/// from.
+enum class Scales { usual, far };
+
 /// Log of the probability that the largest peak in `members` windows, each of its own arrangement, stays below x.
-double log_below(const UnlikeTail& tail, double window, double members, double x);
+double log_below(const UnlikeTail& tail, double window, double members, double x, Scales scales = Scales::usual);
 
 /// The load that it stays below with log probability `log_p` < 0.
 double largest_at(const UnlikeTail& tail, double window, double members, double log_p);

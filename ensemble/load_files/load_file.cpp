@@ -23,11 +23,8 @@ constexpr LoadFormat formats[]{
 };
 
 std::string hull_words(const LoadOrigin& origin) {
-    const char* how = origin.gives_way  ? "gave way on its moorings"
-                      : origin.straight ? "was towed straight on and did not give way"
-                                        : "followed a path and did not give way";
     return fmt::format("The hull of that run {}. How the hull of another program moves does not change this load.",
-                       how);
+                       origin.hull_went);
 }
 
 std::string axes_words(const LoadToWrite& load) {

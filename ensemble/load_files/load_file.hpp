@@ -21,9 +21,8 @@ struct LoadOrigin {
     std::string case_name;
     int arrangement = 0;
     int member = 0;
-    std::string chosen = {};       ///< a sentence on why this member; empty: it was named
-    bool gives_way = false;        ///< the hull moved on moorings
-    bool straight = true;          ///< it was towed straight on
+    std::string chosen = {};  ///< a sentence on why this member; empty: it was named
+    std::string hull_went = "was towed straight on and did not give way";
     int averaged_steps = 1;        ///< time steps of the run in each stored value
     double mean_roll = undefined;  ///< N m, means in the window about the hull's own X, Y and Z
     double mean_pitch = undefined;

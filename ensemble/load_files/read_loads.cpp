@@ -73,6 +73,13 @@ LoadSeries cut(const LoadSeries& series, const LoadRequest& request, const std::
     return resampled(series, from, to, step);
 }
 
+std::string hull_went(const Scenario& scenario) {
+    if (scenario.moorings.give_way()) return "gave way on its moorings";
+    if (scenario.path.any()) return "followed a path and did not give way";
+    if (scenario.field.level_pushed) return "stood still in ice that was pushed on, and did not give way";
+    return "was towed straight on and did not give way";
+}
+
 LoadOrigin origin_of(const CampaignFile& file, const MemberRow& row, int member, const Case& of) {
     const Campaign& campaign = file.campaign();
     return {.program = "floes " + floes_version(),
@@ -81,8 +88,7 @@ LoadOrigin origin_of(const CampaignFile& file, const MemberRow& row, int member,
             .case_name = of.name,
             .arrangement = member_key(campaign, member).arrangement,
             .member = member,
-            .gives_way = of.scenario.moorings.give_way(),
-            .straight = of.scenario.towed_straight(),
+            .hull_went = hull_went(of.scenario),
             .averaged_steps = of.scenario.analysis.history_stride,
             .mean_roll = row.value(quantity("mean_roll_moment")),
             .mean_pitch = -row.value(quantity("mean_pitch_moment")),  // about +z, which is -Y

@@ -47,8 +47,12 @@ CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const 
             for (double& peak : run.row.peaks) peak /= index;
             for (double& maximum : run.row.segment_maxima) maximum /= index;
             made.runs.push_back(std::move(run));
+            // Of windows that differ the mean, so that with all runs it is the time that they had.
             const Analysis& analysis = wave.table.cases[number].analysis;
-            made.measured = {analysis.window, analysis.window / analysis.segments, analysis.peak_separation, 0};
+            const auto count = static_cast<double>(made.runs.size());
+            made.measured.window += (analysis.window - made.measured.window) / count;
+            made.measured.segment += (analysis.window / analysis.segments - made.measured.segment) / count;
+            made.measured.separation = std::max(made.measured.separation, analysis.peak_separation);
         }
     }
     return made;
@@ -296,7 +300,6 @@ Matching match(const MatchData& data, const std::vector<EmulatedTarget>& targets
         Eigen::Index nearest = 0;
         verdict.least = emulated ? implausible.col(column).minCoeff(&nearest) : undefined;
         verdict.bound = emulated ? targets[t].compared(found.points.row(nearest).transpose()).bound : undefined;
-        verdict.least_of_left = emulated && !left.empty() ? implausible(left, column).minCoeff() : undefined;
     }
     if (left.empty()) {
         found.conflicts = conflicts(targets, implausible);
@@ -391,16 +394,24 @@ std::vector<double> log_likelihoods(const Eigen::MatrixXd& points, const std::ve
 
 /// For the mixture of normal distributions.
 Estimate range_of(const AtPoints& at, const std::vector<double>& weights, double least, double most) {
-    std::vector<double> sd;
-    for (const double variance : at.variance) sd.push_back(std::sqrt(std::max(variance, 1e-300)));
+    const auto roots = [](const std::vector<double>& variances) {
+        std::vector<double> sd;
+        for (const double variance : variances) sd.push_back(std::sqrt(std::max(variance, 1e-300)));
+        return sd;
+    };
+    const std::vector<double> sd = roots(at.variance);
+    const std::vector<double> sd_above = at.variance_above.empty() ? sd : roots(at.variance_above);
     const auto below = [&](double x) {
         double share = 0;
-        for (std::size_t k = 0; k < sd.size(); ++k) share += weights[k] * normal_below((x - at.mean[k]) / sd[k]);
+        for (std::size_t k = 0; k < sd.size(); ++k) {
+            const double off = x - at.mean[k];
+            share += weights[k] * normal_below(off / (off > 0 ? sd_above[k] : sd[k]));
+        }
         return share;
     };
     // By halving: the distribution is continuous and rises.
     const auto quantile = [&](double share) {
-        const double widest = 10 * *std::ranges::max_element(sd);
+        const double widest = 10 * std::max(*std::ranges::max_element(sd), *std::ranges::max_element(sd_above));
         double low = *std::ranges::min_element(at.mean) - widest;
         double high = *std::ranges::max_element(at.mean) + widest;
         for (int k = 0; k < 60; ++k) {
@@ -537,13 +548,15 @@ double growth_of(std::span<const DividedRun> runs, Measured measured, const Expo
 /// The growth, with its own uncertainty, times the mean maximum at each point.
 AtPoints grown(const AtPoints& mean_maximum, const LoadFigure& growth, double factor) {
     constexpr double half_width = 1.96;
-    const double sd = (growth.interval.high - growth.interval.low) / (2 * half_width);
+    const double sd = (growth.value - growth.interval.low) / half_width;
+    const double sd_above = (growth.interval.high - growth.value) / half_width;
     AtPoints made;
     for (std::size_t k = 0; k < mean_maximum.mean.size(); ++k) {
         const double mean = mean_maximum.mean[k];
-        const double variance = growth.value * growth.value * mean_maximum.variance[k] + mean * mean * sd * sd;
+        const double of_mean = growth.value * growth.value * mean_maximum.variance[k];
         made.mean.push_back(factor * growth.value * mean);
-        made.variance.push_back(factor * factor * variance);
+        made.variance.push_back(factor * factor * (of_mean + mean * mean * sd * sd));
+        made.variance_above.push_back(factor * factor * (of_mean + mean * mean * sd_above * sd_above));
     }
     return made;
 }
@@ -574,10 +587,10 @@ PredictedDesignLoad of_case(CaseRuns all, const AtPoints& mean_maximum, const Ov
     made.growth_upper_half = growth_of(runs.subspan(runs.size() / 2), all.measured, exposure);
     const AtPoints expected = grown(mean_maximum, made.growth_expected, request.factor());
     const AtPoints quantile = grown(mean_maximum, made.growth_quantile, request.factor());
-    made.expected = left.even(expected);
-    made.expected_weighed = left.weighed(expected);
-    made.quantile = left.even(quantile);
-    made.quantile_weighed = left.weighed(quantile);
+    made.expected = left.even(expected, 0);
+    made.expected_weighed = left.weighed(expected, 0);
+    made.quantile = left.even(quantile, 0);
+    made.quantile_weighed = left.weighed(quantile, 0);
     return made;
 }
 

@@ -94,11 +94,10 @@ class EmulatedTarget {
 
 /// What is known of one target over the whole space.
 struct TargetVerdict {
-    double least = 0;          ///< implausibility anywhere
-    double bound = 0;          ///< of the ratio, where the implausibility is least
-    double rules_out = 0;      ///< share of the space
-    double alone = 0;          ///< share that no other target rules out
-    double least_of_left = 0;  ///< implausibility in what is left; NaN if nothing is
+    double least = 0;      ///< implausibility anywhere
+    double bound = 0;      ///< of the ratio, where the implausibility is least
+    double rules_out = 0;  ///< share of the space
+    double alone = 0;      ///< share that no other target rules out
 };
 
 /// What of an axis is left, in the key's unit.
@@ -188,10 +187,12 @@ Section point_section(const MatchData& data, const std::vector<EmulatedTarget>& 
 
 // Distributions over all inputs that are left, each as an Estimate: its mean and the bounds of 95 %.
 
-/// Normal at each point that is left: one element a point, in the order of Matching::points_left.
+/// Normal at each point that is left: one element a point, in the order of Matching::points_left. With another variance
+/// above the median than below it, of two halves.
 struct AtPoints {
     std::vector<double> mean;
     std::vector<double> variance;
+    std::vector<double> variance_above = {};  ///< empty: the same
 };
 
 /// The points that are left, with weights: the likelihood of the used targets, normal and independent,

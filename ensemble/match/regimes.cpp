@@ -111,12 +111,6 @@ std::vector<Regime> regimes_of(const std::vector<Block>& blocks, const std::stri
 
 }  // namespace
 
-std::optional<double> number_of(const Value& value) {
-    if (const auto* real = std::get_if<double>(&value.data)) return *real;
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*whole);
-    return {};
-}
-
 std::vector<Regime> read_regimes(std::string_view text, const std::string& file) {
     const Document document = parse_document(text, file);
     if (!document.entries.empty())

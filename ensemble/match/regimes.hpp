@@ -41,7 +41,4 @@ std::vector<Regime> read_regimes(std::string_view text, const std::string& file)
 /// perhaps regime (the name; otherwise made of the others); then a line for each regime. Empty cells are not given.
 std::vector<Regime> read_regime_table(std::string_view text, const std::string& file);
 
-/// Whole or not; none of words and lists.
-std::optional<double> number_of(const Value& value);
-
 }  // namespace floes

@@ -484,10 +484,10 @@ Section regimes_section(const Year& year, const YearRequest& request) {
             source.of_case ? source.words() : fmt::format("{} ± {:.0f} %", source.words(), 196 * row.tail.factor_sd);
         std::vector<Datum> line{row.regime.name, row.regime.time / unit::hour, tail};
         for (const YearLevel& level : year.levels) {
-            const bool known = std::isfinite(level.load.value);
-            const double once = hours * unit::hour * level.shares[k].exceeded_once_in;
-            line.push_back(if_known(known, level.shares[k].value));
-            line.push_back(if_known(known, hours_text(once)));
+            const bool known = std::isfinite(level.load.value) && k < level.shares.size();
+            const YearShare share = known ? level.shares[k] : YearShare{};
+            line.push_back(if_known(known, share.value));
+            line.push_back(if_known(known, hours_text(hours * unit::hour * share.exceeded_once_in)));
         }
         shown.add(std::move(line));
     }

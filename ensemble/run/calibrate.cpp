@@ -169,7 +169,7 @@ std::vector<CalibrationRecord> kept_calibrations(const Recorder::Places& places)
     if (places.existing != Existing::resume) return {};
     try {
         if (std::filesystem::exists(journal)) return read_journal(journal).calibrations;
-        if (std::filesystem::exists(places.campaign_file)) return places.filed(places.campaign_file).calibrations;
+        if (std::filesystem::exists(places.campaign_file)) return Recorder::filed(places).calibrations;
         return {};
     } catch (const std::runtime_error&) {
         return {};  // nothing usable; whether the run can resume from it is decided when it is opened

@@ -78,7 +78,7 @@ std::string with(const char* key, const std::vector<std::string>& others) {
 
 std::string words_of(const Campaign& campaign, const Scenario& scenario) {
     return fmt::format(
-        "a member takes about {} of one core (others took 0.7 to 2.7 times as long), {:.0f} elements over {} steps{}{}",
+        "a member takes about {} of one core (others took 0.7 to 2.3 times as long), {:.0f} elements over {} steps{}{}",
         duration_text(run_time(campaign, scenario)), computed_elements(scenario), scenario.step_count(),
         with("floe.element_m", other_elements(campaign, scenario)),
         with("analysis.window_s", other_windows(campaign, scenario)));

@@ -86,8 +86,8 @@ Attempted Crew::attempt(Assignment assignment) {
     if (setup_.helper != nullptr && apart) {
         try {
             return setup_.helper->run(assignment.number, limits_, stop_.get_token(), tell);
-        } catch (const HelperLost& lost) {
-            give_up({lost.what(), false});
+        } catch (const RunError& trouble) {  // it is gone, or has no process to give
+            give_up({trouble.what(), false});
             return {};
         }
     }

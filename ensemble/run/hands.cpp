@@ -197,6 +197,7 @@ void Hands::answered(int rank, Bytes answer) {
 
 void Hands::lost(int rank) {
     lost_one_ = awaited_.erase(rank) > 0 || lost_one_;
+    std::erase(ranks_, rank);  // nobody answers for it
 }
 
 void Hand::begin(Tag answer, Work work) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <set>
 #include <system_error>
@@ -47,13 +48,24 @@ std::string ranges(const std::vector<int>& sorted) {
     return fmt::format("{}{}", fmt::join(texts, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
+/// Whether the numbers are the same bits; another zlib packs them otherwise. A file has no row of an array without
+/// numbers.
+bool same_array(const PackedArray& one, const PackedArray& other) {
+    if (one == other) return true;
+    const ArrayValues a = unpack(one);
+    const ArrayValues b = unpack(other);
+    const auto is_nan = [](double value) { return std::isnan(value); };
+    if (std::ranges::all_of(a.values, is_nan) && std::ranges::all_of(b.values, is_nan)) return true;
+    return a.sizes == b.sizes && std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(double)) == 0;
+}
+
 /// True if both are the same to the last bit, all but the times that they took.
 bool same_result(const MemberRecord& one, const MemberRecord& other) {
     const auto equal = [](double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; };
     for (const Quantity& of : quantities)
         if (!equal(of.place.get(one.result), of.place.get(other.result))) return false;
     for (std::size_t k = 0; k < array_outputs.size(); ++k)
-        if (!(one.array(k) == other.array(k))) return false;
+        if (!same_array(one.array(k), other.array(k))) return false;
     return true;
 }
 
@@ -447,15 +459,46 @@ namespace {
 
 namespace fs = std::filesystem;
 
+void remove_pieces(const fs::path& journal) {
+    for (const int number : pieces_of(journal)) fs::remove(piece_path(journal, number));
+}
+
+/// Puts a journal in the place of what stands there, once `write` has written it aside. `adds`: it has the members of
+/// what stands there.
+void replace_journal(const fs::path& journal, bool adds, const std::function<void(const fs::path& aside)>& write) {
+    const fs::path aside = journal.string() + ".tmp";
+    try {
+        write(aside);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(aside, ignored);
+        throw;
+    }
+    if (!adds) remove_pieces(journal);
+    rename_into_place(aside, journal);
+    remove_pieces(journal);  // the journal has their members now
+}
+
 /// The journal of a campaign that is whole in a file without one.
 void make_journal(const fs::path& journal, const fs::path& campaign_file) {
     const FiledCampaign filed = read_filed(campaign_file);
-    Journal made = open_journal(journal, filed.campaign, Existing::resume);
-    take_in(filed, filed.campaign, made);
+    replace_journal(journal, false, [&](const fs::path& aside) {
+        Journal made = open_journal(aside, filed.campaign, Existing::replace);
+        take_in(filed, filed.campaign, made);
+    });
 }
 
-void remove_pieces(const fs::path& journal) {
-    for (const int number : pieces_of(journal)) fs::remove(piece_path(journal, number));
+/// What only the file beside a journal has: that of a run that was stopped while it made its journal from the file.
+void complete_journal(const fs::path& journal, const fs::path& campaign_file) {
+    std::optional<FiledCampaign> filed;
+    try {
+        filed = read_filed(campaign_file);
+    } catch (const std::runtime_error&) {
+        return;  // a damaged one is made anew from its journal
+    }
+    const Campaign campaign = read_stored_campaign(read_journal(journal), journal);
+    Journal completed = open_journal(journal, campaign, Existing::resume);
+    take_in(*filed, campaign, completed);
 }
 
 /// Whether the output has members already that are kept.
@@ -471,7 +514,10 @@ bool check_output(std::span<const fs::path> parts, const fs::path& output, bool 
         if (fs::exists(path) && is_being_written(path))
             throw InputError(fmt::format("{} is being written by a run.", path.string()));
     if (overwrite) return false;
-    if (fs::exists(journal)) return true;
+    if (fs::exists(journal)) {
+        if (fs::exists(output)) complete_journal(journal, output);
+        return true;
+    }
     if (written.size() > 1)
         throw InputError(
             fmt::format("{} exists already but not its journal {}, so nothing can be added to it: --overwrite replaces "
@@ -513,7 +559,6 @@ Parts merge_campaigns(std::span<const fs::path> parts, const fs::path& output, b
     const bool adds = check_output(parts, output, overwrite);
     const fs::path journal = journal_path(output);
     if (!adds && parts.size() == 1 && fs::exists(parts.front()) && !fs::exists(journal_path(parts.front()))) {
-        remove_journal(journal);
         make_journal(journal, parts.front());
         Parts read(std::span(&output, 1), true);
         publish_merged(read, output);
@@ -522,17 +567,7 @@ Parts merge_campaigns(std::span<const fs::path> parts, const fs::path& output, b
     std::vector<fs::path> files(parts.begin(), parts.end());
     if (adds) files.insert(files.begin(), output);
     Parts read(files, adds);
-    const fs::path aside = journal.string() + ".tmp";
-    try {
-        write_journal(read, aside);
-    } catch (...) {
-        std::error_code ignored;
-        fs::remove(aside, ignored);
-        throw;
-    }
-    if (!adds) remove_pieces(journal);
-    rename_into_place(aside, journal);
-    remove_pieces(journal);  // the journal has their members now
+    replace_journal(journal, adds, [&](const fs::path& aside) { write_journal(read, aside); });
     publish_merged(read, output);
     return read;
 }

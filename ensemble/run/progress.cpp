@@ -142,7 +142,7 @@ constexpr double longest_silence = 60;  // s; heartbeats come every few seconds,
 }  // namespace
 
 std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file) {
-    return std::filesystem::path(campaign_file).replace_extension(".alive");
+    return target_of(campaign_file).replace_extension(".alive");
 }
 
 namespace {

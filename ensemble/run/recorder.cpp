@@ -53,18 +53,22 @@ bool has_journal(const Recorder::Places& places) {
     return is_there(journal, places.system) || !pieces_of(journal, places.system).empty();
 }
 
+std::unique_lock<std::mutex> alone_with_files(const Recorder::Places& places) {
+    return places.publishing == nullptr ? std::unique_lock<std::mutex>() : std::unique_lock(*places.publishing);
+}
+
 /// The campaign file that a run goes on from; none where there is no file, or a damaged one beside a journal, which
 /// makes it anew. Throws InputError where the file alone cannot be continued.
 std::optional<FiledCampaign> filed_before(const Campaign& campaign, const Recorder::Places& places) {
     if (places.existing != Existing::resume || !is_there(places.campaign_file, places.system)) return {};
     if (has_journal(places)) {
         try {
-            return places.filed(places.campaign_file);
+            return Recorder::filed(places);
         } catch (const std::runtime_error&) {
             return {};
         }
     }
-    FiledCampaign filed = places.filed(places.campaign_file);
+    FiledCampaign filed = Recorder::filed(places);
     expect_to_continue(filed.campaign, campaign, places.campaign_file);
     return filed;
 }
@@ -89,6 +93,11 @@ Journal open(const Campaign& campaign, const Recorder::Places& places) {
 
 }  // namespace
 
+FiledCampaign Recorder::filed(const Places& places) {
+    const std::unique_lock<std::mutex> alone = alone_with_files(places);
+    return places.filed(places.campaign_file);
+}
+
 void Recorder::check(const Places& places) {
     const fs::path journal = journal_path(places.campaign_file);
     const std::string file = places.campaign_file.string();
@@ -102,7 +111,7 @@ void Recorder::check(const Places& places) {
                         : is_there(journal, places.system) ? journal.string()
                                                            : piece_path(journal, pieces[0]).string()));
     }
-    const int may_write = has_journal(places) ? 0 : places.system.may_write_in(folder_of(journal));
+    const int may_write = places.system.may_write_in(folder_of(journal));
     if (may_write < 0)
         throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", journal.string(),
                                      std::strerror(-may_write)));
@@ -111,10 +120,12 @@ void Recorder::check(const Places& places) {
 bool Recorder::is_over(const Campaign& campaign, const Places& places) {
     if (places.existing != Existing::resume || places.part.of > 1 || has_journal(places)) return false;
     if (!is_there(places.campaign_file, places.system)) return false;
-    const FiledCampaign filed = places.filed(places.campaign_file);
-    const bool same_names = std::ranges::equal(filed.campaign.cases, campaign.cases, {}, &Case::name, &Case::name);
-    return filed.is_whole() && same_names && filed.campaign.stop == campaign.stop &&
-           fingerprint(filed.campaign) == fingerprint(campaign);
+    const FiledCampaign there = filed(places);
+    const bool same_words = std::ranges::equal(there.campaign.cases, campaign.cases, {}, &Case::name, &Case::name) &&
+                            there.campaign.name == campaign.name &&
+                            there.campaign.run.base_case == campaign.run.base_case;
+    return there.is_whole() && same_words && there.campaign.stop == campaign.stop &&
+           fingerprint(there.campaign) == fingerprint(campaign);
 }
 
 Recorder::Recorder(const Campaign& campaign, Places places)
@@ -231,25 +242,37 @@ int Recorder::take_in_pieces(bool lost_a_writer) {
 
 void Recorder::give_up() noexcept {
     try {
-        places_.system.remove(heartbeat_path(places_.campaign_file));
-        write_metrics_now(places_.system.now(), false);
+        say_at_rest();
         keeper_.journal().end_session("failed");
     } catch (const std::exception&) {
         // The original error is the one to report.
     }
 }
 
+void Recorder::say_at_rest() const {
+    places_.system.remove(heartbeat_path(places_.campaign_file));
+    write_metrics_now(places_.system.now(), false);
+}
+
 void Recorder::finish(const std::string& outcome, const std::function<bool()>& together) {
     sync();
     keeper_.journal().end_session(outcome);
-    if (places_.with_file && !(together && together())) publish_now();
+    try {
+        if (places_.with_file && !(together && together())) publish_now();
+    } catch (...) {
+        try {
+            say_at_rest();
+        } catch (const std::exception&) {
+            // The first error is the one to report.
+        }
+        throw;
+    }
     if (outcome.starts_with("complete"))
         remove_saved(
             places_.campaign_file, [](const MemberIdentity&) { return false; }, places_.system);
     else if (!places_.with_file)
         remove_saved_of_done();
-    places_.system.remove(heartbeat_path(places_.campaign_file));
-    write_metrics_now(places_.system.now(), false);
+    say_at_rest();
     if (!places_.keep_journal && outcome == "complete" && is_whole_in_file())
         remove_journal(journal_path(places_.campaign_file), places_.system);
 }
@@ -257,8 +280,8 @@ void Recorder::finish(const std::string& outcome, const std::function<bool()>& t
 bool Recorder::is_whole_in_file() const {
     if (!places_.with_file || places_.part.of > 1 || tally_.done() < member_count(campaign_)) return false;
     try {
-        const FiledCampaign filed = places_.filed(places_.campaign_file);
-        return filed.is_whole() && filed.campaign.arrangements == campaign_.arrangements;
+        const FiledCampaign there = filed(places_);
+        return there.is_whole() && there.campaign.arrangements == campaign_.arrangements;
     } catch (const std::runtime_error&) {
         return false;  // a journal that is left does no harm
     }
@@ -299,8 +322,7 @@ void Recorder::remove_saved_of_done() const {
 
 void Recorder::publish_now() {
     remove_saved_of_done();
-    std::unique_lock<std::mutex> alone;
-    if (places_.publishing != nullptr) alone = std::unique_lock(*places_.publishing);
+    const std::unique_lock<std::mutex> alone = alone_with_files(places_);
     publish(places_.campaign_file, tally_.published(), journal().members(), journal().sessions(),
             journal().calibrations(), places_.system, places_.content);
 }

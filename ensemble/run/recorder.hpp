@@ -71,6 +71,9 @@ class Recorder {
         bool keep_journal = true;  ///< also where the file has all members of the campaign
     };
 
+    /// What the campaign file has, under the lock of `places`.
+    static FiledCampaign filed(const Places& places);
+
     /// Throws InputError if the files exist and `existing` does not allow it.
     static void check(const Places& places);
 
@@ -137,6 +140,7 @@ class Recorder {
     bool is_whole_in_file() const;
     /// The other writers' journals are as long as they have told.
     bool has_all_pieces() const;
+    void say_at_rest() const;  ///< to whoever watches: no heartbeat, and metrics of a run that has ended
     void write_metrics_now(Time now, bool at_work) const;
     void remove_saved_of_done() const;
     void look_at_other_parts();

@@ -22,8 +22,7 @@ std::pair<double, double> ends_of(const DesignAxis& axis) {
     if (axis.values.empty()) return {axis.from, axis.to};
     std::pair<double, double> ends{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const Value& value : axis.values) {
-        const auto* whole = std::get_if<std::int64_t>(&value.data);
-        const double number = whole != nullptr ? static_cast<double>(*whole) : std::get<double>(value.data);
+        const double number = number_of(value).value();
         ends = {std::min(ends.first, number), std::max(ends.second, number)};
     }
     return ends;

@@ -23,6 +23,7 @@ using nlohmann::ordered_json;
 constexpr std::array config_keys{"arrangements", "seed", "standard_errors"};
 constexpr std::array derivatives{"/Gradient", "/ApplyJacobian", "/ApplyHessian"};
 constexpr std::size_t longest_shown = 60;  // characters of what was sent
+constexpr int deepest = 16;                // lists in lists; requests have three, and printing recurses
 
 /// Text that came from outside need not be UTF-8, so wrong bytes are replaced.
 std::string text_of(const ordered_json& value) {
@@ -42,7 +43,10 @@ ModelError invalid(const std::string& sentence) {
 ordered_json object_of(std::string_view body) {
     ordered_json request;
     try {
-        request = ordered_json::parse(body);
+        request = ordered_json::parse(body, [](int depth, ordered_json::parse_event_t, const ordered_json&) {
+            if (depth > deepest) throw invalid(fmt::format("The request has more than {} lists in lists", deepest));
+            return true;
+        });
     } catch (const ordered_json::parse_error& error) {
         throw invalid(
             fmt::format("The request is not JSON, from byte {} on; numbers are finite there, without NaN and "

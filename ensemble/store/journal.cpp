@@ -481,7 +481,7 @@ std::function<MemberRecord(JournalContents::Place)> reader_of_pieces(const Journ
 }  // namespace
 
 std::filesystem::path journal_path(const std::filesystem::path& campaign_file) {
-    return std::filesystem::path(campaign_file).replace_extension(".journal");
+    return target_of(campaign_file).replace_extension(".journal");
 }
 
 std::filesystem::path piece_path(const std::filesystem::path& journal, int number) {

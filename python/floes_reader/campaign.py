@@ -203,7 +203,7 @@ class Campaign:
     def costs(self) -> pandas.DataFrame:
         """What each member took, by its number: `wall_time` and `cpu_time`, s, `peak_memory`, byte, `rank`, `host`,
         `attempts`."""
-        names = [name for name in self._stored.names("provenance") if not name.startswith(("session", "configuration"))]
+        names = [name for name in self._stored.names("provenance") if not name.startswith(("session", "configuration", "piece"))]
         columns = {name: self._stored.array(f"provenance/{name}").values for name in names if name != "member"}
         return pandas.DataFrame(columns, self._members.index)
 

@@ -45,7 +45,8 @@ def loads(campaign: Campaign, quantity: str = "mean_load", cases: Sequence[str] 
     axes.set_yticks(range(len(names)), names)
     axes.set_ylim(len(names) - 0.45, -0.5)
     left, right = axes.get_xlim()
-    axes.set_xlim(max(left, -2 * largest) if lowest < 0 else 0, min(right, 2 * largest))
+    if largest > 0:
+        axes.set_xlim(max(left, -2 * largest) if lowest < 0 else 0, min(right, 2 * largest))
     axes.set_xlabel(_label(known.long_name[quantity], known.units[quantity]))
     axes.tick_params(axis="y", length=0)
     axes.grid(axis="x", color=GRID)

@@ -12,8 +12,8 @@ import numpy
 import xarray
 
 LAYOUT = (1, 19)  # the newest layout of campaign files that this reader knows (docs/campaign_file.md)
-GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members", "pieces",
-          "provenance"}  # those of that layout
+GROUPS = {"arrangements", "averaged", "breaks", "calibration", "cases", "exceedance", "history", "load_map", "members", "parts",
+          "pieces", "provenance", "responses"}  # those of that layout
 FILETYPE = "floes campaign"
 BAD = (OSError, RuntimeError, KeyError, ValueError, TypeError, AttributeError)  # what h5py raises over damaged data
 
@@ -122,9 +122,9 @@ class Stored:
             scales.update(self._scales(f"{name}/{column}"))
         coordinates = {dimension: self.array(scale) for dimension, scale in scales.items()}
         columns = {column: array for column, array in columns.items() if column not in coordinates}
-        for name in _same_times(coordinates):
-            del coordinates[name]
-            columns = {column: array.rename({name: "time"}) if name in array.dims else array
+        for same in _same_times(coordinates):
+            del coordinates[same]
+            columns = {column: array.rename({same: "time"}) if same in array.dims else array
                        for column, array in columns.items()}
         with self.reading(f"/{name}"):
             return xarray.Dataset(columns, coords=coordinates, attrs=self.attributes_of(name))

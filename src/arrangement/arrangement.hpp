@@ -39,8 +39,9 @@ struct LaidField {
 /// As make_arrangement(), with what lies beyond.
 LaidField lay_field(const Scenario& scenario, std::uint64_t seed, std::uint32_t number);
 
-/// Digest of everything that determines the poses: floe sides, field, arrangement rule. Scenarios with the same key get
-/// the same floes for the same seed and number, whatever else differs (common random numbers).
+/// Digest of everything that determines the poses: floe sides, field, arrangement rule. Of scenarios whose field has an
+/// end, and of those without, equal keys get the same floes for the same seed and number, whatever else differs (common
+/// random numbers).
 std::uint64_t geometry_key(const Scenario& scenario);
 
 /// Share of the structure's path that ice covers: |z| at most its radius at the waterline and within the field, along

@@ -17,7 +17,7 @@ namespace floes {
 namespace {
 
 constexpr double area_rounding = 1e-12;  // relative
-constexpr double tidied_area = 1e-6;     // likewise, of polygons, which lose their shortest edges
+constexpr double tidied_area = 1e-4;     // likewise, of polygons, each of which loses its shortest edges
 
 /// Between two floes, along the direction in which they are farthest from being too near, m.
 struct Gap {
@@ -179,7 +179,7 @@ std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes) 
         return Fault{fmt::format("the arrangement has {} floes where the field has {}", poses.size(), field.floes)};
     }
     if (scenario.arrangement.level()) return std::nullopt;  // check_level() has looked at it
-    const double concentration = covered_area(floes) / ((scenario.field_end() - field.begin) * 2 * field.half_width);
+    const double concentration = covered_area(floes) / (scenario.field_length() * 2 * field.half_width);
     const double exact = scenario.shapes.any() ? tidied_area : area_rounding;
     if (!(std::abs(concentration - field.concentration) <= exact * field.concentration)) {
         return Fault{fmt::format("the floes cover {} of the field instead of {}", concentration, field.concentration)};

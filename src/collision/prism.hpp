@@ -90,7 +90,7 @@ struct PrismSection {
 
 /// Those of planes with one normal. With F(s) the area of the polygon up to the depth s, A(d) = (F(d) - F(d - e))/c for
 /// a prism that is e = T c deep along its thickness, c the cosine of it; both cosines are at least `flattest`. Past the
-/// middle A stays at its largest, as that of a box does.
+/// middle A stays as it is there, as that of a box does.
 class PrismSections {
   public:
     /// normal: inwards, of length 1, in the axes of the prism, which must stay where it is.

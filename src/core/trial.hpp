@@ -6,8 +6,8 @@
 namespace floes {
 
 /// Does `work` in a child process, whose exceptions and output are lost, and says which signal ended it; 0: none. More
-/// than ten seconds of processor time end it too. 0 where there is no child to be had, so that nothing was tried. Not
-/// for processes under MPI.
+/// than ten seconds of processor time end it too. 0 where there is no child to be had, as under MPI, so that nothing
+/// was tried.
 int signal_of_trial(const std::function<void()>& work);
 
 }  // namespace floes

@@ -264,6 +264,12 @@ Entry parse_override(const std::string& override_text, const std::string& option
     return {path, {value}, where};
 }
 
+std::optional<double> number_of(const Value& value) {
+    if (const auto* number = std::get_if<double>(&value.data)) return *number;
+    if (const auto* integer = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*integer);
+    return std::nullopt;
+}
+
 std::string to_text(const Value& value) {
     constexpr std::size_t most = 60;
     constexpr std::size_t longest = 200;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,6 +24,9 @@ struct Value {
 
 /// The value as TOML would write it, on one line; long lists and long texts are cut short with "...".
 std::string to_text(const Value& value);
+
+/// Of integers as well, as in thickness_m = 1; nothing for what is no number.
+std::optional<double> number_of(const Value& value);
 
 struct Entry {
     std::string path;  ///< "ice.thickness_m"; within a block, relative to the block

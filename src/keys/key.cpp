@@ -250,20 +250,6 @@ Key only_with(std::string_view setting, std::function<bool()> in_force, Key key)
     return key;
 }
 
-void copy_value(const Key& from, const Key& to) {
-    std::visit(
-        [&]<class Field>(const Field& source) {
-            const Field& target = std::get<Field>(to.field);
-            if constexpr (requires { source.value; })
-                *target.value = *source.value;
-            else if constexpr (requires { source.values; })
-                *target.values = *source.values;
-            else
-                target.set(source.get());
-        },
-        from.field);
-}
-
 std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries) {
     const auto is_first = [&](const Entry& entry) {
         return std::ranges::any_of(keys, [&](const Key& key) { return key.preset && key.path == entry.path; });

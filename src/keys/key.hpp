@@ -171,9 +171,6 @@ std::string exact_text(const Key& key);
 /// The numbers or rows of a list as its literal() has them; empty for what is no list.
 std::vector<std::string> items(const Key& key);
 
-/// Gives `to` the value of `from`; both are the same key, bound to two values.
-void copy_value(const Key& from, const Key& to);
-
 /// The entries in the order in which they have to be read: preset keys first, part keys last, otherwise as given.
 std::vector<Entry> in_order_of_reading(std::span<const Key> keys, std::vector<Entry> entries);
 

@@ -13,13 +13,6 @@
 namespace floes {
 namespace {
 
-/// Accepts integers as well: thickness_m = 1.
-std::optional<double> as_number(const Value& value) {
-    if (const auto* number = std::get_if<double>(&value.data)) return *number;
-    if (const auto* integer = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*integer);
-    return std::nullopt;
-}
-
 /// ", write 0.033, with a point" of the text "0,033", which --set takes as a text; otherwise empty.
 std::string with_a_point(const Value& value) {
     const auto* text = std::get_if<std::string>(&value.data);
@@ -37,7 +30,7 @@ struct Assigner {
     }
 
     void operator()(const NumberField& field) const {
-        const std::optional<double> number = as_number(entry.value);
+        const std::optional<double> number = number_of(entry.value);
         if (!number) throw wrong("is not a number" + with_a_point(entry.value), field.range.reason);
         const double in_si = *number * field.unit;
         // The range applies to the number as written; the product may still underflow to a forbidden 0, or overflow.
@@ -51,7 +44,7 @@ struct Assigner {
         if (list == nullptr) throw wrong("is not a list");
         std::vector<double> numbers;
         for (const Value& item : *list) {
-            const std::optional<double> number = as_number(item);
+            const std::optional<double> number = number_of(item);
             if (!number) throw wrong(fmt::format("has {}, which is not a number", to_text(item)));
             if (!field.range.contains(*number)) throw wrong(fmt::format("has {}, out of range", to_text(item)));
             numbers.push_back(*number * field.unit);
@@ -132,7 +125,7 @@ struct Assigner {
         }
         std::vector<double> numbers;
         for (std::size_t i = 0; i < values->size(); ++i) {
-            const std::optional<double> number = as_number((*values)[i]);
+            const std::optional<double> number = number_of((*values)[i]);
             if (i >= field.columns.size()) {
                 if (!number || !std::isfinite(*number)) throw fail("has something that is not a number");
                 numbers.push_back(*number);

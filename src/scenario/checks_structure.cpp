@@ -298,8 +298,10 @@ void check_inertia(const Scenario& scenario, Contradictions& found) {
 double structure_over_floe(const Scenario& scenario) {
     const FloeSet floes = floes_of(scenario);
     double heaviest = 0;
-    for (std::size_t i = 0; i < floes.size(); ++i)
-        heaviest = std::max(heaviest, floes.shape(i).elements() * floes.shape(i).element_mass(floes.material(i).ice));
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        const FloeShape& shape = floes.shape(i);
+        heaviest = std::max(heaviest, shape.area() * shape.thickness * floes.material(i).ice.density);
+    }
     const Mat6 inertia = scenario.moorings.inertia();
     return std::min(inertia(0, 0), inertia(1, 1)) / heaviest;
 }

@@ -187,6 +187,7 @@ double Scenario::field_end() const {
 std::optional<BankGap> Scenario::gap() const {
     if (field.sides == FieldSides::open || path.any() || arrangement.level()) return {};
     const double breadth = field.half_width - structure.shape.waterline_radius();
+    if (breadth <= 0) return {};  // a hull as broad as the channel
     return BankGap{breadth, breadth / std::sqrt(area_of_floes(*this) / field.floes)};
 }
 

@@ -101,7 +101,7 @@ enum class ShapeKind { rectangle, polygon, voronoi, file };  ///< of floes seen 
 struct TracedOutlines {
     std::string path;  ///< empty once its outlines are here
     LengthUnit unit = LengthUnit::m;
-    /// Convex, as they lie, m: from x = 0 on and about z = 0, not yet scaled.
+    /// As they lie, m: from x = 0 on and about z = 0, not yet scaled; they may have bays.
     std::vector<Outline> outlines;
     std::vector<double> areas;  ///< of each in the file, m²; empty: they came from none
     std::string names;          ///< of each, divided by commas; empty: the file has none
@@ -440,7 +440,8 @@ struct Scenario {
     double window_behind() const;  ///< likewise field.behind: a width; its radius and four characteristic lengths
     double closing_speed() const;  ///< of the field, or that of the tow, m/s
     bool towed_straight() const { return !path.any() && !moorings.give_way(); }
-    /// Where the structure starts; none where the sides are open, in level ice, or where a path takes it elsewhere.
+    /// Where the structure starts; none where the sides are open, in level ice, where a path takes it elsewhere, or
+    /// where it is as broad as the channel.
     std::optional<BankGap> gap() const;
     std::vector<PathPlace> places() const;  ///< of a path, places_of() it; empty without one
     double reach() const;                   ///< m, how far ahead of its start it comes, without its moorings
@@ -449,9 +450,11 @@ struct Scenario {
     bool has_cells() const { return elements.form == ElementForm::cells && joint.model == JointModel::beam; }
     /// FloeShape::pattern of a floe by its number: a stock of them, taken in turn.
     int pattern_of(std::size_t floe) const;
-    int pattern_of_sheet(std::uint32_t arrangement) const;       ///< of level ice: one of each arrangement's own
-    ContactLaw contact_law() const { return contact_law(ice); }  ///< contact, with the crushing pressure in force
-    ContactLaw contact_law(const Ice& of) const;                 ///< for such ice
+    int pattern_of_sheet(std::uint32_t arrangement) const;  ///< of level ice: one of each arrangement's own
+    ContactLaw contact_law() const {
+        return contact_law(mean_ice());
+    }                                             ///< contact, with the crushing pressure in force
+    ContactLaw contact_law(const Ice& of) const;  ///< for such ice
     /// Averaging times that are measured, s: those given; of the default, only whole steps that fit into a segment.
     std::vector<double> averaging_times() const;
     /// Whether the time is whole steps, at least one, and fits into a segment.

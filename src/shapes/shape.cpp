@@ -89,15 +89,21 @@ std::vector<Frustum> Profile::overlapping_solids() const {
             const double radius = wall(point.height);
             return radius >= 0 && radius <= point.radius;
         };
+        // At the end itself by its own radius, which is rounded: a ring that steps inwards ends the wall there.
+        const auto steps_in = [](const ProfilePoint& point, double radius) {
+            return point.radius < radius * (1 - 1e-12);
+        };
         for (const ProfilePoint& point : points_) {
-            if (point.height <= solid.top_height) continue;
-            if (!inside(point)) break;
+            if (point.height < solid.top_height) continue;
+            if (point.height == solid.top_height && !steps_in(point, solid.top_radius)) continue;
+            if (point.height == solid.top_height || !inside(point)) break;
             solid.top_height = point.height;
             solid.top_radius = wall(point.height);
         }
         for (const ProfilePoint& point : points_ | std::views::reverse) {
-            if (point.height >= solid.bottom_height) continue;
-            if (!inside(point)) break;
+            if (point.height > solid.bottom_height) continue;
+            if (point.height == solid.bottom_height && !steps_in(point, solid.bottom_radius)) continue;
+            if (point.height == solid.bottom_height || !inside(point)) break;
             solid.bottom_radius = wall(point.height);
             solid.bottom_height = point.height;
         }

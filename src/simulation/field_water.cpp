@@ -50,11 +50,11 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceF
     return {models, model_of, lane_widths().back()};
 }
 
-PieceWater::PieceWater(const Scenario& scenario, const FloeSet& floes)
+PieceWater::PieceWater(const Scenario& scenario, const FloeSet& floes, const IceField& ice)
     : body_{scenario.water.density, scenario.general.gravity, scenario.water.added_mass_in_plane},
       carries_(scenario.water.added_mass_from == WaterFrom::outline),
       radiates_(scenario.water.heave_damping_from == WaterFrom::outline) {
-    carried_.resize(static_cast<std::size_t>(element_count(floes)));
+    carried_.resize(ice.elements().size());
     for (std::size_t i = 0; i < floes.size(); ++i)
         draught_.push_back(floes.shape(i).thickness * floes.material(i).ice.density / scenario.water.density);
 }

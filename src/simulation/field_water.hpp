@@ -23,7 +23,8 @@ WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceF
 
 class PieceWater {
   public:
-    PieceWater(const Scenario& scenario, const FloeSet& floes);
+    /// floes: those at the places of the ice.
+    PieceWater(const Scenario& scenario, const FloeSet& floes, const IceField& ice);
 
     /// Gives the elements of all floes what their pieces have, as far as water.added_mass_from and
     /// water.heave_damping_from say "outline"; or those of one floe, which is not part of a sheet.

@@ -76,8 +76,8 @@ std::vector<BodyId> clamped_row(World& world, const FloeShape& floe, double mass
     return row;
 }
 
-// Only the state at rest matters: damping shortens the settling and has no effect at rest. 0.7 of critical settles
-// fastest.
+// Only the state at rest matters: damping shortens the settling and has no effect at rest. Where it is a share of
+// critical, 0.7 settles fastest.
 constexpr double settling_damping = 0.7;
 
 int elements_across(const Scenario& scenario, double sheet) {

@@ -66,7 +66,7 @@ Wellbeing::Wellbeing(const Scenario& scenario, const Channel& channel)
       begin(channel.begin - channel.room - channel.drift),
       end(channel.end + channel.room + channel.drift),
       outer_edge(channel.outer_edge + channel.drift),
-      top(channel.room),
+      top(std::max(scenario.structure.shape.top(), 0.0) + channel.room),
       bottom(scenario.structure.shape.bottom() - channel.room) {}
 
 std::optional<std::string> Wellbeing::trouble(const BodyState& state) const {
@@ -138,7 +138,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
       ice_(world_, scenario, floes),
       sheets_(world_, scenario, channel_),
       water_(make_water(by_motion(scenario), floes, ice_)),
-      piece_water_(scenario, floes),
+      piece_water_(scenario, floes, ice_),
       lee_(scenario, channel_, floes, ice_),
       work_(scenario, floes, ice_, structure_),
       nearby_(scenario, channel_),
@@ -556,7 +556,7 @@ void Simulation::measure_places() {
     const FloeSet floes = gathered(window_->places());
     states_before_.resize(states_.size());
     water_ = make_water(by_motion(scenario_), floes, ice_);
-    piece_water_ = PieceWater(scenario_, floes);
+    piece_water_ = PieceWater(scenario_, floes, ice_);
     lee_.measure(floes, ice_);
     work_.measure(floes, ice_);
 }

@@ -69,7 +69,7 @@ struct Wellbeing {
     double begin = 0;       ///< least x: the channel's room before the wall sheets
     double end = 0;         ///< largest x: as far past them
     double outer_edge = 0;  ///< largest |z|: the outer edge of a wall sheet
-    double top = 0;         ///< largest height: the same above the water
+    double top = 0;         ///< largest height: the same above the structure
     double bottom = 0;      ///< least height: the same below the structure
 
     Wellbeing(const Scenario& scenario, const Channel& channel);

@@ -149,7 +149,14 @@ struct BodyContact {
         return load(first, cone_first_field::friction_coefficient) * normal;
     }
 
-    [[gnu::always_inline]] void press(Pack pressed) const { ::floes::push(row, a, b, pressed); }
+    /// Rounded as push() without friction, which other lanes of a pack may need.
+    [[gnu::always_inline]] void press(Pack pressed) const {
+        const V3 impulse = axis * pressed;
+        a.velocity = a.velocity + impulse * a.inverse_mass;
+        b.velocity = b.velocity - impulse * b.inverse_mass;
+        a.angular_velocity = a.angular_velocity + load3(row, contact_field::angular_change_a) * pressed;
+        b.angular_velocity = b.angular_velocity - load3(row, contact_field::angular_change_b) * pressed;
+    }
 
     [[gnu::always_inline]] void push(Pack pressed, Pack one, Pack two) const {
         const V3 impulse = axis * pressed + first_axis * one + second_axis * two;

@@ -275,7 +275,7 @@ inline auto leaves_through_covered_face(const Box& body, const V3& outward) {
 
 /// The section of a box, exact for every direction: with c the cosines of the unit normal in the box's axes and e the
 /// box's extents along the normal, A(d) = sum of +-(d - sums of e)²₊ / (2 c1 c2 c3) over the eight vertices. Past the
-/// middle it stays at its largest. A body without extents is flat and unbounded: its section is infinite.
+/// middle it stays as it is there. A body without extents is flat and unbounded: its section is infinite.
 inline Section section(const Box& body, const V3& normal, Pack depth) {
     const Pack none{};
     const V3& half_extent = body.half_extent;
@@ -322,8 +322,9 @@ struct Limit {
 /// The force is F = p A, with A linear about the depth at the beginning of the step. The velocities that a solve
 /// changes are those half a step before and half a step after that moment, because positions move with what it ends
 /// with. So F is taken at the mean of the depths there, with the velocity change Δv depth - Δv Δt / 4: Newmark's
-/// average acceleration, second order in Δt and stable at any. The area is the smaller of the two bodies' sections, in
-/// equal shares for the points that touch. `share` is p Δt / points.
+/// average acceleration, second order in Δt and stable at any. The area is the smaller of the two bodies' sections at
+/// the point's own depth, of which each point that touches has an equal share: together their mean. `share` is
+/// p Δt / points.
 inline Limit crushing_limit(const V3& normal, const double* point, const Box& a, const Box& b, Pack share, Pack scale,
                             double time_step) {
     const Pack reached = -load(point, point_field::distance);

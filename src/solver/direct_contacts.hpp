@@ -37,8 +37,7 @@ class Acceleration {
 
 class DirectContacts {
   public:
-    /// Rows of the contacts, ordered such that the result is that of the given order. To be called after
-    /// floes.touch().
+    /// Rows of the contacts, in an order that follows from theirs. To be called after floes.touch().
     void prepare(std::span<const SolverContact> contacts, const LaneArrays& all, DirectFloes& floes,
                  const LaneKernels& kernels, const ContactLaw& law, double time_step);
 

@@ -114,7 +114,7 @@ inline constexpr int start_velocity = 27;   ///< velocity + what force does in t
 inline constexpr int start_angular_velocity =
     30;                                       ///< angular velocity + what torque and the gyroscopic term do in the step
 inline constexpr int half_extent = 33;        ///< of a box, own axes; 0: flat and unbounded
-inline constexpr int covered = 36;            ///< 1 for a face on which a joint holds another body: +x +y +z -x -y -z
+inline constexpr int covered = 36;            ///< joints that hold other bodies on a face: +x +y +z -x -y -z
 inline constexpr int crushing_pressure = 42;  ///< 0: that of the contact law
 inline constexpr int count = 43;
 }  // namespace body_field

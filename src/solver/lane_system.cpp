@@ -39,8 +39,9 @@ LaneArrays LaneSystem::arrays() {
 
 void LaneSystem::remove_joint(std::size_t joint) {
     FLOES_EXPECTS(joint < slot_of_joint_.size());
-    cover(joint, 0);
-    frame_[place(slot_of_joint_[joint], frame_field::count, frame_field::alive, width())] = 0;
+    double& alive = frame_[place(slot_of_joint_[joint], frame_field::count, frame_field::alive, width())];
+    if (alive > 0) cover(joint, -1);
+    alive = 0;
     if (direct_) direct_->remove_joint(joint);
     for (int field = 0; field < 6; ++field) {
         reaction_[place(slot_of_joint_[joint], reaction_field::count, field, width())] = 0;
@@ -58,12 +59,13 @@ void LaneSystem::set_water(std::size_t body, const CarriedWater& water) {
     direct_->set_water(body, water);
 }
 
-void LaneSystem::cover(std::size_t joint, double covered) {
+void LaneSystem::cover(std::size_t joint, double more) {
     const auto [a, b] = bodies_of_joint_[joint];
     const double* frame = frame_.data() + place(slot_of_joint_[joint], frame_field::count, 0, width());
     // The joint's x axis in each body: out of a's face, and into b's.
     for (const auto& [body, rotation, outward] :
          {std::tuple(a, frame_field::rotation_a, 1.0), std::tuple(b, frame_field::rotation_b, -1.0)}) {
+        if (!is_moving_box_[body]) continue;
         std::array<double, 9> to_body{};
         get(frame, width(), rotation, to_body);
         const std::array<double, 3> x{outward * to_body[0], outward * to_body[3], outward * to_body[6]};
@@ -72,7 +74,7 @@ void LaneSystem::cover(std::size_t joint, double covered) {
             if (std::abs(x[static_cast<std::size_t>(k)]) > std::abs(x[static_cast<std::size_t>(axis)])) axis = k;
         }
         const int face = x[static_cast<std::size_t>(axis)] > 0 ? axis : axis + 3;
-        body_[place(slot_of_body_[body], body_field::count, body_field::covered + face, width())] = covered;
+        body_[place(slot_of_body_[body], body_field::count, body_field::covered + face, width())] += more;
     }
 }
 
@@ -339,6 +341,7 @@ void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const Solver
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         sweep_[place(slot_of_body_[i], sweep_field::count, sweep_field::inverse_mass, width())] =
             bodies[i].inverse_mass;
+        is_moving_box_.push_back(bodies[i].inverse_mass > 0 && !bodies[i].is_prism);
         if (bodies[i].rail >= 0) rails_.emplace_back(slot_of_body_[i], bodies[i].rail);
         const auto put = [&](int field, double value) {
             body_[place(slot_of_body_[i], body_field::count, field, width())] = value;
@@ -355,7 +358,7 @@ void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const Solver
         fill(slot_of_joint_[i], joints[i]);
         frame_[place(slot_of_joint_[i], frame_field::count, frame_field::alive, width())] = 1;
         bodies_of_joint_.emplace_back(joints[i].a, joints[i].b);
-        if (!bodies[joints[i].a].is_prism) cover(i, 1);
+        cover(i, 1);
     }
 }
 
@@ -375,9 +378,10 @@ void LaneSystem::fill(std::size_t slot, const SolverJoint& joint) {
 }
 
 void LaneSystem::archive(StateArchive& state) {
-    auto& [kernels, pairs, blocks, slot_of_body, slot_of_joint, rails, bodies_of_joint, block_of_body, block_touched,
-           group_touched, touched_groups, touched_blocks, free_blocks, body_groups, time_step, body, sweep, frame, row,
-           reaction, delta, force, motion, body_of_slot, contact_rows, direct, direct_contacts] = *this;
+    auto& [kernels, pairs, blocks, slot_of_body, slot_of_joint, rails, bodies_of_joint, moving_box, block_of_body,
+           block_touched, group_touched, touched_groups, touched_blocks, free_blocks, body_groups, time_step, body,
+           sweep, frame, row, reaction, delta, force, motion, body_of_slot, contact_rows, direct, direct_contacts] =
+        *this;
     state.same(slot_of_body.size());
     state.same(slot_of_joint.size());
     state(time_step);

@@ -96,7 +96,7 @@ class LaneSystem {
     void make_arrays(std::size_t joint_groups);
     void fill(std::span<const SolverBody>, std::span<const SolverJoint>);
     void fill(std::size_t slot, const SolverJoint& joint);
-    void cover(std::size_t joint, double covered);
+    void cover(std::size_t joint, double more);
     LaneArrays arrays();
     void find_touched(std::span<const SolverContact> contacts);
     void keep_on_rails();
@@ -109,6 +109,7 @@ class LaneSystem {
     std::vector<std::uint32_t> slot_of_joint_;
     std::vector<std::pair<std::uint32_t, int>> rails_;  ///< slots of bodies on rails, and their axes
     std::vector<std::pair<std::uint32_t, std::uint32_t>> bodies_of_joint_;
+    std::vector<bool> is_moving_box_;  ///< by body: its faces are covered by joints; others count their edges
     std::vector<std::uint32_t> block_of_body_;
     std::vector<std::uint8_t> block_touched_, group_touched_;  ///< in this step
     std::vector<std::uint32_t> touched_groups_;                ///< of bodies with contacts

@@ -214,7 +214,9 @@ Autocorrelation autocorrelation(std::span<const double> load, double step, std::
     const double own = covariance_sum(means, mean_of_means, 0);
     double tau = 1;
     for (std::size_t lag = 1; lag < means.size(); ++lag) {
-        tau += 2 * covariance_sum(means, mean_of_means, lag) / own;
+        const double next = tau + 2 * covariance_sum(means, mean_of_means, lag) / own;
+        if (next <= 0) break;  // of a load that swings regularly
+        tau = next;
         if (static_cast<double>(lag) >= window_factor * tau) break;
     }
     const double of_means = own / static_cast<double>(means.size());

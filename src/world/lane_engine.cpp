@@ -350,9 +350,11 @@ void LaneEngine::set_asleep(BodyId body, bool asleep) {
 
 std::vector<BodyId> LaneEngine::touched_asleep() const {
     std::vector<BodyId> touched;
-    for (const Touching& pair : touching_)
-        if (bodies_[pair.a].asleep != bodies_[pair.b].asleep)
-            touched.emplace_back(bodies_[pair.a].asleep ? pair.a : pair.b);
+    for (const Touching& pair : touching_) {
+        if (bodies_[pair.a].asleep == bodies_[pair.b].asleep) continue;
+        const auto [asleep, awake] = bodies_[pair.a].asleep ? std::pair(pair.a, pair.b) : std::pair(pair.b, pair.a);
+        if (moves(awake) || structure_ == awake) touched.emplace_back(asleep);  // at walls and the bed they lie
+    }
     return touched;
 }
 
@@ -555,7 +557,7 @@ void LaneEngine::read(const Touching& pair) {
                              .distance = point.distance,
                              .friction = friction_of(pair, point),
                              .impulse = point.impulse * kept,
-                             .solid = pair.solid});
+                             .solid = planes_.is_plane(pair.a) ? -1 : pair.solid});
         set_section(contacts_.back(), line);
         sources_.push_back(&point);
         if (!cone()) continue;

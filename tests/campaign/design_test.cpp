@@ -324,6 +324,9 @@ TEST(CommonArrangements, AreOfCasesWithOneGeometry) {
     const std::string text = design("method = \"grid\"") + axis("field.concentration_percent", "values = [60, 70]") +
                              axis("general.iterations", "values = [20, 50]");
     EXPECT_THAT(sharing_groups(read(text)), ElementsAre(0, 0, 1, 1));
+    const std::string ends =
+        design("method = \"grid\"") + axis("field.far_end", "values = [\"ice_sheet\", \"open\", \"never\"]");
+    EXPECT_THAT(sharing_groups(read(ends)), ElementsAre(0, 0, 1)) << "without an end other floes enter";
     const Campaign own = read(text, {"campaign.common_arrangements=false"});
     EXPECT_THAT(sharing_groups(own), ElementsAre(0, 1, 2, 3));
     std::set<std::uint64_t> seeds;

@@ -28,7 +28,7 @@ same alone.h5 ranks.h5
 
 # A stop before the first member: nothing is there yet, and the same command begins again.
 "$FLOES" run campaign.toml -o early.h5 "${SWEEPS[@]}" > early.log 2>&1 &
-for _ in $(seq 200); do grep -q "calibrating" early.log && break; sleep 0.02; done
+for _ in $(seq 3000); do grep -q "calibrating" early.log && break; sleep 0.02; done
 kill -TERM $!
 status=0
 wait $! || status=$?

@@ -7,7 +7,7 @@ stopped() {
     kill "-$2" "$3" || true
     wait "$3" || status=$?
     [ "$status" -eq 85 ] || fail "$1 ended with $status instead of 85 on $2"
-    h5diff "$1.h5" "$1.h5" > difference.log 2>&1 || fail "$1.h5 is not whole"
+    "$FLOES" verify "$1.h5" > verify.log 2>&1 || fail "$1.h5 is not whole"
 }
 
 # told NAME WORDS: fails unless the command of --on-end wrote these to NAME.told.

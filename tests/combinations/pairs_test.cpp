@@ -116,7 +116,7 @@ std::set<std::string> listed_reasons() {
     for (std::string line; std::getline(page, line);) {
         if (line.starts_with("## ")) here = line == "## Together";
         const std::size_t end = line.find(" | ");
-        if (here && line.starts_with("| ") && !line.starts_with("| floes cannot") && end != std::string::npos)
+        if (here && line.starts_with("| ") && !line.starts_with("| because") && end != std::string::npos)
             reasons.insert(line.substr(2, end - 2));
     }
     return reasons;

@@ -80,6 +80,12 @@ Vec3 point(const std::vector<float>& values, std::int32_t index) {
     return {values[at], values[at + 1], values[at + 2]};
 }
 
+TEST(Xdmf, LevelIceIsBrokenWhereItHasBrokenOff) {
+    const XdmfMesh mesh = ice_part(some_frame(0.5), two_floes({}), std::vector<std::uint8_t>{0, 1}, 9);
+    for (std::size_t i = 0; i < 18; ++i)
+        EXPECT_EQ(values<std::int8_t>(mesh.cell_data, "broken")[i], i < 9 || i >= 12) << i;
+}
+
 TEST(Xdmf, IceIsABoxForEachElementWhereTheFrameHasIt) {
     const Frame frame = some_frame(0.5);
     const Scenario scenario;

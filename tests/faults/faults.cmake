@@ -11,7 +11,7 @@ floes_test_program(faulty WITH all_tests SOURCES faults/main.cpp LIBRARIES floes
 foreach(what members processes writers)
   add_test(NAME faults.${what} COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                        ${MPIEXEC_EXECUTABLE} ${what})
-  set_tests_properties(faults.${what} PROPERTIES LABELS "all;mpi" TIMEOUT 300 COST 90)  # mostly waiting
+  set_tests_properties(faults.${what} PROPERTIES LABELS "all;mpi" TIMEOUT 300 COST 90 RESOURCE_LOCK waiting)
 endforeach()
 add_test(NAME faults.kills COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/faults/matrix.py $<TARGET_FILE:faulty>
                                    ${MPIEXEC_EXECUTABLE} kills 240)

@@ -87,7 +87,7 @@ def read_only(folder):
     os.chmod(folder, 0o755)
     assert status in (1, 2), f"a run in a read-only folder ended with {status}"
     shutil.move(folder + ".log", os.path.join(folder, "read_only"))
-    says(folder, "read_only", "cannot be opened")
+    says(folder, "read_only", "cannot be written", "cannot be opened")
 
 
 def folder_moved(folder):

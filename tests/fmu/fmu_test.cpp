@@ -343,6 +343,9 @@ TEST_P(Fmu, RefusesWhatIsOutOfOrder) {
     EXPECT_EQ(one.step(dt, dt), HostStatus::error);
     EXPECT_EQ(one.call(GetParam() == 2 ? "CancelStep" : "EnterEventMode"), HostStatus::error);
     EXPECT_THAT(one.said(), HasSubstr("has no such thing"));
+    if (GetParam() == 2) {
+        EXPECT_EQ(one.call("GetStatus"), HostStatus::discard);
+    }
 }
 
 TEST_P(Fmu, RefusesWrongReferences) {

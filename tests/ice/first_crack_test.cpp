@@ -104,6 +104,7 @@ TEST_P(Elements, CrackAtTheSameLoadByStrength) {
 /// With an energy to pay the crack waits, whatever the elements, for what the ice around gives. Tough ice cracks where
 /// the grid itself reaches the strength.
 TEST_P(Elements, CrackAtTheSameLoadByEnergy) {
+    if (GetParam() == 0.1) return;  // which the others are compared with
     const double expected = Sheet(0.1, true).first_crack(0.5);
     EXPECT_NEAR(expected, 11.5, 0.1) << "the strength alone has 10.1 N";
     EXPECT_NEAR(Sheet(GetParam(), true).first_crack(0.5) / expected, 1, GetParam() > 0.2 ? 0.3 : 0.12);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "core/random.hpp"
@@ -120,12 +121,22 @@ TEST(YearLoad, GrowsWithTheFactorOfARegime) {
     EXPECT_NEAR(uncertain.load(1e-2).interval.low / one, 2 * (1 - 1.96 * 0.1), 0.02);
 }
 
-// Members that differ are counted by members: log_below() of member_tails.hpp.
+// Members that differ are counted by members: what is rare comes from scales of four and five standard deviations.
 TEST(YearLoad, OfMembersThatDifferIsThatOfAsManyWindows) {
     UnlikeTail tail = exponential_tail(0.05, 50, 20);
     tail.scatter = 0.3;
     const KnownYear year = year_of({known_tail(tail)}, {{0, 300 * hour}});
-    EXPECT_NEAR(year.load(1e-2).value / largest_at(tail, window, 300 * hour / window, std::log1p(-1e-2)), 1, 1e-4);
+    const auto expected = [&](double x) {
+        double sum = 0;
+        constexpr double step = 0.01;
+        for (double at = -8; at < 8; at += step) {
+            const double scale = std::exp(0.3 * at);
+            const double rate = 0.05 * std::exp(-(x / scale - 50) / 20);
+            sum -= step * std::exp(-at * at / 2) / std::sqrt(2 * std::numbers::pi) * std::expm1(-window * rate);
+        }
+        return -300 * hour / window * std::log1p(-sum);
+    };
+    for (const double p : {1e-2, 1e-4}) EXPECT_NEAR(year.load(p).value / root(expected, -std::log1p(-p)), 1, 0.01) << p;
 }
 
 TEST(YearLoad, KnowsWhichSourceItIsUncertainOf) {

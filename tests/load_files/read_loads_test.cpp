@@ -82,8 +82,7 @@ TEST_F(ReadLoads, TurnsTheLoadOfATurnedHull) {
     }
     publish(file_, campaign, std::vector<MemberRecord>{record}, std::vector<Session>{synthetic::session()});
     const LoadToWrite made = read(0);
-    EXPECT_FALSE(made.origin.straight);
-    EXPECT_FALSE(made.origin.gives_way);
+    EXPECT_EQ(made.origin.hull_went, "followed a path and did not give way");
     ASSERT_EQ(made.series.moment.size(), load.surge.size());
     for (std::size_t k = 0; k < load.surge.size(); ++k) {
         const double yaw = 0.01 * static_cast<double>(k);

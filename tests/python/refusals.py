@@ -53,6 +53,7 @@ class Refusals(unittest.TestCase):
         with floes_reader.open(path) as over, floes_reader.open(FULL) as one:
             pandas.testing.assert_frame_equal(over.summary(), one.summary())
             numpy.testing.assert_array_equal(over.group("history").surge_load, one.group("history").surge_load)
+            self.assertEqual(list(over.costs), list(one.costs))
         piece = FOLDER / "over.pieces" / "1-3.h5"
         content = piece.read_bytes()
         piece.write_bytes(content[:-40_000])

@@ -57,7 +57,7 @@ TEST(CalibrateCampaign, TakesWhatIsKeptAndGivesTheSameWithoutIt) {
     const Calibrating resumed(first.records);
     EXPECT_EQ(fingerprint(resumed.campaign), fingerprint(first.campaign));
     EXPECT_THAT(resumed.out.str(), HasSubstr(" MPa), as before"));
-    EXPECT_EQ(resumed.out.str().find("looking for"), std::string::npos);
+    EXPECT_EQ(resumed.out.str().find("searching for"), std::string::npos);
 }
 
 TEST(CalibrateCampaign, RefusesAModulusAboveTheCeilingNamingTheCase) {

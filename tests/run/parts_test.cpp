@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "run/campaign_status.hpp"
 #include "run/fakes.hpp"
+#include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
@@ -238,6 +239,15 @@ TEST_F(PartsOfACampaign, AreMergedIntoAFileWithoutJournal) {
     const std::vector<fs::path> both{file(1), file(2)};
     merge_campaigns(both, folder_ / "both.h5", false);
     EXPECT_EQ(results(folder_ / "a.h5"), results(folder_ / "both.h5"));
+    // What a run that was stopped left of a journal that it made from the file.
+    open_journal(folder_ / "a.journal", synthetic::campaign(8), Existing::replace)
+        .append(synthetic::record(synthetic::campaign(8), 0));
+    merge_campaigns(second, folder_ / "a.h5", false);
+    EXPECT_EQ(results(folder_ / "a.h5"), results(folder_ / "both.h5")) << "only the file had them";
+    write_file_bytes(folder_ / "no.h5", Bytes(100));
+    const std::vector<fs::path> none{folder_ / "no.h5"};
+    EXPECT_THAT(refusal([&] { merge_campaigns(none, folder_ / "a.h5", true); }), HasSubstr("is not an HDF5 file"));
+    EXPECT_TRUE(fs::exists(folder_ / "a.journal")) << "nothing came in its place";
     fs::remove(journal_path(file(1)));
     EXPECT_THAT(refusal([&] { merge_campaigns(both, folder_ / "a.h5", false); }),
                 HasSubstr("the two files stay together"));

@@ -109,6 +109,7 @@ TEST(UmBridge, RefusesWhatIsNoRequest) {
                 HasSubstr("numbers are finite there, without NaN and Infinity"));
     EXPECT_THAT(refusal(with_input("[[0.03, 1e999, 1]]")), HasSubstr("a number that is too large"));
     EXPECT_THAT(refusal("[1, 2]"), HasSubstr("The request is [1,2]; allowed: an object"));
+    EXPECT_THAT(refusal(std::string(30000, '[') + std::string(30000, ']')), HasSubstr("more than 16 lists in lists"));
     EXPECT_THAT(refusal("{}"), HasSubstr("The request has no name; write \"name\": \"forward\""));
     EXPECT_EQ(refusal(R"({"name": "posterior"})"),
               "ModelNotFound: There is no model \"posterior\" here; the only one is \"forward\"");

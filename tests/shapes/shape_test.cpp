@@ -77,6 +77,16 @@ TEST(Shape, OverlappingPiecesStayInside) {
     EXPECT_EQ(stepped, expected);
 }
 
+TEST(Shape, OverlappingPiecesEndWhereARingStepsInwards) {
+    const Shape notched({{-6, 10}, {-3, 10}, {-3, 6}, {5, 14}});
+    const std::vector<ConvexSolid> found = notched.overlapping_solids();
+    ASSERT_EQ(found.size(), 2);
+    EXPECT_EQ(round(found, 0), (Frustum{-6, 10, -3, 10})) << "a wall through the notch";
+    EXPECT_EQ(round(found, 1).bottom_height, -6);
+    const Shape upside_down({{-5, 14}, {3, 6}, {3, 10}, {6, 10}});
+    EXPECT_EQ(round(upside_down.overlapping_solids(), 1), (Frustum{3, 10, 6, 10}));
+}
+
 TEST(Shape, AFlatRingIsNoPiece) {
     const std::vector<ConvexSolid> expected{Frustum{-1, 0.5, -0.3, 0.5}, Frustum{-0.3, 1, 0.2, 1}};
     EXPECT_EQ(Shape({{-1, 0.5}, {-0.3, 0.5}, {-0.3, 1}, {0.2, 1}}).solids(), expected);

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -153,6 +155,38 @@ Scenario short_tow(SolverKind solver) {
 }
 
 const std::vector<PlanarPose> two{{5.3, 0.1, 0.3}, {6.2, -0.2, 0.9}};
+
+// Which bays a pattern of cells meets decides into how many elements it cuts a floe.
+TEST(SavedStateOfFloesWithBays, HasTheWaterOfEveryElement) {
+    Scenario scenario = in_window_at_once(short_tow(SolverKind::direct));
+    scenario.joint.model = JointModel::beam;
+    scenario.water.added_mass_from = WaterFrom::outline;
+    scenario.shapes.kind = ShapeKind::file;
+    for (const double arm : {0.11, 0.17, 0.23}) {  // stars
+        Outline& star = scenario.shapes.traced.outlines.emplace_back();
+        for (int k = 0; k < 10; ++k) {
+            const double radius = k % 2 == 0 ? 0.5 : arm;
+            star.push_back(
+                {0.5 + radius * std::cos(0.2 * std::numbers::pi * k), radius * std::sin(0.2 * std::numbers::pi * k)});
+        }
+    }
+    scenario.field.floes = 16;
+    scenario.floe.element = 0.12;
+    scenario.elements.form = ElementForm::cells;
+    const FloeSet floes = make_arrangement(scenario, 1, 0);
+    double elements = 0;
+    for (std::size_t i = 0; i < floes.size(); ++i)
+        elements += static_cast<double>(floes.shape(i).cut().elements.size());
+    ASSERT_NE(elements, element_count(floes)) << "patterns cut alike";
+    Simulation tow(scenario, floes);
+    for (int i = 0; i < 3; ++i) tow.step();
+    Simulation set(scenario, floes);
+    set.set(tow.saved());
+    EXPECT_TRUE(set.saved() == tow.saved());
+    tow.step();
+    set.step();
+    expect_same_run(tow, set);
+}
 
 TEST(SavedStateOfAnother, IsRefused) {
     const Scenario scenario = short_tow(SolverKind::lanes);

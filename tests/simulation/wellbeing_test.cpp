@@ -33,7 +33,8 @@ TEST_F(WellbeingTest, ARunawayIsNamedWithItsSpeed) {
 TEST_F(WellbeingTest, AnElementIsGoneBeyondEachSideOfItsRange) {
     EXPECT_THAT(trouble_at({10, 0, 3.41}), HasSubstr("wall sheet at 3.4 m"));
     EXPECT_THAT(trouble_at({10, 0, -3.41}), HasSubstr("wall sheet at -3.4 m"));
-    EXPECT_THAT(trouble_at({10, 1.01, 0}), HasSubstr("height 1.01 m"));
+    EXPECT_EQ(trouble_at({10, 1.11, 0}), "well") << "on the deck";
+    EXPECT_THAT(trouble_at({10, 1.13, 0}), HasSubstr("height 1.13 m"));
     EXPECT_THAT(trouble_at({10, -1.45, 0}), HasSubstr("height -1.45 m"));
     EXPECT_THAT(trouble_at({27.0, 0, 0}), HasSubstr("x = 27 m"));
     EXPECT_THAT(trouble_at({-1, 0, 0}), HasSubstr("x = -1 m"));

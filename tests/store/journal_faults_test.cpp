@@ -88,6 +88,7 @@ TEST(JournalFaults, FlippedBitAtEveryByteNeverGivesAFalseRecord) {
     const auto damaged = small.folder / "damaged.journal";
     for (std::size_t k = 0; k < whole.size(); ++k) {
         for (std::size_t bit = 0; bit < 8; ++bit) {
+            if (!small.is_in_a_head(k) && bit != k % 8) continue;  // under a checksum one bit is as good as another
             SCOPED_TRACE(testing::Message() << "byte " << k << " bit " << bit);
             const bool opens = (8 * k + bit) % 61 == 0;  // for writing, which syncs
             Bytes bytes = whole;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ struct SmallJournal {
             journal.hand_over();
             ends.push_back(std::filesystem::file_size(path));
         }
+    }
+
+    // Whether a byte is of the header or where a record begins: its length and kind.
+    bool is_in_a_head(std::uint64_t byte) const {
+        constexpr std::uint64_t head = 64;
+        return byte < ends[0] ||
+               std::ranges::any_of(ends, [&](std::uint64_t at) { return byte >= at && byte < at + head; });
     }
 
     // Whole records in the first `size` bytes.

@@ -38,10 +38,10 @@ function roundNumber(value) {
   return [1, 2, 5, 10].map(k => k * power).find(k => k >= value * (1 - 1e-9));
 }
 
-// Of whole numbers from 0; of equally frequent ones the least.
-function mostFrequent(values) {
+// Of whole numbers from 0 at the indices that count; of equally frequent ones the least.
+function mostFrequent(values, counted) {
   const counts = new Int32Array(1 + values.reduce((most, one) => Math.max(most, one), 0));
-  for (const one of values) if (one >= 0) ++counts[one];
+  values.forEach((one, i) => { if (one >= 0 && counted(i)) ++counts[one]; });
   return counts.reduce((best, count, one) => count > counts[best] ? one : best, 0);
 }
 
@@ -64,7 +64,7 @@ class Colouring {
   byPiece(frame, brokenFloes) {
     const pieces = this.replay.piecesAt(frame);
     const {floeOf, header: {sheet}} = this.replay;
-    const whole = sheet ? mostFrequent(pieces) : -1;
+    const whole = sheet ? mostFrequent(pieces, e => this.replay.isThere(frame, e)) : -1;
     for (let e = 0; e < this.replay.elements; ++e) {
       const broken = sheet ? pieces[e] !== whole : brokenFloes.has(floeOf[e]);
       const random = (k => k - Math.floor(k))((broken ? pieces[e] : sheet ? 0 : floeOf[e]) * 0.618034);

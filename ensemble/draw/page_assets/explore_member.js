@@ -89,8 +89,8 @@ function drawList(explorer) {
   const {data, marks, y, x, picked} = explorer;
   const best = [];
   for (let i = 0; i < data.count; ++i) {
-    if (!marks.marked[i]) continue;
     const value = y.values[i];
+    if (!marks.marked[i] || Number.isNaN(value)) continue;
     if (best.length === listed && !(value > y.values[best[listed - 1]])) continue;
     let place = best.length;
     while (place > 0 && value > y.values[best[place - 1]]) --place;

@@ -81,7 +81,8 @@ class Player {
     if (replay.header.sheet) $('broken-of').textContent = 'Pieces broken off';
     $('broken').textContent = `${broken} of ${all}`;
     const failures = replay.failuresUntil(time);
-    $('failed').textContent = failures.length;
+    const kept = !(replay.header.sheet && there.length > 0); // joints of a sheet without end have no number that stays
+    $('failed').textContent = kept ? failures.length : '–';
     $('failed').title = replay.header.modes.map((mode, i) => [failures.filter(one => one[1] === i).length, mode])
       .filter(([count]) => count > 0).map(([count, mode]) => `${count} by ${mode.replace(/_/g, ' ')}`).join(', ');
     $('touching').textContent = replay.contactsOfStructure(frame);
