@@ -110,7 +110,6 @@ STEPS = [
     (["level_case1", "level_case1_factors", "level_case1_wide"], "level_case1.py --collect {folder}"),
     (["order", "wall_far_end"], "order.py --collect {folder} --program {floes}"),
     ([], "froude.py --run {floes} {folder}"),
-    ([], "froude.py --collect {folder}"),
     ([], "gallery.py {floes} {folder}"),
     ([], "hulls.py {floes}"),
 ]
@@ -204,6 +203,8 @@ def check():
     if named != there:
         sys.exit(f"docs/figures/anew.py names {sorted(map(str, named - there))} that are not there, and lacks "
                  f"{sorted(map(str, there - named))}")
+    if unknown := {name for needed, _ in STEPS for name in needed} - set(CAMPAIGNS):
+        sys.exit(f"docs/figures/anew.py has steps that need {sorted(unknown)}, which are no campaigns")
     if lacking := [words for _, words in STEPS if not os.access(FIGURES / words.split()[0], os.X_OK)]:
         sys.exit(f"docs/figures/anew.py has steps that are not there, or that cannot be run: {lacking}")
 

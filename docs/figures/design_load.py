@@ -100,6 +100,8 @@ def draw(path):
 def main(arguments):
     if arguments[:1] == ["--collect"]:
         take_tails(arguments[1], arguments[2] if len(arguments) > 2 else "./floes")
+    elif arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
     check = arguments == ["--check"]
     fill_or_check({PAGE: {"example": example}}, check, "design_load.py")
     if not check:

@@ -156,8 +156,10 @@ def main():
         program, folder = pathlib.Path(options[1]).resolve(), pathlib.Path(options[2])
         run(program, folder)
         collect(folder)
-    if options[:1] == ["--collect"]:
+    elif options[:1] == ["--collect"]:
         collect(pathlib.Path(options[1]))
+    elif options not in ([], ["--check"]):
+        sys.exit(__doc__)
     fill_or_check({DOCS / "validation.md": BLOCKS}, "--check" in options, "froude.py")
 
 

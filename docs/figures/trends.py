@@ -103,14 +103,14 @@ def verdicts():
         ["larger ones do", "the same", f"at 0.15, 0.20, 0.25 and 0.33 {counts('side_0.15', 'side_0.20', 'side_0.25', 'side_0.33')}",
          seen[bool(rows[rows.case.isin(SIDES[3:])].arched.any())]],
         ["a higher concentration upstream arches", "both", f"{counts('closeness_20', 'closeness_30', 'closeness_45', BASE)} "
-         f"where 20, 30, 45 and 60 % come (first and last: p = {more:.2g})", seen[bool(more < 0.05)]],
+         f"where 20, 30, 45 and 60 % come (first and last: one-sided p = {more:.2g})", seen[bool(more < 0.05)]],
         ["the concentration in the gap decides, whatever the width of the flume", "Tatinclaux and Lee",
          f"twice as wide at half the concentration: {counts('twice_as_wide')}, {wide} fall through", "no" if differs_wide else "yes"],
         ["no effect of the Froude number before blocks dive", "the same", f"half and twice the speed: "
          f"{counts('speed_0.05', 'speed_0.2')}, {fast}", "no" if differs_fast else "yes"],
         ["friction matters", "the same", f"friction 0.1 and 0.6: {counts('friction_0.1', 'friction_0.6')}, {rub}", seen[differs_rub]],
         ["of two sizes, equal areas arch most easily", "Calkins and Ashton 1976", f"0, 25, 50, 75 and 100 % of the area in the "
-         f"larger: {counts(*mixes)} (half and half beside one size: p = {mixed:.2g})", seen[bool(mixed < 0.05)]],
+         f"larger: {counts(*mixes)} (half and half beside one size: one-sided p = {mixed:.2g})", seen[bool(mixed < 0.05)]],
         ["a compressed field: load linear in the thickness after a first phase", "Lensu", f"{power(thick)}, compressed on "
          f"{power(late)}", f"{within(1, thick)}, {within(1, late)}"],
         ["load independent of the diameter of the floes", "Lensu", power(side), within(0, side)],

@@ -90,6 +90,8 @@ def collect(folder, program):
 def main(arguments):
     if arguments[:1] == ["--collect"]:
         collect(pathlib.Path(arguments[1]), arguments[2] if len(arguments) > 2 else "./floes")
+    elif arguments not in ([], ["--check"]):
+        sys.exit(__doc__)
     check = arguments == ["--check"]
     fill_or_check(PAGES, check, "validation.py")
     if check:

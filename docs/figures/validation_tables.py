@@ -48,9 +48,10 @@ def beside_runs(mean, half, low, high, reference):
     return f"{plus_minus(mean, half)} {mark}({number(low)} to {number(high)}){mark}"
 
 
-def difference(mean, half):
-    mark = "**" if abs(mean) > half else ""
-    return f"{mark}{mean:+.1f} ± {half:.1f}{mark}"
+def difference(mean, side, beyond=None):
+    """With the longer side of its interval, bold where that excludes zero; both sides are alike unless `beyond` says so."""
+    mark = "**" if (abs(mean) > side if beyond is None else beyond) else ""
+    return f"{mark}{mean:+.1f} ± {side:.1f}{mark}"
 
 
 def listed(values, form=str):
@@ -314,7 +315,8 @@ def vary():
     rows = [["*as it is*"] + [f"{scale * row.base:.1f} ± {scale * row.sampling:.1f}" for row, scale in varied(own, own.case[0])]]
     for case in own.case.unique():
         row = [f"`{case}`" + ("" if own[own.case == case].paired.iloc[0] else " (other floes)")]
-        row += [difference(scale * one.change, scale * (one.change_high - one.change_low) / 2) for one, scale in varied(own, case)]
+        row += [difference(scale * one.change, scale * max(one.change_high - one.change, one.change - one.change_low), beyond)
+                for (one, scale), beyond in zip(varied(own, case), changed(own, case))]
         if any(changed(own, case)[:2]):
             rows.append(row)
     rows.append(["all inputs together"]
@@ -324,7 +326,7 @@ def vary():
 
 def changed(own, case):
     """Of each quantity shown, whether its interval excludes zero."""
-    return [abs(one.change) > (one.change_high - one.change_low) / 2 for one, _ in varied(own, case)]
+    return [one.change_low > 0 or one.change_high < 0 for one, _ in varied(own, case)]
 
 
 def varied(own, case):
