@@ -15,6 +15,7 @@
 
 #include "cli/commands.hpp"
 #include "core/error.hpp"
+#include "core/trial.hpp"
 #include "run/link.hpp"
 
 namespace {

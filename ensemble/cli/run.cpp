@@ -14,6 +14,7 @@
 #include "cli/commands.hpp"
 #include "cli/until.hpp"
 #include "core/started_program.hpp"
+#include "core/trial.hpp"
 #include "findings/overview.hpp"
 #include "run/calibrate.hpp"
 #include "run/campaign_status.hpp"

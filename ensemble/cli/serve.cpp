@@ -11,6 +11,7 @@
 
 #include "campaign/read.hpp"
 #include "cli/commands.hpp"
+#include "core/trial.hpp"
 #include "member/quantity.hpp"
 #include "run/core_pool.hpp"
 #include "run/link.hpp"

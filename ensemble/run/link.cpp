@@ -27,6 +27,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/trial.hpp"
 
 namespace floes {
 
@@ -307,13 +308,6 @@ std::string library_version() {
 
 }  // namespace floes
 namespace floes {
-
-bool started_by_mpi() {
-    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"}) {
-        if (std::getenv(name) != nullptr) return true;
-    }
-    return false;
-}
 
 std::unique_ptr<Link> open_link(unsigned longest_start) {
     if (started_by_mpi()) return std::make_unique<MpiLink>(longest_start);

@@ -18,9 +18,15 @@ constexpr unsigned longest_wait = 600;  // s
 
 }  // namespace
 
+bool started_by_mpi() {
+    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"}) {
+        if (std::getenv(name) != nullptr) return true;
+    }
+    return false;
+}
+
 int signal_of_trial(const std::function<void()>& work) {
-    for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"})
-        if (std::getenv(name) != nullptr) return 0;  // what MPI has mapped does not outlive a fork
+    if (started_by_mpi()) return 0;  // what MPI has mapped does not outlive a fork
     const pid_t child = ::fork();
     if (child < 0) return 0;
     if (child == 0) {

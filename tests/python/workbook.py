@@ -72,8 +72,8 @@ with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
     compare(some, "long", floes("summarize", "a.h5", "--format", "csv", "--long", folder=folder))
 
     floes("new", "d.toml", "--design", folder=folder)
-    floes("run", "d.toml", "--set", "campaign.arrangements=2", "--set", "analysis.steady_start_s=4", "--set", "analysis.window_s=6", "--set",
-          "general.solver=direct", "--set", "joint.model=beam", folder=folder)
+    floes("run", "d.toml", "--set", "campaign.arrangements=2", "--set", "analysis.steady_start_s=4",
+          "--set", "analysis.window_s=6", "--set", "general.solver=direct", "--set", "joint.model=beam", folder=folder)
     floes("summarize", "d.h5", "--format", "xlsx", "-o", "d.xlsx", folder=folder)
     design = openpyxl.load_workbook(f"{folder}/d.xlsx")
     assert "design" in design.sheetnames, design.sheetnames

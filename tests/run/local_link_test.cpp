@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "core/error.hpp"
+#include "core/trial.hpp"
 #include "run/link_contract.hpp"
 
 namespace floes {

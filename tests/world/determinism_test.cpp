@@ -10,19 +10,10 @@
 namespace floes::test {
 namespace determinism_test {
 
-WorldDefinition of(SolverKind solver) {
-    WorldDefinition made{.gravity = 0, .solver = solver};
-    if (solver == SolverKind::direct) {
-        made.contact.friction = Friction::cone;
-        made.contact.split_impulse = false;
-    }
-    return made;
-}
-
 /// A cone driven into rows of joined pairs that lie close together before a wall; some joints are taken out on the way.
 class Crowd {
   public:
-    Crowd(SolverKind solver, int rows) : world_(of(solver)) {
+    Crowd(SolverKind solver, int rows) : world_(weightless(solver)) {
         world_.add_structure(std::vector<ConvexSolid>{Frustum{-0.443, 0.171, 0.122, 0.736}}, {Vec3(-0.7, 0, 0)});
         world_.add_fixed_box({Vec3(0.1, 0.1, 2), {Vec3(rows * 0.402 + 0.12, 0, 0), Quat::Identity()}});
         for (int row = 0; row < rows; ++row) {

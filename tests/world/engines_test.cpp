@@ -13,15 +13,7 @@ namespace engines_test {
 
 class EveryEngine : public testing::TestWithParam<SolverKind> {
   protected:
-    static WorldDefinition definition() {
-        WorldDefinition definition = weightless();
-        definition.solver = GetParam();
-        if (GetParam() == SolverKind::direct) {
-            definition.contact.friction = Friction::cone;
-            definition.contact.split_impulse = false;
-        }
-        return definition;
-    }
+    static WorldDefinition definition() { return weightless(GetParam()); }
 };
 
 std::string name_of(const testing::TestParamInfo<SolverKind>& solver) {

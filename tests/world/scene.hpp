@@ -20,6 +20,17 @@ inline WorldDefinition weightless() {
     return definition;
 }
 
+/// With what the solver asks of contacts.
+inline WorldDefinition weightless(SolverKind solver) {
+    WorldDefinition definition = weightless();
+    definition.solver = solver;
+    if (solver == SolverKind::direct) {
+        definition.contact.friction = Friction::cone;
+        definition.contact.split_impulse = false;
+    }
+    return definition;
+}
+
 inline ElementDefinition element_at(const Vec3& position, const Quat& orientation = Quat::Identity(),
                                     int piece = no_piece) {
     ElementDefinition box;
