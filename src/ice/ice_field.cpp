@@ -135,10 +135,9 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                      .piece = static_cast<int>(first),
                      .crushing_pressure = pressure});
         if (stress_)
-            stress_->put_element(
-                first + index, elements_[first + index].body, one.axis,
-                {from_axes(one.corners, {}, one.axis), one.area, cut->squares ? square_patch : cell_patch,
-                 shape.thickness, material.ice.poisson_ratio, crushing});
+            stress_->put_element(first + index, elements_[first + index].body, one.axis,
+                                 {from_axes(one.corners, {}, one.axis), one.area,
+                                  cut->squares ? square_patch : cell_patch, material.ice.poisson_ratio, crushing});
     }
     sheet.strength = floes::strength_of(floe, *cut);
     PlacedIce ice(floe);
@@ -250,10 +249,11 @@ Vec3 IceField::force_on_supports(const World& world) const {
 /// Tells the stress of a joint that was just made.
 void IceField::feel(const Joint& joint) {
     const CutJoint& cut = cut_joint(joint);
+    const double thickness = strength_of(joint).section.thickness;
     const auto of = [&](int element, double way, unsigned edge) {
         const Corner beside = floes_[static_cast<std::size_t>(at(element).floe)].laid - floe_of(joint).laid;
         const Corner centre = cut_element(at(element)).centre + beside;
-        return ElementJoint{way * cut.normal, cut.pivot - centre, cut.length, cut.span, edge};
+        return ElementJoint{way * cut.normal, cut.pivot - centre, cut.length, cut.span, thickness, edge};
     };
     stress_->put_joint(joint.place, joint.id, static_cast<std::size_t>(joint.a), of(joint.a, 1, cut.edge_a),
                        static_cast<std::size_t>(joint.b), of(joint.b, -1, cut.edge_b));
@@ -573,6 +573,7 @@ std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
     const Utilisation used = utilisation(load, strength.section, strength.thresholds);
     if (!(used.share > 1)) return std::nullopt;
     if (used.mode != FailureMode::bending) return used.mode;
+    if (strength.crack_energy > 0 && is_pulled_apart(load, strength.section)) return FailureMode::tension;
     const Turned now = turned(world, joint);
     const double smooth = fibre_tension(smoothed(load), strength.section).stress / strength.section.flexural_strength;
     const double energy = strength.crack_energy * fibre_tension(load, strength.section).facing;
@@ -593,8 +594,10 @@ std::optional<FailureMode> IceField::crack_on(World& world, Joint& joint) {
     fracture_work_ += crack.energy() - energy;
     if (crack.is_open()) return FailureMode::bending;
     if (crack.sound() < sound) world.soften_joint(joint.id, crack.sound());
-    // Cracked ice still shears off, and a thrust still crushes it.
-    return failure(without_bending(stress_->reaction(joint.place)), strength_of(joint).thresholds);
+    // Cracked ice is still pulled apart and shears off, and a thrust still crushes it.
+    const JointStrength& strength = strength_of(joint);
+    if (is_pulled_apart(stress_->load(joint.place), strength.section)) return FailureMode::tension;
+    return failure(without_bending(stress_->reaction(joint.place)), strength.thresholds);
 }
 
 void IceField::read_utilisation(const World& world, std::vector<double>& worst) const {

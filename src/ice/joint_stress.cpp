@@ -83,6 +83,10 @@ Tension tension_in_plane(const JointLoad& load, const IceSection& section) {
                      r.shear_in_plane / area);
 }
 
+bool is_pulled_apart(const JointLoad& load, const IceSection& section) {
+    return tension_in_plane(load, section).stress > section.tensile_strength;
+}
+
 JointLoad smoothed(const JointLoad& load) {
     return {.reaction = load.reaction, .across = load.across, .pulled_across = load.pulled_across};
 }

@@ -122,6 +122,10 @@ Tension fibre_tension(const JointLoad& load, const IceSection& section);
 /// Largest in the plane.
 Tension tension_in_plane(const JointLoad& load, const IceSection& section);
 
+/// Whether that exceeds the tensile strength. What turns nothing can open no hinge, and a hinge that has begun to open
+/// holds a pull no better than sound ice.
+bool is_pulled_apart(const JointLoad& load, const IceSection& section);
+
 struct Utilisation {
     double share = 0;  ///< of the strength; above 1 the joint fails
     FailureMode mode = FailureMode::bending;

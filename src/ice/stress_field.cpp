@@ -100,9 +100,9 @@ std::optional<LocalStress> contact_stress(const PressedElement& element, const P
     if (!is_nearest(element, own, at)) return std::nullopt;
     const ElementJoint& joint = element.joints[own];
     const double crushed = std::sqrt(std::abs(press.down) / (std::numbers::pi * element.crushing_pressure));
-    const double contact = felt_radius(crushed, element.thickness);
-    const double edge = edge_stress_per_decade(press.down, element.thickness, element.poisson_ratio);
-    const double interior = interior_stress_per_decade(press.down, element.thickness, element.poisson_ratio);
+    const double contact = felt_radius(crushed, joint.thickness);
+    const double edge = edge_stress_per_decade(press.down, joint.thickness, element.poisson_ratio);
+    const double interior = interior_stress_per_decade(press.down, joint.thickness, element.poisson_ratio);
     const FreeEdge rim = nearest_free_edge(element, at);
     const double size = std::sqrt(element.area);
     const double towards = std::max(0.0, joint.span / 2 - distance_to(joint, at));
@@ -116,12 +116,13 @@ std::optional<LocalStress> contact_stress(const PressedElement& element, const P
 }
 
 double most_contact_stress(const PressedElement& element) {
-    const double per_decade = std::max(edge_stress_per_decade(1, element.thickness, element.poisson_ratio),
-                                       interior_stress_per_decade(1, element.thickness, element.poisson_ratio));
+    const double thinnest = std::ranges::min_element(element.joints, {}, &ElementJoint::thickness)->thickness;
+    const double per_decade = std::max(edge_stress_per_decade(1, thinnest, element.poisson_ratio),
+                                       interior_stress_per_decade(1, thinnest, element.poisson_ratio));
     // A tension s along a rim is s cos² φ along the normal with a shear of s cos φ sin φ, together at most:
     const double with_shear = 0.5 * (1 + std::numbers::sqrt2);
     return with_shear * per_decade *
-           decades(felt_radius(0, element.thickness),
+           decades(felt_radius(0, thinnest),
                    std::max(element.patch.inside.share, element.patch.at_edge.share) * std::sqrt(element.area));
 }
 

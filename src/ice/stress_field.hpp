@@ -71,6 +71,7 @@ struct ElementJoint {
     Corner pivot;      ///< halfway between the centroids of the two elements
     double length;     ///< of the common edge
     double span;       ///< between the centroids
+    double thickness;  ///< of the ice there
     unsigned edge;     ///< bit of the element's edge that it holds
     bool live = true;  ///< or the edge is free there
 };
@@ -80,7 +81,6 @@ struct PressedElement {
     Outline corners;  ///< in the axes of the floe, about the centroid
     double area = 0;
     FeltPatches patch = cell_patch;
-    double thickness = 0;
     double poisson_ratio = 0;
     double crushing_pressure = 0;  ///< above 0: a force crushes a circle of this pressure
     std::vector<ElementJoint> joints{};
@@ -90,7 +90,8 @@ struct PressedElement {
 /// nearer, since one crack forms below a contact. `press`: in the axes of the floe from the centroid.
 std::optional<LocalStress> contact_stress(const PressedElement& element, const Press& press, std::size_t joint);
 
-/// The most that a force of 1 N can add at any of the joints, its shear included, wherever it acts, Pa.
+/// The most that a force of 1 N can add at any of the joints, of which there is one, its shear included, wherever it
+/// acts, Pa.
 double most_contact_stress(const PressedElement& element);
 
 // What acts at every joint of all floes: its reaction, the mean moment and force of its two elements across it, and the

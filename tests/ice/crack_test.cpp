@@ -115,26 +115,51 @@ INSTANTIATE_TEST_SUITE_P(Ice, ElementsThatPart,
                          testing::Values(Parting{0.2, 0.02}, Parting{0.2, 0.01}, Parting{0.2, 0.0025},
                                          Parting{0.1, 0.02}, Parting{0.1, 0.005}, Parting{0.05, 0.02}));
 
+/// Two light elements, so that what is loaded is their joint.
+class TwoElements {
+  public:
+    TwoElements(double averaging, double fracture_energy)
+        : scenario_(scenario(averaging, fracture_energy)),
+          world_(definition(scenario_)),
+          ice_(world_, scenario_, floes_at(scenario_, std::vector<PlanarPose>{{0, 0, 0.4}})) {}
+
+    /// A step with a moment and a pull, in shares of what cracks the ice: whether they part.
+    bool part(double bent, double pulled = 0) {
+        const double strength = scenario_.ice.bending_strength;  // tensile as well
+        load_joint(world_, ice_.elements()[0].body, ice_.elements()[1].body, Vec3(0.1, 0, 0),
+                   Vec3(pulled * strength * 0.2 * 0.033, 0, 0), Vec3(0, 0, bent * strength * 0.2 * 0.033 * 0.033 / 6));
+        world_.step();
+        return ice_.break_joints(world_, 0) > 0;
+    }
+
+    const IceField& ice() const { return ice_; }
+
+  private:
+    static Scenario scenario(double averaging, double fracture_energy) {
+        Scenario made;
+        made.water.added_mass_from = WaterFrom::share;
+        made.floe = {.length = 0.4, .breadth = 0.2, .element = 0.2};
+        made.ice.density = 1;
+        made.ice.fracture_energy = fracture_energy;
+        made.joint.averaging = averaging;
+        return made;
+    }
+    static WorldDefinition definition(const Scenario& scenario) {
+        WorldDefinition made{.time_step = scenario.general.time_step, .gravity = 0, .solver = SolverKind::direct};
+        made.contact = scenario.contact_law();
+        return made;
+    }
+
+    Scenario scenario_;
+    World world_;
+    IceField ice_;
+};
+
 /// Steps after which two elements part that a moment bends, in shares of the strength by turns; -1: never.
 int parts_after(double averaging, double first_share, double second_share) {
-    Scenario scenario;
-    scenario.water.added_mass_from = WaterFrom::share;
-    scenario.floe = {.length = 0.4, .breadth = 0.2, .element = 0.2};
-    scenario.ice.density = 1;  // what the moment turns is the joint
-    scenario.joint.averaging = averaging;
-    WorldDefinition definition{.time_step = scenario.general.time_step, .gravity = 0, .solver = SolverKind::direct};
-    definition.contact = scenario.contact_law();
-    World world(definition);
-    IceField ice(world, scenario, floes_at(scenario, std::vector<PlanarPose>{{0, 0, 0.4}}));
-    const double strength = 0.2 * 0.033 * 0.033 / 6 * scenario.ice.bending_strength;
-    const BodyId a = ice.elements()[0].body;
-    const BodyId b = ice.elements()[1].body;
-    for (int step = 1; step <= 20; ++step) {
-        load_joint(world, a, b, Vec3(0.1, 0, 0), Vec3::Zero(),
-                   Vec3(0, 0, (step % 2 == 1 ? first_share : second_share) * strength));
-        world.step();
-        if (ice.break_joints(world, step * scenario.general.time_step) > 0) return step;
-    }
+    TwoElements two(averaging, 0);
+    for (int step = 1; step <= 20; ++step)
+        if (two.part(step % 2 == 1 ? first_share : second_share)) return step;
     return -1;
 }
 
@@ -146,6 +171,18 @@ TEST(Averaging, LetsStressThatLastsCrackAndBlowsByTheirMean) {
     EXPECT_EQ(parts_after(0.04, 1.6, 0), -1);
     EXPECT_EQ(parts_after(0.04, 2.4, 0), 1);
     EXPECT_EQ(parts_after(0.08, 1.6, 0.8), 4);
+}
+
+TEST(ToughIce, IsPulledApartAtItsTensileStrengthBeforeItCracksAndWhileItDoes) {
+    for (const bool cracked : {false, true}) {
+        TwoElements two(0.02, 15);
+        EXPECT_EQ(two.part(cracked ? 1.1 : 0.9), false);
+        EXPECT_EQ(two.ice().cracked_floes(), cracked ? 1 : 0);
+        for (int step = 0; step < 5; ++step) EXPECT_FALSE(two.part(0, 0.9)) << cracked;
+        EXPECT_TRUE(two.part(0, 1.1)) << cracked;
+        ASSERT_EQ(two.ice().breaks().size(), 1U);
+        EXPECT_EQ(two.ice().breaks().front().mode, FailureMode::tension);
+    }
 }
 
 }  // namespace crack_test

@@ -111,7 +111,6 @@ class CutLattice {
         PressedElement made{.corners = in_floe(static_cast<std::size_t>(element)),
                             .area = cut_.elements[static_cast<std::size_t>(element)].area,
                             .patch = cut_.squares ? square_patch : cell_patch,
-                            .thickness = ice_.thickness,
                             .poisson_ratio = ice_.poisson_ratio,
                             .crushing_pressure = crushing_pressure};
         for (std::size_t k = 0; k < cut_.joints.size(); ++k) {
@@ -119,7 +118,7 @@ class CutLattice {
             if (joint.a != element && joint.b != element) continue;
             const double way = joint.a == element ? 1 : -1;
             made.joints.push_back({way * joint.normal, joint.pivot - centre(element), joint.length, joint.span,
-                                   joint.a == element ? joint.edge_a : joint.edge_b});
+                                   ice_.thickness, joint.a == element ? joint.edge_a : joint.edge_b});
             numbers.push_back(k);
         }
         return made;

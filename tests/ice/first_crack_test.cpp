@@ -113,15 +113,15 @@ TEST_P(Elements, CrackAtTheSameLoadByEnergy) {
 INSTANTIATE_TEST_SUITE_P(Ice, Elements, testing::Values(0.3, 0.2, 0.15, 0.1, 0.05));
 
 TEST(ContactStress, EndsAtACornerAndTurnsWithTheLoad) {
-    PressedElement corner{corners_of(0.1, 0.1), 0.04, square_patch, thickness, poisson, crushing};
+    PressedElement corner{corners_of(0.1, 0.1), 0.04, square_patch, poisson, crushing};
     for (const auto& [outward, edge] : {std::pair(Corner{-1, 0}, edge_minus_x), {Corner{0, 1}, edge_plus_z}})
-        corner.joints.push_back({outward, 0.1 * outward, 0.2, 0.2, edge});
+        corner.joints.push_back({outward, 0.1 * outward, 0.2, 0.2, thickness, edge});
     const auto along = [&](const Press& press) { return contact_stress(corner, press, 0).value().along; };
     EXPECT_EQ(along({0.1, -0.1, 10}), 0) << "the moment of a quarter plate below its load is finite";
     const double beside = along({0.05, -0.1, 10});
     EXPECT_GT(beside, 0);
     EXPECT_EQ(contact_stress(corner, {0.05, -0.1, 10}, 0)->across, 0) << "nothing bends across a free edge";
-    corner.joints.push_back({{1, 0}, {0.1, 0}, 0.2, 0.2, edge_plus_x});
+    corner.joints.push_back({{1, 0}, {0.1, 0}, 0.2, 0.2, thickness, edge_plus_x});
     EXPECT_EQ(contact_stress(corner, {0.05, -0.1, 10}, 0), std::nullopt) << "the other one is nearer";
     EXPECT_GT(contact_stress(corner, {0.05, -0.1, 10}, 2)->along, beside) << "and the corner is gone";
     EXPECT_EQ(along({-0.05, -0.1, -10}), -along({-0.05, -0.1, 10}));

@@ -29,7 +29,7 @@ Corner direction(double degrees) {
 
 /// A joint of a square on the face with this outward normal.
 ElementJoint face(const Corner& outward, unsigned edge_bit) {
-    return {outward, side / 2 * outward, side, side, edge_bit};
+    return {outward, side / 2 * outward, side, side, thickness, edge_bit};
 }
 
 /// The largest tension that the contact alone makes at any of the joints, Pa.
@@ -44,11 +44,7 @@ double largest(const PressedElement& element, const Press& press) {
 }
 
 PressedElement element_of(const Outline& corners) {
-    return {.corners = corners,
-            .area = side * side,
-            .thickness = thickness,
-            .poisson_ratio = poisson,
-            .crushing_pressure = crushing};
+    return {.corners = corners, .area = side * side, .poisson_ratio = poisson, .crushing_pressure = crushing};
 }
 
 /// What of a square lies beyond a line at this angle through its middle, joined towards -x and z.
@@ -84,7 +80,7 @@ TEST(PrismStress, AtTheCornerOfAHexagonGoesOnByTheAngle) {
     Outline hexagon;
     for (int k = 0; k < 6; ++k) hexagon.push_back(side * direction(60 * k - 120));
     PressedElement prism = element_of(hexagon);
-    prism.joints.push_back({{1, 0}, {1.5 * side, 0}, side, 2 * side, 0});  // no nearer than half a span
+    prism.joints.push_back({{1, 0}, {1.5 * side, 0}, side, 2 * side, thickness, 0});  // no nearer than half a span
     const double top = side * std::sqrt(3.0) / 2;
     const double away = 0.02;
     const double felt = cell_patch.at_edge.share * side;
@@ -98,7 +94,7 @@ TEST(PrismStress, AtTheCornerOfAHexagonGoesOnByTheAngle) {
                     (edge * std::sqrt(0.5) * std::log10(felt / contact)),
                 1, 1e-6);
     prism.corners = {{-0.2, -0.1}, {0.2, -0.1}, {0.2, 0.099}, {0.1, 0.1}, {-0.2, 0.1}};
-    prism.joints = {{{1, 0}, {0.2, 0}, 0.2, 0.2, 1U << 1}};
+    prism.joints = {{{1, 0}, {0.2, 0}, 0.2, 0.2, thickness, 1U << 1}};
     EXPECT_NEAR(contact_stress(prism, {0.1 - 1e-9, 0.1, load}, 0).value().along /
                     (edge * std::log10(cell_patch.at_edge.radius(0.2, 0, 0.2) / contact)),
                 1, 1e-3);
@@ -112,7 +108,8 @@ TEST(PrismStress, IsNeverMoreThanItsBound) {
     double most = 0;
     for (int i = 0; i < 20000; ++i) {
         PressedElement prism = clipped_square(angle(random));
-        for (ElementJoint& joint : prism.joints) joint.length *= share(random), joint.span *= share(random);
+        for (ElementJoint& joint : prism.joints)
+            joint.length *= share(random), joint.span *= share(random), joint.thickness *= share(random);
         const double down = i % 2 == 0 ? 3.0 : -3.0;
         const double bound = most_contact_stress(prism) * 3.0;
         const Press press{place(random), place(random), down};

@@ -70,11 +70,10 @@ PressedElement middle_of(const Scenario& scenario) {
     PressedElement element{.corners = corners_of(side / 2, side / 2),
                            .area = side * side,
                            .patch = square_patch,
-                           .thickness = thick,
                            .poisson_ratio = 0.3,
                            .crushing_pressure = scenario.contact_law().crushing_pressure};
     for (const auto& [outward, edge] : {std::pair(Corner{1, 0}, edge_plus_x), {Corner{-1, 0}, edge_minus_x}})
-        element.joints.push_back({outward, side / 2 * outward, side, side, edge});
+        element.joints.push_back({outward, side / 2 * outward, side, side, thick, edge});
     return element;
 }
 
