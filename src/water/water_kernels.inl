@@ -166,11 +166,13 @@ struct WetFace {
     void add_edge(Pack pu, Pack pv, Pack hp, Pack qu, Pack qv, Pack hq) {
         const Mask p_wet = hp < 0.0;
         const Mask q_wet = hq < 0.0;
+        const Mask leaves = p_wet & (hq >= 0.0);
+        const Mask enters = q_wet & (hp >= 0.0);
+        // Of ice that floats the edges of its lower and upper face, most of all, do not cross the water.
+        if (!any_positive(leaves | enters ? Pack{} + 1.0 : Pack{})) return add_line(p_wet | q_wet, pu, pv, qu, qv);
         const Pack share = hp / (hp - hq);
         const Pack u_there = pu + share * (qu - pu);
         const Pack v_there = pv + share * (qv - pv);
-        const Mask leaves = p_wet & (hq >= 0.0);
-        const Mask enters = q_wet & (hp >= 0.0);
         out_u = leaves ? u_there : out_u;
         out_v = leaves ? v_there : out_v;
         in_u = enters ? u_there : in_u;
