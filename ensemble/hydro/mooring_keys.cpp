@@ -108,28 +108,25 @@ std::string guard(const MooringKeysRequest& request, const Surroundings& here, c
         request.file, *implied, known, whose));
 }
 
-/// Those of each motion by itself, in the order of radiation programs, with the file's added mass at the frequency
-/// itself. A motion that nothing holds, or that is not free, has that of the file's longest waves.
+/// Of the hull's natural modes, each of the motion of which it has most, in the order of radiation programs, with the
+/// file's added mass at the frequencies themselves. Another motion has that of the file's longest waves.
 std::array<double, 6> natural_frequencies(const RadiationFile& radiation, const Vec3& reference, const Scenario& hull) {
     constexpr std::array<Motion, 6> order{Motion::surge, Motion::sway,  Motion::heave,
                                           Motion::roll,  Motion::pitch, Motion::yaw};
     Moorings moorings = hull.moorings;
     moorings.added = {};
-    const Mat6 held = moorings.held(hull.water_stiffness());
+    moorings.added_mass.assign(6, std::vector<double>(6, 0));
     std::array<double, 6> found{};
     found.fill(radiation.points.front().frequency);
     constexpr int enough = 30;  // each round changes it by the share that added mass varies by
     for (int round = 0; round < enough; ++round) {
-        const Mat6 added = about_origin(radiation_at(radiation, found).added, reference);
-        moorings.added_mass.assign(6, std::vector<double>(6, 0));
-        for (int k = 0; k < 6; ++k)
-            moorings.added_mass[static_cast<std::size_t>(k)][static_cast<std::size_t>(k)] = added(k, k);
-        const Mat6 inertia = moorings.inertia();
-        for (std::size_t k = 0; k < order.size(); ++k) {
-            const auto own = static_cast<int>(order.at(k));
-            if (moorings.is_free(order.at(k)) && held(own, own) > 0)
-                found.at(k) = std::sqrt(held(own, own) / inertia(own, own));
-        }
+        const Mat6 added = without_rounding(about_origin(radiation_at(radiation, found).added, reference));
+        for (int k = 0; k < 36; ++k)
+            moorings.added_mass[static_cast<std::size_t>(k / 6)][static_cast<std::size_t>(k % 6)] = added(k / 6, k % 6);
+        for (const NaturalMode& mode : natural_modes(moorings, hull.water_stiffness()))
+            if (std::isfinite(mode.period))
+                found.at(static_cast<std::size_t>(std::ranges::find(order, mode.motion) - order.begin())) =
+                    2 * std::numbers::pi / mode.period;
     }
     return found;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <string>
 
 #include <fmt/format.h>
@@ -71,6 +72,26 @@ TEST(Hydro, TakesEachMotionAtItsNaturalPeriod) {
     EXPECT_THAT(message(radiation()), HasSubstr("give the period at which its values are to hold, --period-s, or"));
     EXPECT_THAT(message(radiation() + " --period-s 200"),
                 HasSubstr("cylinder.1: has periods from 1 to 100 s, and --period-s 200 is outside"));
+}
+
+/// Pitch of a hull with a low centre swings with surge: about a point near its centre, with less inertia than about the
+/// waterline.
+TEST(Hydro, TakesPitchAtThePeriodAtWhichItSwingsWithSurge) {
+    const std::string keys = hydro(radiation() + " --hull " + cylinder());
+    const double mass = 0.248;
+    const double surge = mass + 0.17;
+    const double couples = mass * -0.4;
+    const double pitch = mass * (0.3 * 0.3 + 0.4 * 0.4);
+    // ρ g (I + V z_b) - m g z_c about the axis at the calm water, kN m
+    const double area = std::numbers::pi * 0.35 * 0.35;
+    const double rights = 9.81 * (area * 0.35 * 0.35 / 4 - area * 0.63 * 0.315 + mass * 0.4);
+    // The larger ω² of (k_x - ω² m)(k_θ - ω² I) = ω⁴ c²:
+    const double a = surge * pitch - couples * couples;
+    const double b = 1.0 * pitch + rights * surge;
+    const double square = (b + std::sqrt(b * b - 4 * a * 1.0 * rights)) / (2 * a);
+    const double period = 2 * std::numbers::pi / std::sqrt(square);
+    EXPECT_THAT(keys, HasSubstr(fmt::format("pitch {:.4g} s", period)));
+    EXPECT_GT(2 * std::numbers::pi / std::sqrt(rights / pitch), 1.1 * period) << "by itself";
 }
 
 TEST(Hydro, ChecksTheWaterplaneByLongWaves) {
