@@ -93,6 +93,7 @@ void IceContacts::add(ContactElement element) {
     asleep_.push_back(0);
     elements_.push_back(std::move(element));
     path_.push_back(0);
+    roam_.push_back(0);
     bounds_.emplace_back();
     pieces_changed_ = moved_ = true;
 }
@@ -141,13 +142,13 @@ void IceContacts::sort_into_pieces(ContactStore& store) {
     std::map<int, std::vector<std::uint32_t>> pieces;
     std::vector<std::uint32_t> order;
     std::vector<std::uint32_t> counts;
-    double radius = 0;
+    radius_ = 0;
     double reach = 0;
     for (std::uint32_t i = 0; i < elements_.size(); ++i) {
         if (!is_there(i)) continue;
         const ContactElement& element = elements_[i];
         if (!element.fixed) {
-            radius = std::max(radius, std::sqrt(dot(element.shape.half_extent, element.shape.half_extent)));
+            radius_ = std::max(radius_, std::sqrt(dot(element.shape.half_extent, element.shape.half_extent)));
             reach = std::max(reach, element.reach);
         }
         if (element.piece >= 0) {
@@ -162,9 +163,9 @@ void IceContacts::sort_into_pieces(ContactStore& store) {
         counts.push_back(static_cast<std::uint32_t>(members.size()));
     }
     near_.set_pieces(std::move(order), counts);
-    room_ = room_in_radii * radius;
+    room_ = room_in_radii * radius_;
     margin_ = 2 * reach + room_;  // Bullet looks at pairs up to twice the reach
-    lever_ = 3 * radius + 2 * margin_;
+    lever_ = 3 * radius_ + 2 * margin_;
     pieces_changed_ = false;
     // Room for what packed ice has, so that steps seldom take memory.
     const std::size_t count = elements_.size();
@@ -173,14 +174,15 @@ void IceContacts::sort_into_pieces(ContactStore& store) {
     store.reserve(2 * count);
 }
 
-/// Adds up the paths; returns the longest.
+/// Adds up the paths; returns how far the bounds of some element have moved at most.
 double IceContacts::walk(const BodyMotion* motions) {
-    double longest = 0;
+    double farthest = 0;
     for (std::size_t i = 0; i < path_.size(); ++i) {
         path_[i] += motions[i].way + lever_ * motions[i].turn;
-        if (is_there(i)) longest = std::max(longest, path_[i]);
+        roam_[i] += motions[i].way + radius_ * motions[i].turn;
+        if (is_there(i)) farthest = std::max(farthest, roam_[i]);
     }
-    return longest;
+    return farthest;
 }
 
 void IceContacts::list_pairs(const BodyMotion* motions, ContactStore& store) {
@@ -201,6 +203,7 @@ void IceContacts::list_pairs(const BodyMotion* motions, ContactStore& store) {
     for (; known < pairs_.size(); ++known) drop(pairs_[known], store);
     pairs_.swap(listed_);
     std::ranges::fill(path_, 0.0);
+    std::ranges::fill(roam_, 0.0);
     moved_ = false;
 }
 
@@ -227,7 +230,11 @@ void IceContacts::look(Pair& pair, const BodyMotion* motions, ContactStore& stor
     const PrismPlace a = place(pair.a, motions);
     const PrismPlace b = place(pair.b, motions);
     Overlap overlap;
-    find_overlap(a, b, overlap);
+    // Of a pair that keeps points while it is apart, the face that parts it is known.
+    const bool parted = pair.points >= 0 && pair.axis >= 0 && face_gap(a, b, pair.axis) > tolerance;
+    if (!parted) find_overlap(a, b, overlap);
+    if (!parted && overlap.count == 0 && pair.points >= 0 && fixed_[pair.a] == 0 && fixed_[pair.b] == 0)
+        pair.axis = widest_face_gap(a, b, 0, face_axes(*a.shape) + face_axes(*b.shape)).axis;
     if (pair.points < 0) {
         if (overlap.count == 0) return;
         pair.points = store.take();
@@ -248,11 +255,13 @@ void IceContacts::look(Pair& pair, const BodyMotion* motions, ContactStore& stor
 }
 
 void IceContacts::find(const BodyMotion* motions, ContactStore& store) {
+    bool anew = moved_;
     if (pieces_changed_) {
         sort_into_pieces(store);
-        moved_ = true;
+        anew = true;
     }
-    if (moved_ || walk(motions) > 0.5 * room_ - tolerance) list_pairs(motions, store);
+    if (!moved_ && walk(motions) > 0.5 * room_ - tolerance) anew = true;
+    if (anew) list_pairs(motions, store);
     touching_.clear();
     for (Pair& pair : pairs_) {
         if (pair.points < 0 && path_[pair.a] + path_[pair.b] < pair.until) continue;
@@ -269,9 +278,10 @@ void NearPairs::archive(StateArchive& state) {
 }
 
 void IceContacts::archive(StateArchive& state) {
-    auto& [elements, there, fixed, asleep, path, lever, room, margin, pieces_changed, moved, near, bounds, pairs,
-           listed, touching] = *this;
-    state(elements, there, fixed, asleep, path, lever, room, margin, pieces_changed, moved, near, pairs, touching);
+    auto& [elements, there, fixed, asleep, path, roam, radius, lever, room, margin, pieces_changed, moved, near, bounds,
+           pairs, listed, touching] = *this;
+    state(elements, there, fixed, asleep, path, roam, radius, lever, room, margin, pieces_changed, moved, near, pairs,
+          touching);
     bounds.resize(elements.size());
 }
 

@@ -127,6 +127,8 @@ class IceContacts {
     std::vector<ContactElement> elements_;
     std::vector<std::uint8_t> there_, fixed_, asleep_;
     std::vector<double> path_;  ///< of any point of it as its neighbours see it, at most, since pairs were listed
+    std::vector<double> roam_;  ///< of its bounds, at most, since then
+    double radius_ = 0;         ///< of the largest element that moves
     double lever_ = 0;          ///< by how much a turn may move such a point
     double room_ = 0;           ///< in which two elements may move before pairs are listed anew
     double margin_ = 0;         ///< pairs this near are listed

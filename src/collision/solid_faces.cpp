@@ -1,6 +1,5 @@
 #include "collision/solid_faces.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>

@@ -69,15 +69,19 @@ void DirectFloes::remove_joint(std::size_t joint) {
 void DirectFloes::soften_joint(std::size_t joint, double sound) {
     if (joints_[joint].sound == sound) return;
     joints_[joint].sound = sound;
-    pieces_[piece_of_body_[joints_[joint].a]].compliance = nullptr;
+    forget_compliance(pieces_[piece_of_body_[joints_[joint].a]]);
+}
+
+void DirectFloes::forget_compliance(Piece& piece) {
+    if (piece.compliance != nullptr) piece.before = std::move(piece.compliance);
+    piece.compliance = nullptr;
     stale_ = true;
 }
 
 void DirectFloes::set_water(std::size_t body, const CarriedWater& water) {
     if (bodies_[body].water == water) return;
     bodies_[body].water = water;
-    pieces_[piece_of_body_[body]].compliance = nullptr;
-    stale_ = true;
+    forget_compliance(pieces_[piece_of_body_[body]]);
     if (carried_.size() > 0)
         store_water(body);
     else
@@ -151,22 +155,21 @@ void DirectFloes::prepare(const LaneArrays& all, double time_step) {
     kernels_->direct.press(all, arrays(), joint_groups_, time_step);
 }
 
-void DirectFloes::apply_whole_compliance(Piece& piece, double* delta) {
+void DirectFloes::apply_whole_compliance(Piece& piece, const std::vector<std::uint32_t>& within, double* delta) {
     piece_impulse_.resize(8 * piece.bodies.size());
     piece_change_.resize(8 * piece.bodies.size());
     for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
         std::copy_n(impulse_.data() + 8 * static_cast<std::size_t>(piece.bodies[i]), 8, &piece_impulse_[8 * i]);
     }
-    piece.compliance->velocity_changes(piece_impulse_.data(), piece_change_.data());
-    for (std::size_t i = 0; i < piece.bodies.size(); ++i) {
+    piece.compliance->velocity_changes(piece_impulse_.data(), within, piece_change_.data());
+    for (const std::size_t i : within)
         std::copy_n(&piece_change_[8 * i], 8, delta + 8 * static_cast<std::size_t>(piece.bodies[i]));
-    }
 }
 
 void DirectFloes::apply_compliance(Piece& piece, const std::vector<std::uint32_t>& bodies,
                                    const std::vector<std::uint32_t>& within, double* delta) {
     if (!piece.compliance->is_small()) {
-        apply_whole_compliance(piece, delta);
+        apply_whole_compliance(piece, within, delta);
         return;
     }
     piece.compliance->make_columns(piece.within);
@@ -316,7 +319,24 @@ PieceJoint DirectFloes::at_rest(const Piece& piece, const SolverJoint& joint, co
 }
 
 void DirectFloes::make_compliance(Piece& piece) {
-    // In the unstrained piece the joints give each body's rotation relative to the first.
+    if (piece.at_rest.empty()) turn_at_rest(piece);
+    std::vector<PieceBody> bodies;
+    for (std::size_t i = 0; i < piece.bodies.size(); ++i)
+        bodies.push_back(body_of(bodies_[piece.bodies[i]], piece.at_rest[i]));
+    std::vector<PieceJoint> joints;
+    for (const std::uint32_t joint : piece.joints) {
+        std::array<double, 6> stiffness{};
+        joints.push_back(at_rest(piece, joints_[joint], bodies, stiffness));
+        store_spring(joint, joints.back(), stiffness);
+    }
+    find_compliance(piece, std::move(bodies), std::move(joints));
+    piece.before = nullptr;
+    piece.touched.reserve(piece.bodies.size());  // so that steps need not
+    piece.touched_within.reserve(piece.bodies.size());
+}
+
+/// In the unstrained piece the joints give each body's rotation relative to the first.
+void DirectFloes::turn_at_rest(Piece& piece) const {
     piece.at_rest.assign(piece.bodies.size(), Mat3::Identity());
     std::vector<bool> known(piece.bodies.size(), false);
     known[0] = true;
@@ -336,24 +356,12 @@ void DirectFloes::make_compliance(Piece& piece) {
             known[a] = known[b] = more = true;
         }
     }
-    std::vector<PieceBody> bodies;
-    for (std::size_t i = 0; i < piece.bodies.size(); ++i)
-        bodies.push_back(body_of(bodies_[piece.bodies[i]], piece.at_rest[i]));
-    std::vector<PieceJoint> joints;
-    for (const std::uint32_t joint : piece.joints) {
-        std::array<double, 6> stiffness{};
-        joints.push_back(at_rest(piece, joints_[joint], bodies, stiffness));
-        store_spring(joint, joints.back(), stiffness);
-    }
-    find_compliance(piece, std::move(bodies), std::move(joints));
-    piece.touched.reserve(piece.bodies.size());  // so that steps need not
-    piece.touched_within.reserve(piece.bodies.size());
 }
 
 void DirectFloes::find_compliance(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints) {
     const auto cracks = [&](std::uint32_t joint) { return joints_[joint].sound < 1; };
     if (std::ranges::any_of(piece.joints, cracks)) {  // no other piece is like it
-        piece.compliance = std::make_shared<PieceCompliance>(std::move(bodies), std::move(joints));
+        piece.compliance = std::make_shared<PieceCompliance>(std::move(bodies), std::move(joints), piece.before.get());
         return;
     }
     const auto found =
@@ -362,7 +370,7 @@ void DirectFloes::find_compliance(Piece& piece, std::vector<PieceBody> bodies, s
         piece.compliance = *found;
         return;
     }
-    piece.compliance = std::make_shared<PieceCompliance>(std::move(bodies), std::move(joints));
+    piece.compliance = std::make_shared<PieceCompliance>(std::move(bodies), std::move(joints), piece.before.get());
     compliances_.push_back(piece.compliance);
 }
 
@@ -400,10 +408,11 @@ void DirectFloes::archive_pieces(StateArchive& state) {
     for (std::shared_ptr<PieceCompliance>& one : all) PieceCompliance::archive(state, one);
     pieces_.resize(of_piece.size());
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        auto& [bodies, within, joints, at_rest, compliance, touched, touched_within, broken] = pieces_[i];
+        auto& [bodies, within, joints, at_rest, compliance, before, touched, touched_within, broken] = pieces_[i];
         state(bodies, within, joints, at_rest, broken);
         if (!state.sets()) continue;
         compliance = of_piece[i] < 0 ? nullptr : all.at(static_cast<std::size_t>(of_piece[i]));
+        before = nullptr;  // it would make nothing else
         for (std::vector<std::uint32_t>* of_step : {&touched, &touched_within}) {
             of_step->clear();
             of_step->reserve(bodies.size());

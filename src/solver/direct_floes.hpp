@@ -66,15 +66,18 @@ class DirectFloes {
         std::vector<std::uint32_t> joints;  ///< alive, rising
         std::vector<Mat3> at_rest;          ///< body -> piece, unstrained
         std::shared_ptr<PieceCompliance> compliance;
+        std::shared_ptr<PieceCompliance> before;             ///< while it is to be made anew with other joints or water
         std::vector<std::uint32_t> touched, touched_within;  ///< numbers in the piece, from touch() on in columns
         bool broken = false;                                 ///< joints were removed since it was found
     };
 
     void archive_pieces(StateArchive& state);
+    void forget_compliance(Piece& piece);
     void store_water(std::size_t body);
     void store_all_water();
     void split(std::size_t piece);
     void make_compliance(Piece& piece);
+    void turn_at_rest(Piece& piece) const;
     void find_compliance(Piece& piece, std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
     PieceJoint at_rest(const Piece& piece, const SolverJoint& joint, const std::vector<PieceBody>& bodies,
                        std::array<double, 6>& stiffness) const;
@@ -82,7 +85,7 @@ class DirectFloes {
     void turn_frames(const LaneArrays& all);
     void apply_compliance(Piece& piece, const std::vector<std::uint32_t>& bodies,
                           const std::vector<std::uint32_t>& within, double* delta);
-    void apply_whole_compliance(Piece& piece, double* delta);
+    void apply_whole_compliance(Piece& piece, const std::vector<std::uint32_t>& within, double* delta);
 
     const LaneKernels* kernels_;
     std::size_t body_groups_, joint_groups_;

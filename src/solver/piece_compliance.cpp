@@ -127,28 +127,60 @@ Eigen::Matrix<double, 6, 6> inertia_of(const PieceBody& body) {
     return inertia + turn * added * turn.transpose();
 }
 
-PlaneFactors::PlaneFactors(const std::array<Eigen::SparseMatrix<double>, 2>& matrices) {
+namespace {
+
+bool same_pattern(const PlaneFactors::Sparse& a, const PlaneFactors::Sparse& b) {
+    return a.nonZeros() == b.nonZeros() && a.cols() == b.cols() &&
+           std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols(), b.outerIndexPtr()) &&
+           std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+bool same_values(const PlaneFactors::Sparse& a, const PlaneFactors::Sparse& b) {
+    return std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr());
+}
+
+/// Of two systems one after the other, those of one.
+void copy_half(const std::vector<double>& from, std::vector<double>& to, std::size_t part) {
+    for (std::size_t k = part; k < from.size(); k += 2) to[k] = from[k];
+}
+
+}  // namespace
+
+PlaneFactors::PlaneFactors(std::array<Sparse, 2> matrices, bool kept, const PlaneFactors* like) {
     // Both have entries wherever one may, so that order and pattern are the same.
-    const auto same = [](const auto& a, const auto& b, Eigen::Index count) { return std::equal(a, a + count, b); };
-    FLOES_EXPECTS(matrices[0].nonZeros() == matrices[1].nonZeros() &&
-                  same(matrices[0].innerIndexPtr(), matrices[1].innerIndexPtr(), matrices[0].nonZeros()));
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor;
-    factor.analyzePattern(matrices[0]);
-    place_.assign(factor.permutationP().indices().begin(), factor.permutationP().indices().end());
+    FLOES_EXPECTS(same_pattern(matrices[0], matrices[1]));
+    const bool alike = like != nullptr && like->analysed_ != nullptr && same_pattern(matrices[0], like->matrices_[0]);
+    const auto factor = alike ? like->analysed_ : std::make_shared<Eigen::SimplicialLDLT<Sparse>>();
+    if (!alike) factor->analyzePattern(matrices[0]);
+    place_.assign(factor->permutationP().indices().begin(), factor->permutationP().indices().end());
+    if (alike) {
+        start_ = like->start_;
+        row_ = like->row_;
+    }
+    value_.resize(2 * row_.size());
     inverse_.resize(2 * place_.size());
     for (std::size_t part = 0; part < 2; ++part) {
-        factor.factorize(matrices[part]);
-        const Eigen::SparseMatrix<double>& lower = factor.matrixL().nestedExpression();
-        if (part == 0) {
+        // Joints that crack soften against what is out of the plane alone.
+        if (alike && same_values(matrices[part], like->matrices_[part])) {
+            copy_half(like->value_, value_, part);
+            copy_half(like->inverse_, inverse_, part);
+            continue;
+        }
+        factor->factorize(matrices[part]);
+        const Sparse& lower = factor->matrixL().nestedExpression();
+        if (row_.empty()) {
             start_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.outerSize() + 1);
             row_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
             value_.resize(2 * row_.size());
         }
         for (std::size_t k = 0; k < row_.size(); ++k) value_[2 * k + part] = lower.valuePtr()[k];
-        const Eigen::VectorXd diagonal = factor.vectorD();
+        const Eigen::VectorXd diagonal = factor->vectorD();
         for (std::size_t i = 0; i < place_.size(); ++i)
             inverse_[2 * i + part] = 1 / diagonal[static_cast<Eigen::Index>(i)];
     }
+    if (!kept) return;
+    analysed_ = factor;
+    matrices_ = std::move(matrices);
 }
 
 std::size_t PlaneFactors::next(std::size_t place) const {
@@ -195,10 +227,11 @@ constexpr std::size_t no_slot = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
-PieceCompliance::PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints)
+PieceCompliance::PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints,
+                                 const PieceCompliance* before)
     : bodies_(std::move(bodies)),
       joints_(std::move(joints)),
-      factors_(assembled(bodies_, joints_)),
+      factors_(assembled(bodies_, joints_), !is_small(), before == nullptr ? nullptr : &before->factors_),
       number_(bodies_.size(), no_number),
       slot_(factors_.size(), no_slot),
       columns_(bodies_.size()) {}
@@ -326,7 +359,7 @@ void PieceCompliance::make_columns(std::span<const std::uint32_t> bodies) {
     if (knows_all()) sources_ = {};
 }
 
-void PieceCompliance::velocity_changes(const double* impulses, double* changes) {
+void PieceCompliance::velocity_changes(const double* impulses, std::span<const std::uint32_t> of, double* changes) {
     const std::size_t size = factors_.size();
     const auto at = [&](std::size_t i, std::size_t part) { return i / 3 * 8 + 4 * part + i % 3; };
     solved_.resize(2 * size);
@@ -335,14 +368,19 @@ void PieceCompliance::velocity_changes(const double* impulses, double* changes) 
             solved_[2 * factors_.place(i) + part] = bodies_[i / 3].mass > 0 ? impulses[at(i, part)] : 0;
     const auto all = std::views::iota(std::size_t{0}, size);
     factors_.eliminate<1>(all, solved_.data(), std::identity());
-    factors_.substitute<1>(all | std::views::reverse, solved_.data(), std::identity());
-    for (std::size_t i = 0; i < size; ++i)
-        for (std::size_t part = 0; part < 2; ++part) changes[at(i, part)] = solved_[2 * factors_.place(i) + part];
+    if (of.size() == bodies_.size())
+        factors_.substitute<1>(all | std::views::reverse, solved_.data(), std::identity());
+    else
+        factors_.substitute<1>(places_, solved_.data(), std::identity());
+    for (const std::size_t body : of)
+        for (std::size_t i = 3 * body; i < 3 * body + 3; ++i)
+            for (std::size_t part = 0; part < 2; ++part) changes[at(i, part)] = solved_[2 * factors_.place(i) + part];
 }
 
 std::array<double, 6> inverse_effective_mass(const PieceBody& a, const PieceBody& b, const PieceJoint& joint) {
     std::array<double, 6> inverse{};
-    for (const auto& [body, lever] : {std::pair(a, joint.lever_a), std::pair(b, joint.lever_b)}) {
+    using End = std::pair<const PieceBody&, const Vec3&>;
+    for (const auto& [body, lever] : {End(a, joint.lever_a), End(b, joint.lever_b)}) {
         if (!(body.mass > 0)) continue;
         const Mat3 inverse_inertia = body.inertia.inverse();
         for (std::size_t i = 0; i < 3; ++i) {

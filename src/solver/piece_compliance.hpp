@@ -54,7 +54,11 @@ struct PieceJoint {
 /// a place in the order of elimination; what a place depends on lies on its way to the root of the elimination tree.
 class PlaneFactors {
   public:
-    explicit PlaneFactors(const std::array<Eigen::SparseMatrix<double>, 2>& matrices);
+    using Sparse = Eigen::SparseMatrix<double>;
+
+    /// `like`: of matrices of much the same values, whose work is taken where it would be done again; nullptr: of none.
+    /// Only what is `kept` can be taken later, for twice the memory.
+    PlaneFactors(std::array<Sparse, 2> matrices, bool kept, const PlaneFactors* like);
 
     std::size_t size() const { return place_.size(); }
     std::size_t place(std::size_t unknown) const { return static_cast<std::size_t>(place_[unknown]); }
@@ -76,15 +80,19 @@ class PlaneFactors {
 
   private:
     std::vector<int> place_;
-    std::vector<int> start_, row_;  ///< of L, by column, below its diagonal
-    std::vector<double> value_;     ///< of both, one after the other
-    std::vector<double> inverse_;   ///< of D, likewise
+    std::vector<int> start_, row_;                             ///< of L, by column, below its diagonal
+    std::vector<double> value_;                                ///< of both, one after the other
+    std::vector<double> inverse_;                              ///< of D, likewise
+    std::shared_ptr<Eigen::SimplicialLDLT<Sparse>> analysed_;  ///< by their pattern; none unless kept
+    std::array<Sparse, 2> matrices_;                           ///< likewise
 };
 
 class PieceCompliance {
   public:
-    /// Throws InputError for a piece that is not flat.
-    PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints);
+    /// Throws InputError for a piece that is not flat. `before`: of the same piece with other joints or water, which
+    /// makes it sooner, to the same bits; nullptr: of none.
+    PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints,
+                    const PieceCompliance* before = nullptr);
 
     /// Whether this is the compliance of such a piece, lengths and masses equal to a relative 1e-9.
     bool is_of(std::span<const PieceBody> bodies, std::span<const PieceJoint> joints) const;
@@ -105,9 +113,9 @@ class PieceCompliance {
     /// memory when make_columns() meets new bodies.
     const double* column(std::size_t source) const { return columns_[source].data(); }
 
-    /// Changes of velocity by impulses on all bodies, both 8 numbers a body in the order of a block's rows. For large
-    /// pieces: it needs no columns.
-    void velocity_changes(const double* impulses, double* changes);
+    /// Changes of velocity by impulses on all bodies, both 8 numbers a body in the order of a block's rows: of these
+    /// bodies, which are all of them or known to make_columns(). For large pieces: it needs no columns.
+    void velocity_changes(const double* impulses, std::span<const std::uint32_t> of, double* changes);
 
     /// Saves `known`, or sets it to the one that was saved (core/state_archive.hpp).
     static void archive(StateArchive& state, std::shared_ptr<PieceCompliance>& known);
