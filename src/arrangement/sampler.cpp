@@ -1,9 +1,7 @@
 #include "arrangement/sampler.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <utility>
 
 #include <fmt/format.h>
 

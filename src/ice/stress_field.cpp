@@ -1,7 +1,6 @@
 #include "ice/stress_field.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -207,7 +207,6 @@ struct ArrayOutput {
     constexpr std::string_view group() const { return in_file() ? path.substr(0, path.find('/')) : ""; }
     constexpr std::string_view name() const { return path.substr(path.find('/') + 1); }
     constexpr bool in_file() const { return path.find('/') != std::string_view::npos; }
-    constexpr bool lies_along(const ArrayAxis& axis) const { return std::ranges::find(axes, &axis) != axes.end(); }
     /// Its axis of that kind; nullptr if it has none.
     constexpr const ArrayAxis* axis_of(AxisKind kind) const {
         for (const ArrayAxis* axis : axes)

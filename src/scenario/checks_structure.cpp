@@ -191,6 +191,12 @@ void check_mass(const Scenario& scenario, Contradictions& found) {
     constexpr double least = 10;
     const double ratio = structure_over_floe(scenario);
     if (ratio >= least) return;
+    if (scenario.arrangement.level())
+        return refuse(scenario, found, {"moorings.mass_t", "arrangement.method"},
+                      "<moorings.mass_t> and the water that moves with it are {:.4g} times the sheet of level ice, and "
+                      "{:g} times is the least: the structure moves after each step only, too late for ice that is "
+                      "one piece; take moorings.mass_t = 0, which holds it",
+                      ratio, least);
     refuse(scenario, found, {"moorings.mass_t", "floe.length_m"},
            "<moorings.mass_t> and the water that moves with it are {:.4g} times the heaviest floe, and {:g} times is "
            "the least: a floe that strikes the structure would push it {:.2g} % too hard, since the structure moves "

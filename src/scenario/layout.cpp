@@ -452,7 +452,7 @@ class Layout {
     void lay_lattice() {
         constexpr int most_rows = 200;
         constexpr double rounding = 1e-6;
-        if (scenario_.arrangement.given() || lies_on_lattice()) return;
+        if (scenario_.arrangement.given() || scenario_.shapes.kind == ShapeKind::voronoi || lies_on_lattice()) return;
         Field& field = scenario_.field;
         const Field before = field;
         const double row = scenario_.floe.breadth + scenario_.arrangement.clearance;

@@ -13,7 +13,8 @@ namespace floes {
 
 namespace {
 
-/// Corners nearer than this share of the area's breadth are one.
+/// Corners nearer than this share of the cell's reach are one: whoever lies beside it has to see the same edges,
+/// however wide the area is.
 constexpr double exact = 1e-6;
 
 }  // namespace
@@ -41,7 +42,7 @@ Outline voronoi_cell(const WaterArea& area, Corners by_x, std::size_t point) {
     for (;;) {
         const bool back = before > 0 && along(before - 1) <= 2 * reach;
         const bool on = next < by_x.size() && along(next) <= 2 * reach;
-        if (!back && !on) return tidied(cell, exact * area.breadth);
+        if (!back && !on) return tidied(cell, exact * reach);
         if (back && (!on || along(before - 1) < along(next)))
             meet(--before);
         else

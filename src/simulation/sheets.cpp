@@ -113,6 +113,9 @@ Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
             {.half_extents = form.half_extents, .position = form.centre, .mass = mass, .axis = is_side(form) ? 2 : 0});
         sheets_.push_back({body, form, load, skin, closing});
     }
+    if (scenario.field.sides == FieldSides::wall && scenario.structure.shape.waterline_radius() < channel.inner_edge)
+        for (const double side : {-1.0, 1.0})
+            walls_.push_back({.centre = side * channel.inner_edge * Vec3::UnitZ(), .inwards = -side * Vec3::UnitZ()});
     motions_.resize(push_ > 0 ? fixed_.size() : sheets_.size());
     mean_speed_.resize(sheets_.size());
 }
@@ -156,13 +159,15 @@ void Sheets::read(const World& world, const StructurePose& at, double time) {
 }
 
 void Sheets::check_fixed(const StructurePose& at, const Vec2& offset, double time) const {
-    for (const auto& [body, form] : fixed_) {
-        if (!touches(form, form.centre, at)) continue;
+    const auto check = [&](const IceSheet& form, const char* what) {
+        if (!touches(form, form.centre, at)) return;
         throw MemberFailure(fmt::format(
-            "The structure has come to the ice sheet at {} (t = {:.2f} s), {:.4g} m from where its tow alone would "
-            "have it; take stiffer moorings or a wider field.",
-            place_of(form), time, offset.norm()));
-    }
+            "The structure has come to the {} at {} (t = {:.2f} s), {:.4g} m from where its tow alone would have it; "
+            "take stiffer moorings or a wider field.",
+            what, place_of(form), time, offset.norm()));
+    };
+    for (const auto& [body, form] : fixed_) check(form, "ice sheet");
+    for (const IceSheet& wall : walls_) check(wall, "wall");
 }
 
 bool Sheets::touches(const IceSheet& form, const Vec3& centre, const StructurePose& at) const {
@@ -182,7 +187,7 @@ Vec3 Sheets::velocity(BodyId body) const {
 }
 
 void Sheets::archive(StateArchive& state) {
-    auto& [confining, push, radius, waterline, fixed, sheets, motions, mean_speed] = *this;
+    auto& [confining, push, radius, waterline, fixed, walls, sheets, motions, mean_speed] = *this;
     state(motions, mean_speed);
 }
 

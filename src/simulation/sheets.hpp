@@ -72,7 +72,7 @@ class Sheets {
     void read(const World& world, const StructurePose& structure, double time);
 
     /// Throws MemberFailure when the structure, which is `offset` (m along x and z) from where its tow or path would
-    /// have it, has come to a fixed sheet.
+    /// have it, has come to a fixed sheet or a wall.
     void check_fixed(const StructurePose& structure, const Vec2& offset, double time) const;
 
     const std::vector<SheetMotion>& motions() const { return motions_; }
@@ -100,6 +100,7 @@ class Sheets {
     double radius_;                ///< of the structure at the waterline, m
     std::vector<Vec3> waterline_;  ///< its corners in the structure's axes, m; none of a body of revolution
     std::vector<Fixed> fixed_;
+    std::vector<IceSheet> walls_;  ///< smooth ones beside a structure that does not fill the field: without bodies
     std::vector<Sheet> sheets_;
     std::vector<SheetMotion> motions_;
     std::vector<double> mean_speed_;  ///< in the last step, m/s

@@ -233,17 +233,21 @@ Mat6 linear_stiffness(const Moorings& moorings) {
 MooredMotion::MooredMotion(const Moorings& moorings, const Mat6& water, double step)
     : moorings_(moorings),
       step_(step),
-      inertia_(moorings.inertia().diagonal().head<3>()),
       springs_(moorings.surge, moorings.sway, moorings.yaw),
       water_(water),
       stiffness_(linear_stiffness(moorings)),
       round_(is_round(moorings.inertia()) && is_round(moorings.radiation())),
       breaks_(has_lines_that_break(moorings)) {
     linear_.emplace(0, linear_at(0));
-    for (int k = 0; k < 3; ++k)
-        thrusters_.push_back(moorings.free.at(static_cast<std::size_t>(k))
-                                 ? thrust_law(moorings.thrusters, k, inertia_[k])
-                                 : ThrustLaw{});
+    for (int k = 0; k < 3; ++k) {
+        const bool free = moorings.free.at(static_cast<std::size_t>(k));
+        const double own = moorings.inertia()(k, k);
+        thrusters_.push_back(free ? thrust_law(moorings.thrusters, k, own) : ThrustLaw{});
+        double response = 0;
+        for (const LinearMotion& one : linear_.at(0))
+            response += one.acceleration(static_cast<Motion>(k), Vec6::Unit(k));
+        inertia_[k] = free ? 1 / response : own;
+    }
     state_.broken_at.assign(lines(), std::numeric_limits<double>::quiet_NaN());
     pulls_.resize(lines());
     look_at_lines();
@@ -331,14 +335,15 @@ Vec3 MooredMotion::in_own_axes(const Vec3& plane, double sense) const {
 void MooredMotion::push_back(double time) {
     if (!has_thrusters()) return;
     const Vec3 offset = in_own_axes(state_.offset.head<3>(), -1);
-    Vec3 velocity = in_own_axes(state_.velocity.head<3>(), -1);
+    const Vec3 velocity = in_own_axes(state_.velocity.head<3>(), -1);
+    Vec3 force = Vec3::Zero();
     for (std::size_t k = 0; k < thrusters_.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
-        if (moorings_.free.at(k))
-            velocity[i] = velocity_under_thrust(thrusters_[k], offset[i], velocity[i], inertia_[i], time);
+        const double pushed = velocity_under_thrust(thrusters_[k], offset[i], velocity[i], inertia_[i], time);
+        if (moorings_.free.at(k)) force[i] = (pushed - velocity[i]) * inertia_[i] / time;
     }
-    state_.velocity.head<3>() = in_own_axes(velocity, 1);
-    hold();
+    const Vec6 along = in_plane(in_own_axes(force, 1));
+    for (const LinearMotion& one : at_this_heading()) one.accelerate(state_, along, time);
 }
 
 /// Where it is held it has no velocity.

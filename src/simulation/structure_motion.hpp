@@ -119,7 +119,8 @@ class MooredMotion {
 
     Moorings moorings_;
     double step_;
-    Vec3 inertia_, springs_;
+    Vec3 inertia_ = Vec3::Zero();  ///< that a thrust along surge, sway or yaw meets, with all that moves along
+    Vec3 springs_;
     Mat6 water_, stiffness_;
     bool round_;  ///< whether inertia and radiation damping are the same at all headings
     std::map<int, std::vector<LinearMotion>> linear_;  ///< by heading in whole degrees

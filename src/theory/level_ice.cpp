@@ -223,6 +223,7 @@ LevelIce level_ice_of(const Scenario& scenario) {
             .bending_strength = scenario.mean_ice().bending_strength,
             .density = scenario.ice.density,
             .water_density = scenario.water.density,
+            .poisson_ratio = scenario.ice.poisson_ratio,
             .gravity = scenario.general.gravity};
 }
 
@@ -250,7 +251,8 @@ HybridModel hybrid_model(const Scenario& scenario) {
 HybridCurve hybrid_curve(const Scenario& scenario, const HybridModel& model, std::span<const double> moduli) {
     const FloatingPlate plate{.thickness = scenario.floe.thickness,
                               .water_density = scenario.water.density,
-                              .gravity = scenario.general.gravity};
+                              .gravity = scenario.general.gravity,
+                              .poisson_ratio = scenario.ice.poisson_ratio};
     HybridCurve curve{hull_of(scenario), model.coefficients(), {}, model.crossing()};
     for (const double modulus : moduli) {
         curve.points.push_back({modulus, plate.characteristic_length(modulus), model.limit_stress(modulus),

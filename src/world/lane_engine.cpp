@@ -334,7 +334,7 @@ void LaneEngine::hold_edges(const SolverJoint& joint, bool held) {
 
 void LaneEngine::hold_edge(std::uint32_t number, const SolverFrame& frame, double outward, bool held) {
     Body& body = bodies_[number];
-    if (!body.parts.is_prism) return;
+    if (!(body.parts.inverse_mass > 0)) return;  // nothing leaves it
     const auto& r = frame.rotation;
     const int edge = edge_towards(ice_.shape(number), {outward * r[0], outward * r[3], outward * r[6]});
     if (edge < 0) return;
@@ -476,19 +476,20 @@ bool LaneEngine::acts(double distance) const {
 }
 
 /// A prism is covered where the normal leaves it through an edge at which a joint holds another element of its floe.
-/// Boxes have their sections, and what covers them, in the kernels.
+/// Boxes have their sections in the kernels, and those that are awake what covers them, too.
 LaneEngine::Line LaneEngine::line_of(const Touching& pair, const Triple& normal) const {
     Line line{.normal = normal};
     const bool prisms = bodies_[pair.a].parts.is_prism || bodies_[pair.b].parts.is_prism;
     for (const std::size_t side : {0, 1}) {
         const std::uint32_t number = side == 0 ? pair.a : pair.b;
         const PrismShape& prism = ice_.shape(number);
-        if (!prisms || prism.empty()) continue;  // the structure: flat and unbounded
+        if (prism.empty()) continue;  // the structure: flat and unbounded
         const Triple inwards = own_axes(system_->motions()[number].rotation, normal, side == 0 ? 1 : -1);
-        if (definition_.contact.normal != NormalLaw::rigid) line.sections[side].emplace(prism, inwards);
-        if (!bodies_[number].parts.is_prism || definition_.contact.internal_edges) continue;
+        if (prisms && definition_.contact.normal != NormalLaw::rigid) line.sections[side].emplace(prism, inwards);
+        const Body& body = bodies_[number];
+        if (definition_.contact.internal_edges || !(body.parts.is_prism || body.asleep)) continue;
         const int edge = edge_towards(prism, {-inwards[0], -inwards[1], -inwards[2]});
-        line.inside = line.inside || (edge >= 0 && bodies_[number].joints_at[static_cast<std::size_t>(edge)] > 0);
+        line.inside = line.inside || (edge >= 0 && body.joints_at[static_cast<std::size_t>(edge)] > 0);
     }
     return line;
 }

@@ -1,7 +1,6 @@
 #include "world/plane_contacts.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/state_archive.hpp"
 

@@ -184,6 +184,40 @@ TEST(MooredMotion, ThrustersTurnWithTheStructure) {
     EXPECT_LT(motion.state().velocity[0], 0);
 }
 
+// A thrust pushes a hull with a low centre where its mass turns along, as its lines do: at rest it does not trim, since
+// load and thrust act on one line.
+TEST(MooredMotion, ThrustersPushAHullWithALowCentreAsSpringsDo) {
+    Moorings by_springs{.free = {true, false, false, false, true},
+                        .mass = 1000,
+                        .height = -3,
+                        .pitch_gyration = 2,
+                        .surge = 500,
+                        .damping = 0.3};
+    Moorings by_thrusters = by_springs;
+    by_thrusters.surge = 0;
+    by_thrusters.thrusters = {.gain = {500, 0, 0}, .damping = 0.3};
+    Mat6 water = Mat6::Zero();
+    water(at(Motion::pitch), at(Motion::pitch)) = 2e4;
+    MooredMotion springs_hold(by_springs, water, step);
+    MooredMotion thrusters_hold(by_thrusters, water, step);
+    const double natural = natural_modes(by_springs, water).front().period;
+    for (const NaturalMode& mode : natural_modes(by_thrusters, water)) {
+        if (mode.motion == Motion::surge) {
+            EXPECT_NEAR(mode.period / natural, 1, 1e-9) << "the gain stiffens it as the spring does";
+        }
+    }
+    double apart = 0;
+    for (int k = 0; k < 20000; ++k) {
+        for (MooredMotion* motion : {&springs_hold, &thrusters_hold})
+            motion->advance(in_plane({300, 0, 0}), step * (k + 1));
+        apart = std::max(apart, std::abs(thrusters_hold.state().offset[0] - springs_hold.state().offset[0]));
+    }
+    EXPECT_LT(apart, 0.05 * 300 / 500) << "springs and thrusters are split otherwise in a step";
+    const double of_step = 2 * std::pow(2 * pi / natural * step, 2);  // thrusters act apart from the water
+    EXPECT_NEAR(thrusters_hold.state().offset[0] / (300.0 / 500), 1, of_step);
+    EXPECT_NEAR(thrusters_hold.state().offset[at(Motion::pitch)], 0, of_step * 300 * 3 / 2e4);
+}
+
 /// Energy of a turret's curve with two slopes, J.
 double turret_energy(double offset) {
     const double beyond = std::max(0.0, offset - 0.5);

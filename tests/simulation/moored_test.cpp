@@ -207,18 +207,21 @@ TEST(MooredStructure, ResumesWithTheSameBitsWhileNothingTouchesIt) {
 }
 
 TEST(MooredStructure, FailsAtTheBank) {
-    Scenario scenario = short_channel();
-    scenario.moorings = of_period(6);
-    const FloeSet floes = make_arrangement(scenario, 1, 0);
-    SimulationState pushed = Simulation(scenario, floes).state();
-    pushed.moored.velocity = in_plane({0, 3, 0});
-    Simulation simulation(scenario, floes, pushed);
-    try {
-        simulation.run({});
-        FAIL() << "no bank";
-    } catch (const MemberFailure& failure) {
-        EXPECT_NE(std::string(failure.what()).find("has come to the ice sheet at a side"), std::string::npos)
-            << failure.what();
+    for (const auto& [sides, what] : {std::pair(FieldSides::ice_sheet, "has come to the ice sheet at a side"),
+                                      {FieldSides::wall, "has come to the wall at a side"}}) {
+        Scenario scenario = short_channel();
+        scenario.field.sides = sides;
+        scenario.moorings = of_period(6);
+        const FloeSet floes = make_arrangement(scenario, 1, 0);
+        SimulationState pushed = Simulation(scenario, floes).state();
+        pushed.moored.velocity = in_plane({0, 3, 0});
+        Simulation simulation(scenario, floes, pushed);
+        try {
+            simulation.run({});
+            FAIL() << "no bank";
+        } catch (const MemberFailure& failure) {
+            EXPECT_NE(std::string(failure.what()).find(what), std::string::npos) << failure.what();
+        }
     }
 }
 

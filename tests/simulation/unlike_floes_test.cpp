@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "ice/ice_field.hpp"
 #include "ice/joint_stress.hpp"

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "collision_of_many.hpp"
 #include "core/error.hpp"

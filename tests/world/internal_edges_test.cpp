@@ -26,7 +26,7 @@ WorldDefinition with(bool internal_edges, NormalLaw law) {
 
 /// Two elements of a floe side by side along z, and a third one whose corner is 2 mm inside the face of the first and
 /// slides on, past the boundary between them. What is left of its speed. `removed` of the joints do not hold any more.
-double slides_on(bool internal_edges, NormalLaw law, int joints, int removed = 0) {
+double slides_on(bool internal_edges, NormalLaw law, int joints, int removed = 0, bool asleep = false) {
     constexpr double speed = 0.1;
     World world(with(internal_edges, law));
     const BodyId first = world.add_element(element_at({0, 0, -element_side / 2}, Quat::Identity(), 0));
@@ -37,6 +37,7 @@ double slides_on(bool internal_edges, NormalLaw law, int joints, int removed = 0
         all.push_back(
             world.add_joint({first, second, Vec3::Zero(), turned(-std::acos(0.0), Vec3::UnitY()), 1e-10, 0.8}));
     for (int k = 0; k < removed; ++k) world.remove_joint(all[static_cast<std::size_t>(k)]);
+    for (const BodyId of_floe : {first, second}) world.set_asleep(of_floe, asleep);
     const double corner = element_side / std::sqrt(2.0);
     const Vec3 at(element_side / 2 + corner - 0.002, 0, -0.01);
     const BodyId body = world.add_element(element_at(at, turned(std::acos(0.0) / 2, Vec3::UnitY())));
@@ -53,6 +54,8 @@ TEST(InternalEdges, ACornerSlidesPastTheBoundaryOfTwoElements) {
         EXPECT_LT(slides_on(true, law, 1), 0.9) << "as in Bullet it is stopped by a face inside the floe";
         EXPECT_LT(slides_on(false, law, 1, 1), 0.9) << "without the joint the face is outside";
         EXPECT_NEAR(slides_on(false, law, 2, 1), 1, 1e-9) << "one joint is enough, as that of a place used again";
+        EXPECT_NEAR(slides_on(false, law, 1, 0, true), 1, 1e-9) << "a floe that rests, too";
+        EXPECT_LT(slides_on(false, law, 1, 1, true), 0.9);
     }
 }
 

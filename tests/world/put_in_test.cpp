@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <vector>
-
 #include "core/error.hpp"
 #include "world/scene.hpp"
 
