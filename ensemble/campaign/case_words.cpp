@@ -418,10 +418,7 @@ std::string element_words(const Scenario& scenario, double element) {
 
 Odd large_elements(const Case& one) {
     const Scenario& scenario = one.scenario;
-    const FloatingPlate plate{.thickness = scenario.floe.thickness,
-                              .water_density = scenario.water.density,
-                              .gravity = scenario.general.gravity};
-    const double length = plate.characteristic_length(scenario.mean_ice().elastic_modulus);
+    const double length = scenario.characteristic_length();
     const double element = largest_element(scenario);
     if (one.pairing == Pairing::find_modulus || element < length) return {};
     return {

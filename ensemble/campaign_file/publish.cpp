@@ -102,7 +102,7 @@ void replace_published(const std::filesystem::path& path,
     const hdf5::QuietErrors quiet;
     try {
         replace_file(path, path.string() + ".tmp", write, system);
-    } catch (const RunError& error) {
+    } catch (const std::runtime_error& error) {
         throw RunError(
             fmt::format("{} cannot be written: {}. Every member that is done lies in the journal beside it; make "
                         "room, and the same command with --resume, or the same merge, writes the file.",

@@ -157,9 +157,18 @@ std::string number_fault(const std::string& word) {
     return fmt::format("{} is no {}number", word, std::is_integral_v<Number> ? "whole " : "");
 }
 
+/// Takes the zeros off a whole number in front of which CLI11 would read it as octal.
+std::string without_leading_zeros(std::string& word) {
+    const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+    if (word.size() > sign && word.find_first_not_of("0123456789", sign) == std::string::npos)
+        word.erase(sign, std::min(word.find_first_not_of('0', sign), word.size() - 1) - sign);
+    return {};
+}
+
 /// Checks the words of an option that is read into a `Value`; --help shows nothing of it.
 template <class Value>
 void expect_numbers(CLI::Option& option) {
+    if constexpr (std::is_integral_v<Value>) option.transform(CLI::Validator(without_leading_zeros, "", ""));
     if constexpr (std::is_arithmetic_v<Value>)
         option.check(CLI::Validator([](const std::string& word) { return number_fault<Value>(word); }, "", ""));
 }

@@ -205,13 +205,15 @@ void add_config(CommandLine& line) {
     auto options = std::make_shared<ConfigOptions>();
     Verb verb = line.verb("config", "Print the default configuration or the list of keys, or check a configuration");
     OptionList action = verb.exactly_one_of("action", "Action; exactly one of");
-    action.flag("--defaults", options->defaults, "Print a complete commented configuration that runs");
+    Option defaults_flag =
+        action.flag("--defaults", options->defaults, "Print a complete commented configuration that runs");
     Option reference_flag =
         action.flag("--reference", options->reference, "Print every key: default, range, meaning, source");
     verb.option("table", options->table, "With --reference: only the keys of this table, as moorings")
         .needs(reference_flag);
-    action.flag("--schema", options->schema,
-                "Print the JSON Schema, by which editors complete and check keys; floes new --schema writes it beside");
+    Option schema_flag = action.flag(
+        "--schema", options->schema,
+        "Print the JSON Schema, by which editors complete and check keys; floes new --schema writes it beside");
     Option check = action.option("--check", options->check, "Check this configuration without running it");
     Option resolved =
         action.option("--resolved", options->resolved, "Print the complete configuration as it would run");
@@ -220,7 +222,7 @@ void add_config(CommandLine& line) {
     verb.option("--format", options->format, "Format of the reference: text (Markdown) or json")
         .one_of({"text", "json"})
         .needs(reference_flag);
-    add_overrides(verb, options->overrides).excludes(reference_flag);
+    add_overrides(verb, options->overrides).excludes(reference_flag).excludes(defaults_flag).excludes(schema_flag);
     verb.runs([options] {
         std::fputs(answer(*options).c_str(), stdout);
         if (!options->check.empty()) note("to see it: floes show {}", shell_word(options->check));

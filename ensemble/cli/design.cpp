@@ -78,10 +78,11 @@ void write(const Output& output) {
     if (output.file.empty()) return;
     if (output.file.ends_with(".xlsx"))
         write_sheets(output.file, output.sections, output.command);
+    else if (output.file.ends_with(".toml"))
+        write_new(output.file, output.cases());
     else
-        write_page(output.file, output.file.ends_with(".svg") ? output.picture()
-                                : output.file.ends_with(".toml")
-                                    ? output.cases()
+        write_page(output.file, output.file.ends_with(".svg")
+                                    ? output.picture()
                                     : sections_page(output.title, output.sections, output.command, output.units));
     note("{} is written", output.file);
 }
@@ -250,7 +251,8 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
     const MooredRequest asked{hull, request.scale, request.averaging};
     const std::vector<MooredCase> found = find_moored(evidence, asked);
     const std::vector<CasePeaks> peaks = moored_peaks(evidence.sample, found);
-    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.sample, request, peaks);
+    std::vector<CaseDesignLoad> designs = find_design_loads(evidence.sample, request, peaks);
+    for (const MooredCase& one : found) designs[one.case_index].why = one.refused;
     std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
     sections.push_back(moored_section(evidence.summary, found, asked));
     return {std::move(sections), designs, request, evidence};
@@ -261,7 +263,9 @@ Answer sections_of(const DesignOptions& options, const Evidence& evidence, const
         const std::vector<CaseDesignLoad> designs = find_simulated_designs(evidence, request);
         std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
         if (options.of == "mooring_force") sections.front().before = mooring_notes(evidence) + sections.front().before;
-        if (std::optional<Section> moved = moored_runs_section(evidence)) sections.push_back(std::move(*moved));
+        // Those are at the scale of the campaign.
+        if (std::optional<Section> moved = moored_runs_section(evidence); moved && request.scale == 1)
+            sections.push_back(std::move(*moved));
         return {std::move(sections), designs, request, evidence};
     }
     if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
@@ -331,7 +335,9 @@ int answer_of_year(const DesignOptions& options) {
     const Year year = find_year({given.path(), evidence.campaign, evidence.table}, regimes, request);
     std::vector<Section> sections = year_sections(evidence, year, request);
     add_warnings(evidence, sections);
-    if (options.next) sections.push_back(year_next(evidence, year, typed_program(options.program)));
+    if (options.next)
+        sections.push_back(
+            year_next(evidence, year, typed_program(options.program), options.files.size() == 1 ? given.words() : ""));
     const Units units = year_units(year, request);
     print(sections, options.format, units);
     if (options.next && options.format != "table") std::fputs(sections.back().before.c_str(), stderr);

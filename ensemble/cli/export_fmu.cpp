@@ -2,7 +2,6 @@
 
 #include "cli/export_fmu.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <set>
 

@@ -131,12 +131,13 @@ void tell_parts(const Parts& parts) {
 
 namespace {
 
-bool is_campaign_file(const fs::path& path) {
+/// Nothing known of a file that is not there or cannot be read.
+std::optional<bool> is_campaign_file(const fs::path& path) {
     const hdf5::QuietErrors quiet;
     try {
         return hdf5::is_of_kind(hdf5::open_for_reading(path).id(), campaign_kind);
     } catch (const std::exception&) {
-        return false;  // no such file, or none that can be read
+        return {};
     }
 }
 
@@ -152,13 +153,15 @@ void expect_no_other_file(const fs::path& path) {
                         "names another file for the campaign.",
                         path.string()));
     for (const char* ending : {".h5", ".hdf5", ".nc"})
-        if (const fs::path twin = fs::path(path).replace_extension(ending); twin != path && is_campaign_file(twin))
+        if (const fs::path twin = fs::path(path).replace_extension(ending);
+            twin != path && is_campaign_file(twin).value_or(false))
             throw InputError(
                 fmt::format("{} would share its journal and pieces with {}, a campaign file that is there: -o needs "
                             "another name, not "
                             "only another ending.",
                             path.string(), twin.string()));
-    if (kind == GivenFile::nothing || kind == GivenFile::hdf5 || empty_file) return;
+    const bool other_hdf5 = kind == GivenFile::hdf5 && !is_campaign_file(path).value_or(true);
+    if (kind == GivenFile::nothing || (kind == GivenFile::hdf5 && !other_hdf5) || empty_file) return;
     fs::path other = fs::path(path).replace_extension(".h5");
     if (other == path) other.replace_filename(path.stem().string() + "_campaign.h5");
     throw InputError(fmt::format("{} is {} and stays as it is; -o names another file for the campaign, as {}.",

@@ -281,21 +281,23 @@ void add_plate(Verb& laboratory) {
         "Elastic modulus of the numerical ice over Σ, Γ, Δt, iterations and element size (plate deflection, Fig. 2), "
         "and of ice with beam joints");
     const auto list = [&](const char* name, auto& values, const char* help) {
-        verb.option(name, values, help).comma_separated();
+        return verb.option(name, values, help).comma_separated();
     };
     Option config = verb.option("config", options->config,
                                 "Test the ice of this configuration's first case; default: the paper's plate");
     add_overrides(verb, options->overrides).needs(config);
-    list("--sheet-m", options->sheets, "Sides of the square sheet, m");
-    const Option cfm = verb.option("--cfm", options->cfm, "Values of Σ, joint.model = \"cfm\"").comma_separated();
+    list("--sheet-m", options->sheets, "Sides of the square sheet, m").positive();
+    const Option cfm =
+        verb.option("--cfm", options->cfm, "Values of Σ, joint.model = \"cfm\"").comma_separated().not_negative();
     const Option beams =
         verb.option("--beam-MPa", options->moduli, "Moduli of beam joints, joint.model = \"beam\", solved exactly")
-            .comma_separated();
-    list("--element-m", options->elements, "Element sizes L_e, m");
-    list("--thickness-m", options->thicknesses, "Thicknesses, m");
-    list("--time-step-s", options->time_steps, "Time steps Δt, s");
-    list("--erp", options->erps, "Values of Γ");
-    list("--iterations", options->iterations, "Numbers of Gauss-Seidel sweeps");
+            .comma_separated()
+            .positive();
+    list("--element-m", options->elements, "Element sizes L_e, m").positive();
+    list("--thickness-m", options->thicknesses, "Thicknesses, m").positive();
+    list("--time-step-s", options->time_steps, "Time steps Δt, s").positive();
+    list("--erp", options->erps, "Values of Γ").not_negative();
+    list("--iterations", options->iterations, "Numbers of Gauss-Seidel sweeps").within(1, 1000000);
     verb.option("--load-N", options->load, "Largest load on the centre, N").shows_default();
     const Option modulus = verb.option("--modulus-MPa", options->modulus,
                                        "Inverse calibration: find the Σ that shows this modulus on the first sheet")

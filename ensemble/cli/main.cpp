@@ -60,6 +60,7 @@ void fill_standard_streams() {
 
 int main(int argc, char** argv) {
     fill_standard_streams();
+    std::signal(SIGCHLD, SIG_DFL);  // where it is ignored, as a parent may leave it, nobody learns how a child ended
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error, like a full disk
     const std::span<char* const> words(argv, static_cast<std::size_t>(argc));
     floes::CommandLine line(floes::program_description);

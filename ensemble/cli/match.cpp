@@ -34,8 +34,8 @@ void write_next(const MatchOptions& options, const std::vector<MatchWave>& waves
         throw InputError("There is no next wave: nothing is left. Widen the ranges, or allow the model a discrepancy.");
     const Eigen::MatrixXd points = next_points(found, data, options.points);
     const std::filesystem::path path = options.next;
-    write_page(path, write_campaign(next_wave(waves.front(), data.axes, points, path.stem().string(),
-                                              waves.front().campaign.seed + waves.size())));
+    write_new(path, write_campaign(next_wave(waves.front(), data.axes, points, path.stem().string(),
+                                             waves.front().campaign.seed + waves.size())));
     note("{} has the next wave, {}{}; run it with floes run {}", path.string(), counted(points.rows(), "point"),
          points.rows() < options.points ? fmt::format(" (of {}: no more are left that differ)", options.points) : "",
          shell_word(path.string()));

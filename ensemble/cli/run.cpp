@@ -358,7 +358,7 @@ void add_run(CommandLine& line, std::span<char* const> command) {
         .within(0.0, 1e5);
     verb.option("--time-left", options->time_left,
                 "Seconds until the run must have ended; default inside a Slurm job: the time left according to Slurm")
-        .positive();
+        .within(1e-3, 1e9);
     verb.option("--until", options->until,
                 "Run until the question is answered: \"mooring_force 3 h +- 15 %\" for a design value of every case "
                 "(load, mooring_force, offset, yaw, line_tension ...), \"mean_load +- 5 %\" for a mean; takes as many "

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <ostream>
-#include <span>
 #include <vector>
 
 #include <fmt/format.h>

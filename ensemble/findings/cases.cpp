@@ -259,13 +259,13 @@ void add_counts(const Summary& summary, CaseTable& table) {
     table.add({"failed_members", "  failed"}, [](Row row) { return row.failed_members; });
     table.add({"missing_members"}, [](Row row) { return row.missing_members; });
     table.add({"not_steady"}, [](Row row) { return row.not_steady; });
-    table.add({"trend", "load through the window"}, [](Row row) { return name_of(row.trend.steadiness); });
-    table.add(
-        {.key = "change_over_window", .words = "  changes by", .unit = "N", .holds = ResultColumn::Holds::estimates},
-        [](Row row) {
-            const Interval& change = row.trend.load;
-            return Estimate{change.estimate, change.low, change.high, std::isfinite(change.low)};
-        });
+    table.add({.key = "trend"}, [](Row row) { return name_of(row.trend.steadiness); });
+    table.add({.words = "load through the window"}, [](Row row) { return judged_words(row.trend); });
+    const auto as_estimate = [](const Interval& change) {
+        return Estimate{change.estimate, change.low, change.high, std::isfinite(change.low)};
+    };
+    table.add(estimates("", "  changes by", "N"), [&](Row row) { return as_estimate(row.trend.judged()); });
+    table.add(estimates("change_over_window", "", "N"), [&](Row row) { return as_estimate(row.trend.load); });
 }
 
 void add_quantity(const Summary& summary, const Quantity& quantity, Reference reference, CaseTable& table) {
@@ -562,17 +562,18 @@ Section convergence_section(Evidence& evidence) {
     std::vector<Curve> curves;
     for (std::size_t i = 0; i < evidence.sample.cases.size(); ++i) {
         Curve& curve = curves.emplace_back(Curve{i});
-        std::vector<double> so_far;
-        for (const double load : evidence.sample.values(evidence.sample.done(i), quantity("mean_load"))) {
-            so_far.push_back(load);
-            if (so_far.size() < fewest_drawn) continue;
-            const double n = static_cast<double>(so_far.size());
-            const Interval interval = mean_interval(so_far);
+        const std::vector<double> loads = evidence.sample.values(evidence.sample.done(i), quantity("mean_load"));
+        const std::size_t all = loads.size();
+        // Of many arrangements every fiftieth part more.
+        for (std::size_t count = fewest_drawn; count <= all;
+             count = count == all ? all + 1 : std::min(all, count + std::max<std::size_t>(count / 50, 1))) {
+            const double n = static_cast<double>(count);
+            const Interval interval = mean_interval(std::span(loads).first(count));
             curve.mean.emplace_back(n, interval.estimate);
             curve.low.emplace_back(n, interval.low);
             curve.high.emplace_back(n, interval.high);
             drawn.push_back(interval.estimate);
-            if (says_something(interval.estimate, {interval.low, interval.high}, static_cast<int>(so_far.size())))
+            if (says_something(interval.estimate, {interval.low, interval.high}, static_cast<int>(count)))
                 drawn.insert(drawn.end(), {interval.low, interval.high});
             figure.x.high = std::max(figure.x.high, n);
         }

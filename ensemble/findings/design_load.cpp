@@ -110,7 +110,8 @@ std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const Design
     for (std::size_t index = 0; index < sample.cases.size(); ++index) peaks.push_back(case_peaks(sample, index, time));
     std::vector<CaseDesignLoad> designs = find_design_loads(sample, request, peaks);
     for (CaseDesignLoad& one : designs)
-        one.not_averaged = one.arrangements.empty() && !sample.done(one.case_index).empty();
+        if (one.arrangements.empty() && !sample.done(one.case_index).empty())
+            one.why = "its members did not average the load over that time (analysis.averaging_s)";
     return designs;
 }
 
@@ -206,17 +207,24 @@ std::vector<Paired> pairs_of(const std::vector<CaseDesignLoad>& designs, const D
     return pairs;
 }
 
+/// Of what people are shown.
+Estimate in_si(const Estimate& shown, const DesignOf& of) {
+    const double factor = of.shown_factor();
+    return {shown.value / factor, shown.low / factor, shown.high / factor, shown.said};
+}
+
 Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                       const DesignLoadRequest& request) {
     const std::vector<Paired> pairs = pairs_of(designs, request);
     if (pairs.empty()) return {};
     Results results{.place = "design/pairs", .columns = {{.words = "pair"}, {"first"}, {"second"}}, .in_csv = false};
-    results.columns.push_back(estimates("difference", "difference", std::string(request.of.shown_unit())));
+    results.columns.push_back(estimates("", "difference", std::string(request.of.shown_unit())));
+    results.columns.push_back(estimates("difference", "", std::string(request.of.unit)));
     for (const Paired& pair : pairs) {
         const std::size_t first = pair.first->case_index;
         const std::size_t second = pair.second->case_index;
         results.add({fmt::format("{} - {}", summary.label_of(second), summary.label_of(first)), summary.name_of(first),
-                     summary.name_of(second), pair.difference});
+                     summary.name_of(second), pair.difference, in_si(pair.difference, request.of)});
     }
     return {.results = {std::move(results)},
             .after = fmt::format("\nDifferences of the {} exceeded with {:.3g} %, by both tails, over the same "
@@ -341,7 +349,7 @@ std::string doubt_lines(const Summary& summary, const std::vector<CaseDesignLoad
 }  // namespace
 
 std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
-    if (one.not_averaged) return "its members did not average the load over that time (analysis.averaging_s).";
+    if (!one.why.empty()) return one.why + ".";
     if (one.refused)
         return fmt::format(
             "{}, so it is not known how high it gets later. Measure later (--window auto, or run with a later "
@@ -363,7 +371,7 @@ std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
 int more_arrangements(const CaseDesignLoad& one) {
     constexpr std::size_t beginning = 8;
     const std::size_t runs = one.load.arrangements;
-    if (one.refused || one.not_averaged) return 0;
+    if (one.refused || !one.why.empty()) return 0;
     if (one.load.valid()) return static_cast<int>(3 * runs);
     if (runs < fewest_members) return static_cast<int>(beginning - runs);
     if (one.load.peaks == 0 || one.load.peaks >= fewest_peaks) return 0;
@@ -456,10 +464,11 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
 
 namespace {
 
-/// Of the load over the window, of its mean.
+/// Over the window, of what is judged.
 Estimate relative_change(const JointTrend& trend) {
-    const Interval& change = trend.load;
-    return {change.estimate / trend.mean, change.low / trend.mean, change.high / trend.mean, std::isfinite(change.low)};
+    const Interval& change = trend.judged();
+    const double whole = trend.whole();
+    return {change.estimate / whole, change.low / whole, change.high / whole, std::isfinite(change.low)};
 }
 
 /// For people, a line for each figure.
@@ -490,7 +499,8 @@ Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& d
     add({.words = "peaks above the threshold a member, variance / mean", .decimals = 2},
         [](Design one) { return one.load.unlike.dispersion; });
     add({.words = "  p, if members are alike", .digits = 3}, [](Design one) { return one.load.unlike.dispersion_p; });
-    table.add({.words = "the load through the window"}, [](Design one) { return name_of(one.trend.steadiness); });
+    table.add({.words = fmt::format("the {} through the window", request.of.noun)},
+              [](Design one) { return judged_words(one.trend); });
     table.add({.words = "  changes by", .unit = "share", .holds = ResultColumn::Holds::estimates, .decimals = 0},
               [](Design one) { return relative_change(one.trend); });
     add({.words = "peaks at least apart, s", .digits = 3}, [&](Design one) { return one.separation * times; });

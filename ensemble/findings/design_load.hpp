@@ -47,8 +47,8 @@ struct CaseDesignLoad {
     std::vector<double> peaks;      ///< of all rows, falling, N
     DesignLoad load;                ///< at the scale of the campaign; not valid if refused
     JointTrend trend;
-    bool refused = false;       ///< it rises, and nobody asked for it to be extrapolated
-    bool not_averaged = false;  ///< its members have no loads averaged over that time
+    bool refused = false;  ///< it rises, and nobody asked for it to be extrapolated
+    std::string why{};     ///< it has none, without a full stop; empty: not for want of loads
     /// Whether all members are of one kind, which the other methods and pairs take for granted.
     bool of_one_kind() const { return load.unlike.out.empty(); }
 

@@ -16,17 +16,27 @@ namespace floes {
 namespace {
 
 /// Ends of names and what they mean, longer ones before those that end like them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> units{{{"_kg_m3", "kg/m³"},
-                                                                               {"_m_s2", "m/s²"},
-                                                                               {"_m_s", "m/s"},
-                                                                               {"_percent", "%"},
-                                                                               {"_kPa", "kPa"},
-                                                                               {"_MPa", "MPa"},
-                                                                               {"_MiB", "MiB"},
-                                                                               {"_deg", "°"},
-                                                                               {"_N", "N"},
-                                                                               {"_s", "s"},
-                                                                               {"_m", "m"}}};
+constexpr auto units = std::to_array<std::pair<std::string_view, std::string_view>>({{"_kN_m_rad", "kN m/rad"},
+                                                                                     {"_kN_s2_m2", "kN s²/m²"},
+                                                                                     {"_kN_m_s2", "kN m s²"},
+                                                                                     {"_kN_m", "kN/m"},
+                                                                                     {"_N_m", "N/m"},
+                                                                                     {"_kN", "kN"},
+                                                                                     {"_N", "N"},
+                                                                                     {"_t_m2", "t m²"},
+                                                                                     {"_t", "t"},
+                                                                                     {"_kg_m3", "kg/m³"},
+                                                                                     {"_J_m2", "J/m²"},
+                                                                                     {"_mm_s", "mm/s"},
+                                                                                     {"_m_s2", "m/s²"},
+                                                                                     {"_m_s", "m/s"},
+                                                                                     {"_percent", "%"},
+                                                                                     {"_kPa", "kPa"},
+                                                                                     {"_MPa", "MPa"},
+                                                                                     {"_MiB", "MiB"},
+                                                                                     {"_deg", "°"},
+                                                                                     {"_s", "s"},
+                                                                                     {"_m", "m"}});
 
 }  // namespace
 
@@ -46,7 +56,8 @@ KeyWords key_words(std::string_view key) {
     for (const auto& [end, unit] : units) {
         if (!name.ends_with(end)) continue;
         name.remove_suffix(end.size());
-        words.unit = unit;
+        const bool moment = unit == "kN/m" && (name.ends_with("friction") || name.ends_with("limit"));
+        words.unit = moment ? "kN m" : unit;
         break;
     }
     words.name = name == "cfm" ? "Σ" : std::string(name);

@@ -205,7 +205,9 @@ bool all_give_way(const Evidence& evidence) {
 
 std::vector<Section> moored_sections(Evidence& evidence) {
     std::vector<Section> sections;
-    if (std::optional<Section> simulated = moored_runs_section(evidence)) sections.push_back(std::move(*simulated));
+    const bool scaled = evidence.moored && evidence.moored->scale != 1;  // where hulls moved is at the campaign's own
+    if (std::optional<Section> simulated = moored_runs_section(evidence); simulated && !scaled)
+        sections.push_back(std::move(*simulated));
     if (evidence.moored) {
         const MooredRequest& asked = *evidence.moored;
         const std::vector<MooredCase> found = find_moored(evidence, asked);

@@ -148,7 +148,7 @@ CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignL
             made.later = std::string{request.of.word};
         } else if (!one.load.valid()) {
             more = more_arrangements(one);
-            value = Undefined{one.not_averaged ? "not averaged over that time" : more_words(more)};
+            value = Undefined{!one.why.empty() ? "not averaged over that time" : more_words(more)};
         } else {
             const LoadFigure& found = one.load.estimates.front().quantiles.front();
             const bool said = says_something(found.value, found.interval, static_cast<int>(one.load.arrangements));

@@ -404,9 +404,10 @@ Results sensitivity_results(const Sensitivity& found) {
     const auto share = [](const SobolIndex& of) { return Datum(within(of.estimate, of.interval)); };
     for (const SensitivityRow& row : found.rows) {
         const auto whom = in_front(row.quantity) ? Results::For::everybody : Results::For::folded;
-        results.add_heading(fmt::format("{}{}{}", row.base, row.base.empty() ? "" : ": ", row.quantity.label) +
-                                (row.fit ? fmt::format(" (R² {:.2f})", row.fit->r_squared) : ""),
-                            whom, unit_of(row.quantity));
+        results.add_heading(
+            fmt::format("{}{}{}", row.base, row.base.empty() ? "" : ": ", row.quantity.label) +
+                (row.fit && std::isfinite(row.fit->r_squared) ? fmt::format(" (R² {:.2f})", row.fit->r_squared) : ""),
+            whom, unit_of(row.quantity));
         for (std::size_t k = 0; k < found.axes.size(); ++k) {
             const RangedAxis& axis = found.axes[k];
             const std::string_view scale = axis.scale == AxisScale::log ? "log" : "linear";

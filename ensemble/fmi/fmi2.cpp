@@ -3,7 +3,6 @@
 #include <charconv>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 

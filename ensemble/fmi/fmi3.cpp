@@ -1,9 +1,7 @@
 // FMI 3.0 for co-simulation: the functions of its standard by their names and types there. Those of model exchange and
 // scheduled execution are exported too, as 3.0.1 asks, and refuse.
 
-#include <memory>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 

@@ -241,9 +241,13 @@ JointTrend joint_trend(std::span<const MemberTrend> members, std::string_view no
     return one;
 }
 
+std::string judged_words(const JointTrend& trend) {
+    return fmt::format("{}{}", name_of(trend.steadiness), trend.by_load ? "" : " (segment maxima)");
+}
+
 std::string change_words(const JointTrend& trend) {
-    const Interval& change = trend.by_load ? trend.load : trend.maxima;
-    const double whole = trend.by_load ? trend.mean : trend.largest;
+    const Interval& change = trend.judged();
+    const double whole = trend.whole();
     const auto percent = [&](double part) {
         const double value = part / whole / unit::percent;
         return std::abs(value) < 10 ? fmt::format("{:+.2g}", value) : fmt::format("{:+.0f}", value);

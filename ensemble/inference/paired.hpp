@@ -120,10 +120,15 @@ struct JointTrend {
 
     bool rises() const { return steadiness == Steadiness::rises; }
     bool seen() const { return rises() || steadiness == Steadiness::falls; }
+    const Interval& judged() const { return by_load ? load : maxima; }  ///< the change that the steadiness is of, N
+    double whole() const { return by_load ? mean : largest; }           ///< what that is compared with, N
 };
 
 /// Of a case, from its members. `noun`: what they are trends of.
 JointTrend joint_trend(std::span<const MemberTrend> members, std::string_view noun = "load");
+
+/// "rises"; "falls (segment maxima)" where not the load itself is judged.
+std::string judged_words(const JointTrend& trend);
 
 /// "+51 % [+33, +70]": what is judged, relative to the mean.
 std::string change_words(const JointTrend& trend);

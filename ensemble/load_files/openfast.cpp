@@ -4,12 +4,9 @@
 // its name on each line, in one order (ServoDyn's manual, "Structural Control", and its parser). Prescribed series are
 // StC_DOF_MODE 4 up to OpenFAST 4.2 and 6 from 5.0 on, whose file also calls one unused mass otherwise.
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
-#include <iterator>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 

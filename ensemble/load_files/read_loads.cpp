@@ -1,7 +1,6 @@
 #include "load_files/read_loads.hpp"
 
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>

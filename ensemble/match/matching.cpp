@@ -43,6 +43,11 @@ CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const 
             if (about.point != point.number || about.base != mean_maximum.target().case_name) continue;
             const AveragedLoad* averaged = row.averaged_over(time);
             if (averaged == nullptr) continue;
+            if (!(index > 0))
+                throw InputError(fmt::format(
+                    "{}: the emulated mean maximum at point {} of the design is {:.3g} N, which is no load; run more "
+                    "points, or loads that differ less",
+                    wave.file, point.number, index));
             DividedRun run{index, left[k], row.load.mean / index, {averaged->peaks, averaged->segment_maximum}};
             for (double& peak : run.row.peaks) peak /= index;
             for (double& maximum : run.row.segment_maxima) maximum /= index;
@@ -422,7 +427,7 @@ Estimate range_of(const AtPoints& at, const std::vector<double>& weights, double
     };
     double mean = 0;
     for (std::size_t k = 0; k < sd.size(); ++k) mean += weights[k] * at.mean[k];
-    return {mean, quantile(0.025), quantile(0.975)};
+    return {std::clamp(mean, least, most), quantile(0.025), quantile(0.975)};
 }
 
 }  // namespace

@@ -619,7 +619,7 @@ std::optional<Figure> year_figure(const Year& year, const YearRequest& request) 
     return figure;
 }
 
-Section year_next(const Evidence& evidence, const Year& year, const std::string& program) {
+Section year_next(const Evidence& evidence, const Year& year, const std::string& program, const std::string& file) {
     const YearLevel& rarest = *std::ranges::min_element(year.levels, {}, &YearLevel::per_year);
     if (rarest.uncertainty.empty())
         return {.before = "Next: nothing, because no regime has the load so often; check hours_per_year.\n"};
@@ -629,11 +629,13 @@ Section year_next(const Evidence& evidence, const Year& year, const std::string&
     const std::string& name = evidence.campaign.name;
     const int arrangements = 2 * std::max(evidence.campaign.arrangements, static_cast<int>(source.arrangements));
     return {.before = fmt::format(
-                "Next: {} wants more members: it has {} of the uncertainty of the load of {} a year.\n  {} run {} "
-                "-o {} --set campaign.arrangements={} --resume\nThis doubles the arrangements of all cases; what is "
-                "done is not computed again. Give every --set of the first run as well.\n",
-                source.words(), percent_of(rarest.uncertainty[widest]), per_year_text(rarest.per_year), program,
-                shell_word(name + ".toml"), shell_word(evidence.file.string()), arrangements)};
+                "Next: {} wants more members: it has {} of the uncertainty of the load of {} a year.\n  {} --set "
+                "campaign.arrangements={} --resume\nThis doubles the arrangements of all cases; what is done is not "
+                "computed again. Give every --set of the first run as well.\n",
+                source.words(), percent_of(rarest.uncertainty[widest]), per_year_text(rarest.per_year),
+                file.empty() ? "the command of each part, with"
+                             : fmt::format("{} run {} -o {}", program, shell_word(name + ".toml"), file),
+                arrangements)};
 }
 
 }  // namespace floes

@@ -94,7 +94,7 @@ bool says_some_load(const Year& year);
 std::optional<Figure> year_figure(const Year& year, const YearRequest& request);
 
 /// The source of which the rarest load is least certain, and the command that runs as many members again; `program` as
-/// the user typed it. Without a title.
-Section year_next(const Evidence& evidence, const Year& year, const std::string& program);
+/// the user typed it, `file` as it is typed, empty where there is not one. Without a title.
+Section year_next(const Evidence& evidence, const Year& year, const std::string& program, const std::string& file);
 
 }  // namespace floes

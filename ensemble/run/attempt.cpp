@@ -39,7 +39,9 @@
 namespace floes {
 
 AttemptLimits limits_of(const RunRules& rules) {
-    return {.deadline = rules.member_deadline, .memory = static_cast<std::uint64_t>(rules.member_memory)};
+    constexpr double longest = 1e9;  // s, which every clock holds
+    return {.deadline = std::min(rules.member_deadline, longest),
+            .memory = static_cast<std::uint64_t>(rules.member_memory)};
 }
 
 namespace {
@@ -196,7 +198,7 @@ struct RequestWithDescriptor {
     Descriptor descriptor;
 };
 
-enum class AnswerKind : std::uint8_t { result, sentence };
+enum class AnswerKind : std::uint8_t { result, sentence, no_process };
 
 enum class PacketKind : std::uint8_t { part, ending, progress };  // the first byte of each packet
 constexpr std::size_t most_bytes_in_a_frame = 32768;
@@ -469,7 +471,7 @@ class Server {
         }
         if (pid < 0) {
             ByteWriter answer;
-            answer.u8(static_cast<std::uint8_t>(AnswerKind::sentence));
+            answer.u8(static_cast<std::uint8_t>(AnswerKind::no_process));
             answer.text(fmt::format("Cannot create a process for the member ({}).", std::strerror(errno)));
             send_frames(socket.get(), PacketKind::part, answer.bytes());
             const Ending none;
@@ -573,9 +575,9 @@ MemberResult understand(std::span<const std::byte> written, const Ending& ending
     const bool orderly = !ending.at_deadline && WIFEXITED(ending.wait_status) && WEXITSTATUS(ending.wait_status) == 0;
     if (!orderly || written.empty()) return failed_result(reason_of(ending, limits));
     ByteReader in(written);
-    if (static_cast<AnswerKind>(in.u8()) == AnswerKind::sentence) {
-        return failed_result(in.text());
-    }
+    const auto kind = static_cast<AnswerKind>(in.u8());
+    if (kind == AnswerKind::no_process) throw RunError(in.text());  // the machine's fault, and not the member's
+    if (kind == AnswerKind::sentence) return failed_result(in.text());
     MemberResult result = read_member_result(in);
     read_arrays(in, result);
     return result;

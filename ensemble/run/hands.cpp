@@ -6,7 +6,6 @@
 #include <chrono>
 #include <exception>
 #include <map>
-#include <memory>
 #include <string>
 
 #include "campaign_file/pieces.hpp"

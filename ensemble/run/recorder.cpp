@@ -4,7 +4,6 @@
 #include <cstring>
 #include <map>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -15,7 +14,6 @@
 #include "campaign_file/pieces.hpp"
 #include "core/error.hpp"
 #include "run/parts.hpp"
-#include "run/saved_members.hpp"
 
 namespace floes {
 
@@ -85,7 +83,7 @@ Journal open(const Campaign& campaign, const Recorder::Places& places) {
         remove_file(places.campaign_file, places.system);
         if (&places.system == &this_system()) remove_pieces(places.campaign_file);
         remove_saved(
-            places.campaign_file, [](const MemberIdentity&) { return false; }, places.system);
+            places.campaign_file, [](const MemberIdentity&) { return false; }, HalfWritten::removed, places.system);
     }
     if (filed) take_in(*filed, campaign, opened);
     return opened;
@@ -186,7 +184,7 @@ std::string Recorder::tend(Time now) {
     if (places_.with_file && in_pieces_.empty() && timer_.publishing_is_due(now)) {
         try {
             publish_now();
-        } catch (const RunError& error) {
+        } catch (const std::exception& error) {
             trouble = error.what();
         }
         timer_.published(now, places_.system.now(), trouble.empty());
@@ -269,9 +267,9 @@ void Recorder::finish(const std::string& outcome, const std::function<bool()>& t
     }
     if (outcome.starts_with("complete"))
         remove_saved(
-            places_.campaign_file, [](const MemberIdentity&) { return false; }, places_.system);
+            places_.campaign_file, [](const MemberIdentity&) { return false; }, HalfWritten::removed, places_.system);
     else if (!places_.with_file)
-        remove_saved_of_done();
+        remove_saved_of_done(HalfWritten::removed);
     say_at_rest();
     if (!places_.keep_journal && outcome == "complete" && is_whole_in_file())
         remove_journal(journal_path(places_.campaign_file), places_.system);
@@ -306,8 +304,8 @@ void Recorder::write_metrics_now(Time now, bool at_work) const {
                   places_.system);
 }
 
-/// Members that still run have such files too; hardly ever are there more.
-void Recorder::remove_saved_of_done() const {
+/// Members that still run have such files too, and may be writing them; hardly ever are there more.
+void Recorder::remove_saved_of_done(HalfWritten half_written) const {
     const StoredMembers members = journal().members();
     const MemberNotes& notes = members.notes();
     const auto is_wanted = [&](const MemberIdentity& member) {
@@ -317,11 +315,11 @@ void Recorder::remove_saved_of_done() const {
             if (notes[k].key == key->second && notes[k].arrangement == member.second && notes[k].done()) return false;
         return true;
     };
-    remove_saved(places_.campaign_file, is_wanted, places_.system);
+    remove_saved(places_.campaign_file, is_wanted, half_written, places_.system);
 }
 
 void Recorder::publish_now() {
-    remove_saved_of_done();
+    remove_saved_of_done(HalfWritten::kept);
     const std::unique_lock<std::mutex> alone = alone_with_files(places_);
     publish(places_.campaign_file, tally_.published(), journal().members(), journal().sessions(),
             journal().calibrations(), places_.system, places_.content);

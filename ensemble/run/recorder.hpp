@@ -14,6 +14,7 @@
 #include "campaign_file/publish.hpp"
 #include "run/inventory.hpp"
 #include "run/messages.hpp"
+#include "run/saved_members.hpp"
 #include "run/writer.hpp"
 
 namespace floes {
@@ -142,7 +143,7 @@ class Recorder {
     bool has_all_pieces() const;
     void say_at_rest() const;  ///< to whoever watches: no heartbeat, and metrics of a run that has ended
     void write_metrics_now(Time now, bool at_work) const;
-    void remove_saved_of_done() const;
+    void remove_saved_of_done(HalfWritten half_written) const;
     void look_at_other_parts();
 
     const Campaign& campaign_;

@@ -680,7 +680,8 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
         recorder.sync();  // before anything slow, because the batch system may kill the run soon
         if (resumed) progress.say(harvest(tally));
         progress.say(fmt::format("stopped by {} with {} of {} done and on the disk; to resume: {}", stopped_by,
-                                 tally.done() + tally.failed(), counted(total, "member"), options.resume_command));
+                                 tally.done() + tally.failed() - lost, counted(total, "member"),
+                                 options.resume_command));
         recorder.finish("stopped", by_hands);
         return exit_stopped;
     }

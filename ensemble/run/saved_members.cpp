@@ -127,9 +127,9 @@ std::vector<SavedFile> saved_files(const fs::path& campaign_file, const System& 
 }  // namespace
 
 void remove_saved(const fs::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted,
-                  const System& system) {
+                  HalfWritten half_written, const System& system) {
     for (const SavedFile& file : saved_files(campaign_file, system))
-        if (!file.whole || !wanted(file.member)) system.remove(file.path);
+        if (file.whole ? !wanted(file.member) : half_written == HalfWritten::removed) system.remove(file.path);
 }
 
 int count_saved(const Campaign& campaign, const fs::path& campaign_file, const System& system) {

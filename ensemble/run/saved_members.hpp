@@ -40,9 +40,12 @@ void write_saved(const std::filesystem::path& path, const std::string& stamp, co
 std::optional<SavedMember> read_saved(const std::filesystem::path& path, const std::string& stamp,
                                       const System& system = this_system());
 
-/// Removes the files of a campaign's members that are not wanted any more, and what a killed process left half written.
+/// What becomes of files that a killed process left half written; while members run, one of them may be writing it.
+enum class HalfWritten { removed, kept };
+
+/// Removes the files of a campaign's members that are not wanted any more.
 void remove_saved(const std::filesystem::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted,
-                  const System& system = this_system());
+                  HalfWritten half_written, const System& system = this_system());
 
 /// How many members of the campaign have a file; those of another one that was written there do not count.
 int count_saved(const Campaign& campaign, const std::filesystem::path& campaign_file,

@@ -570,7 +570,10 @@ Journal open_journal(const std::filesystem::path& path, const Campaign& campaign
     if (journal.campaign_text() == here) return journal;
     const Campaign there = read_text(journal.campaign_text(), path);
     expect_to_continue(there, campaign, path);
-    if (fingerprint(there) != fingerprint(campaign) || there.stop != campaign.stop) journal.extend(there, campaign);
+    // What readers of the journal alone ask for, besides the members.
+    if (fingerprint(there) != fingerprint(campaign) || there.stop != campaign.stop || there.name != campaign.name ||
+        there.run.base_case != campaign.run.base_case)
+        journal.extend(there, campaign);
     return journal;
 }
 

@@ -140,6 +140,14 @@ class FrontWriter {
             number(*plain, cell);
         } else if (const auto* named = std::get_if<Named>(&one.get())) {
             worksheet_write_string(sheet_, row, cell, named->label.c_str(), nullptr);
+        } else if (const auto* range = std::get_if<Bracket>(&one.get())) {
+            if (range->said)
+                worksheet_write_string(
+                    sheet_, row, cell,
+                    fmt::format("[{:.4g}, {:.4g}]", factor * range->limits.low, factor * range->limits.high).c_str(),
+                    nullptr);
+        } else if (const auto* none = std::get_if<Undefined>(&one.get())) {
+            if (!none->why.empty()) worksheet_write_string(sheet_, row, cell, none->why.c_str(), nullptr);
         } else {
             std::visit(Writer{sheet_, row, cell}, one.get());
         }

@@ -32,6 +32,7 @@ class Stored:
     def __init__(self, path: str | os.PathLike):
         self.path = pathlib.Path(path)
         self._file = _opened(self.path)
+        self._pieces: list[tuple[pathlib.Path, int]] = []  # and their inodes
         try:
             self.attributes = self.attributes_of("/")
             self._check_kind()
@@ -95,6 +96,7 @@ class Stored:
     def read(self, name: str, rows: Any = ()) -> numpy.ndarray:
         """Values of a dataset, all of them or those of `rows`; texts as str. Every value that the package takes from
         the file is read here."""
+        self._expect_same_pieces()
         with self.reading(f"/{name}"):
             dataset = self._file[name]
             for length, dimension in zip(dataset.shape, dataset.dims):
@@ -188,6 +190,13 @@ class Stored:
             if found != digests[k]:
                 raise CampaignError(f"{piece} is not the piece with {rows} that {self.path} was made with. "
                                     f"{_cure(self.path)}")
+            self._pieces.append((piece, piece.stat().st_ino))
+
+    def _expect_same_pieces(self) -> None:
+        """HDF5 opens them by name at each reading; a run that publishes the file anew removes or replaces them."""
+        for piece, inode in self._pieces:
+            if not piece.exists() or piece.stat().st_ino != inode:
+                raise CampaignError(f"{self.path} was published anew since it was opened; open it again.")
 
 
 def _same_times(coordinates: dict[str, xarray.DataArray]) -> list[str]:

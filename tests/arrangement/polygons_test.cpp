@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
 #include "arrangement/crowd.hpp"

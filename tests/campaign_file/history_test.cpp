@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "campaign/campaign.hpp"
 #include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"

@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
-#include <functional>
 
 #include "campaign_file/kinds.hpp"
 #include "campaign_file/publish.hpp"

@@ -9,6 +9,7 @@
 #include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "hdf5/dataset.hpp"
 #include "store/journal.hpp"
 #include "support/refusal.hpp"
 #include "support/synthetic.hpp"
@@ -60,6 +61,10 @@ TEST_F(GivenFiles, ThatAreNoCampaignAreNotReplacedByOne) {
     EXPECT_THAT(refusal([&] { expect_no_other_file(path("nothing.h5")); }), HasSubstr("is an empty file"));
     std::ofstream(path("nothing.journal")) << "floesjnl";
     EXPECT_NO_THROW(expect_no_other_file(path("nothing.h5"))) << "--resume writes it again";
+    { const hdf5::Handle another = hdf5::create_file(path("hull.h5")); }
+    EXPECT_THAT(refusal([&] { expect_no_other_file(path("hull.h5")); }), HasSubstr("is no campaign file and stays"));
+    publish(path("mine.h5"), synthetic::campaign(), synthetic::records(synthetic::campaign()), {});
+    EXPECT_NO_THROW(expect_no_other_file(path("mine.h5")));
 }
 
 TEST_F(GivenFiles, ThatWouldShareAJournalAreNotReplaced) {

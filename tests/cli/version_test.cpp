@@ -10,6 +10,7 @@ namespace floes {
 namespace version_test {
 
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 TEST(Version, NamesProgramRevisionLibrariesAndLanes) {
@@ -123,6 +124,8 @@ TEST(Usage, SaysHowNumbersAreWritten) {
     EXPECT_THAT(end_of({"report", "a.h5", "--exposure-h", "nan"}).what(), HasSubstr("nan is no number"));
     EXPECT_THAT(end_of({"report", "a.h5", "--quantile", "0,9"}).what(), HasSubstr("decimals have a point"));
     EXPECT_THAT(end_of({"run", "a.toml", "--threads", "2.5"}).what(), HasSubstr("2.5 is no whole number"));
+    EXPECT_THAT(end_of({"run", "a.toml", "--threads", "08", "--time-left", "x"}).what(), Not(HasSubstr("08")))
+        << "no octal";
     EXPECT_THAT(end_of({"report", "--help"}).output(), HasSubstr("in [0.001 - 1000000]"));
 }
 

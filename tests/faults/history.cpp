@@ -2,7 +2,6 @@
 
 #include <array>
 #include <csignal>
-#include <cstdio>
 #include <deque>
 #include <optional>
 #include <ostream>

@@ -132,7 +132,7 @@ TEST(DesignFinding, SaysWhichCaseDidNotAverageOverThatTime) {
     for (MemberRow& row : table.members)
         if (row.case_index == 1) row.averaged.front().time = 0.5;
     const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
-    EXPECT_FALSE(designs[0].not_averaged);
+    EXPECT_EQ(designs[0].why, "");
     EXPECT_EQ(more_arrangements(designs[1]), 0);
     EXPECT_THAT(none_text(designs[1], table.cases[1]), testing::HasSubstr("did not average the load over that time"));
 }

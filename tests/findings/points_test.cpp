@@ -63,6 +63,12 @@ TEST(KeyWords, SayUnits) {
     EXPECT_EQ(key_words("structure.speed_m_s").with("0.1"), "speed 0.1 m/s");
     EXPECT_EQ(key_words("ice.bending_strength_kPa").heading(), "bending strength, kPa");
     EXPECT_EQ(key_words("field.concentration_percent").unit, "%");
+    EXPECT_EQ(key_words("moorings.surge_kN_m").heading(), "surge, kN/m");
+    EXPECT_EQ(key_words("moorings.turret_friction_kN_m").heading(), "turret friction, kN m");
+    EXPECT_EQ(key_words("moorings.yaw_kN_m_rad").unit, "kN m/rad");
+    EXPECT_EQ(key_words("moorings.quadratic_pitch_kN_m_s2").unit, "kN m s²");
+    EXPECT_EQ(key_words("field.confining_N_m").heading(), "confining, N/m");
+    EXPECT_EQ(key_words("general.tolerance_mm_s").heading(), "tolerance, mm/s");
     EXPECT_EQ(key_words("contact.ice_ice_friction").heading(), "ice-ice friction");
     EXPECT_EQ(key_words("cfm").heading(), "Σ");
 }

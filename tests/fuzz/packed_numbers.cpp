@@ -1,6 +1,5 @@
 // Packed numbers: a count, and a chunk that is said to hold so many.
 
-#include <bit>
 #include <cstring>
 
 #include "fuzz/fuzz.hpp"

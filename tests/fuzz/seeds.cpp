@@ -1,7 +1,6 @@
 // seeds CORPUS: writes the first inputs of the targets that read bytes, from small members with a different value in
 // every field. Inputs that a fuzzer found and that reach more stand beside them.
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 

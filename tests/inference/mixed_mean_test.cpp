@@ -4,10 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <cmath>
-#include <numeric>
 
 #include "inference/known_processes.hpp"
 #include "inference/paired.hpp"

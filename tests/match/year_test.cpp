@@ -234,12 +234,14 @@ TEST(Year, SaysWhatItRestsOnAndWhatIsNext) {
     const auto records = nlohmann::json::parse(json(year_sections(evidence, year, {})));
     EXPECT_EQ(records.at("year").at("regimes").size(), 4u);
     EXPECT_EQ(records.at("year").at("curve").size(), year.curve.size());
-    const std::string next = year_next(evidence, year, "floes").before;
+    const std::string next = year_next(evidence, year, "floes", "my.h5").before;
     EXPECT_THAT(next, HasSubstr("Next: case thick wants more members"));
     EXPECT_THAT(next, HasSubstr("-o my.h5 --set campaign.arrangements=120 --resume"));
-    evidence.file = "my ice.h5";
     evidence.campaign.name = "my ice";
-    EXPECT_THAT(year_next(evidence, year, "floes").before, HasSubstr("floes run 'my ice.toml' -o 'my ice.h5' --set"));
+    EXPECT_THAT(year_next(evidence, year, "floes", "'my ice.h5'").before,
+                HasSubstr("floes run 'my ice.toml' -o 'my ice.h5' --set"));
+    EXPECT_THAT(year_next(evidence, year, "floes", "").before,
+                HasSubstr("the command of each part, with --set campaign.arrangements=120 --resume"));
 }
 
 TEST(Year, SaysWhereTheTailCannotSay) {

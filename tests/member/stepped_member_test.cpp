@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "member/run_member.hpp"
 #include "shapes/moorings.hpp"
 #include "support/jam_scenario.hpp"

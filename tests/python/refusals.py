@@ -63,7 +63,13 @@ class Refusals(unittest.TestCase):
         piece.unlink()
         self.refused("over.pieces/1-3.h5 with arrangements 2 to 3 is not there", path=path)
         piece.write_bytes(content)
-        floes_reader.open(path).close()
+        with floes_reader.open(path) as over:
+            piece.rename(FOLDER / "over.pieces" / "old.h5")
+            with self.assertRaisesRegex(floes_reader.CampaignError, "was published anew since it was opened"):
+                over.summary()
+            piece.write_bytes(content)  # another file of the same name
+            with self.assertRaisesRegex(floes_reader.CampaignError, "was published anew since it was opened"):
+                over.summary()
 
     def test_a_newer_major_layout(self):
         self.changed(lambda file: file.attrs.modify("version", numpy.array([2, 0], "i4")))

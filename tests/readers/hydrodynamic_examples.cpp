@@ -1,7 +1,5 @@
 // Radiation, hydrostatics and mooring lines, as other programs write them.
 
-#include <iterator>
-
 #include "hydro/hydrostatic_file.hpp"
 #include "hydro/mooring_file.hpp"
 #include "hydro/radiation.hpp"

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>

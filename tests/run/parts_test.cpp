@@ -4,8 +4,6 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "run/campaign_status.hpp"

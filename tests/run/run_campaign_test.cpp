@@ -8,7 +8,6 @@
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
 
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"

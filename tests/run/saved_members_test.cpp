@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <fstream>
 #include <string>
-#include <vector>
 
 #include "core/error.hpp"
 #include "member/run_member.hpp"
@@ -93,7 +91,10 @@ TEST_F(LongMembers, LoseTheirFilesWhenNobodyWantsThem) {
     Campaign faster = campaign;
     faster.cases.front().scenario.structure.speed *= 2;
     EXPECT_EQ(count_saved(faster, file), 0);
-    remove_saved(file, [](const MemberIdentity& member) { return member.second == 1; });
+    const auto wanted = [](const MemberIdentity& member) { return member.second == 1; };
+    remove_saved(file, wanted, HalfWritten::kept);
+    EXPECT_TRUE(std::filesystem::exists(saved(0).string() + ".host.1.tmp")) << "some member may be writing it";
+    remove_saved(file, wanted, HalfWritten::removed);
     EXPECT_FALSE(std::filesystem::exists(saved(0)));
     EXPECT_FALSE(std::filesystem::exists(saved(0).string() + ".host.1.tmp"));
     EXPECT_TRUE(std::filesystem::exists(saved(1)));

@@ -1,6 +1,5 @@
 #include "run/link.hpp"
 
-#include <numeric>
 #include <vector>
 
 #include <gtest/gtest.h>
