@@ -313,16 +313,14 @@ void Parts::add_twins(std::vector<std::string>& sentences) const {
         numbers.try_emplace({case_keys[static_cast<std::size_t>(key.case_index)], key.arrangement}, number);
     }
     for (std::size_t k = 0; k < notes_.size(); ++k) {
-        if (!notes_[k].done()) continue;
+        if (!notes_[k].done() || (merged_before_ && places_[k].part == 0)) continue;
         const MemberIdentity member{keys.at(notes_[k].key), notes_[k].arrangement};
         const auto [known, is_new] = first.try_emplace(member, k);
         const auto number = numbers.find(member);
         if (is_new || number == numbers.end() || places_[known->second].part == places_[k].part) continue;
-        const bool differs = !same_result(read(known->second), read(k));
-        if (merged_before_ && places_[known->second].part == 0 && !differs) continue;  // as at every merge
         Twins& pair = twins[{places_[known->second].part, places_[k].part}];
         pair.members.push_back(number->second);
-        if (differs) pair.different.push_back(number->second);
+        if (!same_result(read(known->second), read(k))) pair.different.push_back(number->second);
     }
     for (auto& [pair, found] : twins) {
         std::ranges::sort(found.members);
@@ -334,9 +332,8 @@ void Parts::add_twins(std::vector<std::string>& sentences) const {
             found.different.empty()
                 ? fmt::format("{}, with the same results; they count once.", told)
                 : fmt::format("{}, and {} of them differ (members {}): the two were not computed by the same build, "
-                              "or a machine computes wrong. Those of {} count{}.",
-                              told, found.different.size(), ranges(found.different), parts_[pair.first].file.string(),
-                              merged_before_ && pair.first == 0 ? "; --overwrite takes those of the parts" : ""));
+                              "or a machine computes wrong. Those of {} count.",
+                              told, found.different.size(), ranges(found.different), parts_[pair.first].file.string()));
     }
 }
 
