@@ -160,8 +160,8 @@ void expect_no_other_file(const fs::path& path) {
                             "another name, not "
                             "only another ending.",
                             path.string(), twin.string()));
-    const bool other_hdf5 = kind == GivenFile::hdf5 && !is_campaign_file(path).value_or(true);
-    if (kind == GivenFile::nothing || (kind == GivenFile::hdf5 && !other_hdf5) || empty_file) return;
+    const bool campaign_or_damaged = kind == GivenFile::hdf5 && is_campaign_file(path).value_or(true);
+    if (kind == GivenFile::nothing || campaign_or_damaged || empty_file) return;
     fs::path other = fs::path(path).replace_extension(".h5");
     if (other == path) other.replace_filename(path.stem().string() + "_campaign.h5");
     throw InputError(fmt::format("{} is {} and stays as it is; -o names another file for the campaign, as {}.",

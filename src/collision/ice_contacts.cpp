@@ -207,37 +207,41 @@ void IceContacts::list_pairs(const BodyMotion* motions, ContactStore& store) {
     moved_ = false;
 }
 
-/// Does a face separate the two? First the one that did so last. If one is fixed, only its own faces count: it may be
-/// longer than the levers of paths allow for.
-bool IceContacts::apart(Pair& pair, const BodyMotion* motions) const {
-    const PrismPlace a = place(pair.a, motions);
-    const PrismPlace b = place(pair.b, motions);
+/// If one is fixed, only its own faces count: it may be longer than the levers of paths allow for.
+double IceContacts::find_widest_gap(Pair& pair, const PrismPlace& a, const PrismPlace& b) const {
     const int of_a = face_axes(*a.shape);
     const int first = fixed_[pair.b] != 0 ? of_a : 0;
     const int end = fixed_[pair.a] != 0 ? of_a : of_a + face_axes(*b.shape);
-    double gap = pair.axis < 0 ? 0 : face_gap(a, b, pair.axis);
-    if (!(gap > tolerance)) {
-        const FaceGap widest = widest_face_gap(a, b, first, end);
-        gap = widest.gap;
-        pair.axis = widest.axis;
-    }
+    const FaceGap widest = widest_face_gap(a, b, first, end);
+    pair.axis = widest.axis;
+    return widest.gap;
+}
+
+/// Along the axis that parted the two last; not above 0 where none is known.
+double IceContacts::known_gap(const Pair& pair, const PrismPlace& a, const PrismPlace& b) {
+    return pair.axis < 0 ? 0 : face_gap(a, b, pair.axis);
+}
+
+/// Does a face separate the two? First the one that did so last.
+bool IceContacts::apart(Pair& pair, const PrismPlace& a, const PrismPlace& b) const {
+    double gap = known_gap(pair, a, b);
+    if (!(gap > tolerance)) gap = find_widest_gap(pair, a, b);
     pair.until = gap > tolerance ? path_[pair.a] + path_[pair.b] + gap - tolerance : 0;
     return gap > tolerance;
 }
 
 void IceContacts::look(Pair& pair, const BodyMotion* motions, ContactStore& store) {
-    if (pair.points < 0 && apart(pair, motions)) return;
     const PrismPlace a = place(pair.a, motions);
     const PrismPlace b = place(pair.b, motions);
     Overlap overlap;
-    // Of a pair that keeps points while it is apart, the face that parts it is known.
-    const bool parted = pair.points >= 0 && pair.axis >= 0 && face_gap(a, b, pair.axis) > tolerance;
-    if (!parted) find_overlap(a, b, overlap);
-    if (!parted && overlap.count == 0 && pair.points >= 0 && fixed_[pair.a] == 0 && fixed_[pair.b] == 0)
-        pair.axis = widest_face_gap(a, b, 0, face_axes(*a.shape) + face_axes(*b.shape)).axis;
     if (pair.points < 0) {
+        if (apart(pair, a, b)) return;
+        find_overlap(a, b, overlap);
         if (overlap.count == 0) return;
         pair.points = store.take();
+    } else if (!(known_gap(pair, a, b) > tolerance)) {  // it keeps points while it is but little apart
+        find_overlap(a, b, overlap);
+        if (overlap.count == 0) find_widest_gap(pair, a, b);
     }
     TouchingPoints& points = store[pair.points];
     const double reach = std::min(elements_[pair.a].reach, elements_[pair.b].reach);

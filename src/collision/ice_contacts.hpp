@@ -120,7 +120,9 @@ class IceContacts {
     void sort_into_pieces(ContactStore& store);
     double walk(const BodyMotion* motions);
     void list_pairs(const BodyMotion* motions, ContactStore& store);
-    bool apart(Pair& pair, const BodyMotion* motions) const;
+    double find_widest_gap(Pair& pair, const PrismPlace& a, const PrismPlace& b) const;
+    static double known_gap(const Pair& pair, const PrismPlace& a, const PrismPlace& b);
+    bool apart(Pair& pair, const PrismPlace& a, const PrismPlace& b) const;
     void look(Pair& pair, const BodyMotion* motions, ContactStore& store);
     static void drop(Pair& pair, ContactStore& store);
 

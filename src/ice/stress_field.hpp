@@ -90,8 +90,8 @@ struct PressedElement {
 /// nearer, since one crack forms below a contact. `press`: in the axes of the floe from the centroid.
 std::optional<LocalStress> contact_stress(const PressedElement& element, const Press& press, std::size_t joint);
 
-/// The most that a force of 1 N can add at any of the joints, of which there is one, its shear included, wherever it
-/// acts, Pa.
+/// The most that a force of 1 N can add at any joint of an element that has some, its shear included, wherever it acts,
+/// Pa.
 double most_contact_stress(const PressedElement& element);
 
 // What acts at every joint of all floes: its reaction, the mean moment and force of its two elements across it, and the

@@ -228,6 +228,13 @@ Mat6 linear_stiffness(const Moorings& moorings) {
     return in_plane({moorings.surge, moorings.sway, moorings.yaw}).asDiagonal();
 }
 
+/// What a force of 1 N, or a moment of 1 N m, along a motion accelerates it by, 1/kg or 1/(kg m²); 0 where it is held.
+double response(const std::vector<LinearMotion>& motions, Motion along) {
+    double sum = 0;
+    for (const LinearMotion& one : motions) sum += one.acceleration(along, Vec6::Unit(static_cast<int>(along)));
+    return sum;
+}
+
 }  // namespace
 
 MooredMotion::MooredMotion(const Moorings& moorings, const Mat6& water, double step)
@@ -243,10 +250,7 @@ MooredMotion::MooredMotion(const Moorings& moorings, const Mat6& water, double s
         const bool free = moorings.free.at(static_cast<std::size_t>(k));
         const double own = moorings.inertia()(k, k);
         thrusters_.push_back(free ? thrust_law(moorings.thrusters, k, own) : ThrustLaw{});
-        double response = 0;
-        for (const LinearMotion& one : linear_.at(0))
-            response += one.acceleration(static_cast<Motion>(k), Vec6::Unit(k));
-        inertia_[k] = free ? 1 / response : own;
+        inertia_[k] = free ? 1 / response(linear_.at(0), static_cast<Motion>(k)) : own;
     }
     state_.broken_at.assign(lines(), std::numeric_limits<double>::quiet_NaN());
     pulls_.resize(lines());
@@ -299,12 +303,10 @@ Vec6 MooredMotion::friction(const Vec6& load) {
     const double most = moorings_.turret.friction;
     if (!(most > 0)) return Vec6::Zero();
     double velocity = state_.velocity[at(Motion::yaw)];
-    double response = 0;
-    for (const LinearMotion& one : at_this_heading()) {
+    for (const LinearMotion& one : at_this_heading())
         velocity += step_ * one.acceleration(Motion::yaw, load + 0.5 * beyond_);
-        response += one.acceleration(Motion::yaw, in_plane(Vec3::UnitZ()));
-    }
-    return response > 0 ? in_plane({0, 0, std::clamp(-velocity / (response * step_), -most, most)}) : Vec6::Zero();
+    const double by_moment = response(at_this_heading(), Motion::yaw);
+    return by_moment > 0 ? in_plane({0, 0, std::clamp(-velocity / (by_moment * step_), -most, most)}) : Vec6::Zero();
 }
 
 void MooredMotion::place(const MooredState& state) {
