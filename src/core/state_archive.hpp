@@ -93,14 +93,8 @@ class StateArchive {
     /// The same for elements that are not made of nothing.
     template <class T>
     void list(std::vector<T>& items, const T& blank) {
-        std::uint64_t count = items.size();
-        item(count);
-        if (sets_ && count > rest_.size()) refuse();
-        items.resize(static_cast<std::size_t>(count), blank);
-        if constexpr (std::is_arithmetic_v<T>)
-            bytes(items.data(), items.size() * sizeof(T));
-        else
-            for (T& one : items) item(one);
+        items.resize(count_of(items), blank);
+        contents(items);
     }
     template <class T>
     void maybe(std::optional<T>& value, const T& blank) {
@@ -141,6 +135,21 @@ class StateArchive {
         saved_.insert(saved_.end(), first, first + size);
     }
 
+    template <class T>
+    std::size_t count_of(const std::vector<T>& items) {
+        std::uint64_t count = items.size();
+        item(count);
+        if (sets_ && count > rest_.size()) refuse();
+        return static_cast<std::size_t>(count);
+    }
+    template <class T>
+    void contents(std::vector<T>& items) {
+        if constexpr (std::is_arithmetic_v<T>)
+            bytes(items.data(), items.size() * sizeof(T));
+        else
+            for (T& one : items) item(one);
+    }
+
     template <archived::Number T>
     void item(T& number) {
         bytes(&number, sizeof number);
@@ -168,7 +177,8 @@ class StateArchive {
     }
     template <class T>
     void item(std::vector<T>& items) {
-        list(items, T());
+        items.resize(count_of(items));
+        contents(items);
     }
     void item(std::vector<bool>& items) {
         std::vector<std::uint8_t> each(items.begin(), items.end());
