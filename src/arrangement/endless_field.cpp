@@ -126,12 +126,13 @@ EndlessSheet::EndlessSheet(const Scenario& scenario, std::uint64_t seed, std::ui
     : sheet_(sheet_of(scenario, seed, number)),
       seed_(seed),
       number_(number),
+      draw_(static_cast<std::uint64_t>(scenario.elements.draw) << 32U),
       cells_(cells_in_a_part(sheet_.shape)),
       strip_(first_strip(scenario, sheet_.shape)),
       diagram_(strip_, steps_of_sheet) {}
 
 void EndlessSheet::throw_points() {
-    RandomStream random(seed_, number_, StreamId::elements, ++thrown_);
+    RandomStream random(seed_, number_, StreamId::elements, draw_ + ++thrown_);
     std::vector<Corner> points;
     for (std::size_t i = 0; i < cells_; ++i) {
         const double x = random.uniform(strip_.low_x, strip_.low_x + strip_.length);

@@ -70,8 +70,9 @@ class EndlessSheet {
     SingleFloe sheet_;  ///< the ice of all of it
     std::uint64_t seed_;
     std::uint32_t number_;
-    std::size_t cells_;  ///< of a part
-    WaterArea strip_;    ///< of the points that are thrown next
+    std::uint64_t draw_;  ///< of the cells
+    std::size_t cells_;   ///< of a part
+    WaterArea strip_;     ///< of the points that are thrown next
     EndlessCells diagram_;
     std::uint64_t thrown_ = 0;  ///< times
     int laid_ = 0;              ///< cells

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <numeric>
+#include <ranges>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,16 @@ using Mat3 = Eigen::Matrix3d;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 using Quat = Eigen::Quaterniond;
+using Box2 = Eigen::AlignedBox2d;
+using Box3 = Eigen::AlignedBox3d;
+
+/// The smallest box along the axes that holds all points.
+template <class Points, int dimensions = std::ranges::range_value_t<Points>::RowsAtCompileTime>
+Eigen::AlignedBox<double, dimensions> box_round(const Points& points) {
+    Eigen::AlignedBox<double, dimensions> box;
+    for (const auto& point : points) box.extend(point);
+    return box;
+}
 
 /// A rigid pose: position in metres, orientation body -> world.
 struct Pose {

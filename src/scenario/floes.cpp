@@ -447,7 +447,8 @@ std::vector<const Key*> named_keys(const Keys& keys, const std::string& columns)
     std::istringstream names(columns);
     for (std::string name; std::getline(names, name, ',');) {
         const Key* key = find_key(keys, name);
-        const bool number = key != nullptr && std::holds_alternative<NumberField>(key->field);
+        const bool number = key != nullptr && std::holds_alternative<NumberField>(key->field) &&
+                            key->path != "joint.averaging_s";  // one of the whole field
         if (!number || std::ranges::find(named, key) != named.end()) {
             throw InputError(fmt::format(
                 "arrangement.columns = \"{}\" has \"{}\", which is {}; allowed: numbers of [floe], [ice] and [joint], "

@@ -307,15 +307,10 @@ class Growth {
     /// them in a plane with three others, what is so at all, which no rounding can decide.
     enum class Above { by_rounding, on_lattice };
 
-    explicit Growth(std::span<const Vec3> points, Above above = Above::by_rounding) : points_(points), above_(above) {
-        Vec3 low = points.front();
-        Vec3 high = low;
-        for (const Vec3& point : points) {
-            low = low.cwiseMin(point);
-            high = high.cwiseMax(point);
-        }
-        size_ = (high - low).norm();
-        rounding_ = above == Above::by_rounding ? flatness * size_ : 2 * lattice_jitter;
+    explicit Growth(std::span<const Vec3> points, Above above = Above::by_rounding)
+        : points_(points),
+          above_(above),
+          rounding_(above == Above::by_rounding ? flatness * box_round(points).diagonal().norm() : 2 * lattice_jitter) {
     }
 
     /// Empty for points in a plane; nothing where points nearer to each other than rounding leave no body.
@@ -502,8 +497,7 @@ class Growth {
 
     std::span<const Vec3> points_;
     Above above_;
-    double size_ = 0;
-    double rounding_ = 0;
+    double rounding_;
     std::vector<Triangle> triangles_;
 };
 
@@ -514,13 +508,9 @@ namespace {
 /// The hull of the points moved to a lattice of 2^24 places along the longest side, and there by up to 64 places at
 /// random, so that no four of them are in a plane: whole numbers then decide all, without rounding.
 std::optional<Polyhedron> hull_on_lattice(std::span<const Vec3> points) {
-    Vec3 low = points.front();
-    Vec3 high = low;
-    for (const Vec3& point : points) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-    }
-    const double place = (high - low).maxCoeff() / lattice_places;
+    const Box3 box = box_round(points);
+    const Vec3& low = box.min();
+    const double place = box.sizes().maxCoeff() / lattice_places;
     if (!(place > 0)) return {};
     std::mt19937_64 random(1);  // NOLINT: the same bodies every time
     std::vector<Vec3> moved;

@@ -129,15 +129,9 @@ inline constexpr double plane_rounding = 1e-6;
 
 /// The diagonal of the box that holds the corners of all, which are polyhedra, m.
 inline double size_of(std::span<const ConvexSolid> pieces) {
-    Vec3 low = std::get<Polyhedron>(pieces.front().form).corners.front();
-    Vec3 high = low;
-    for (const ConvexSolid& piece : pieces) {
-        for (const Vec3& corner : std::get<Polyhedron>(piece.form).corners) {
-            low = low.cwiseMin(corner);
-            high = high.cwiseMax(corner);
-        }
-    }
-    return (high - low).norm();
+    Box3 box;
+    for (const ConvexSolid& piece : pieces) box.extend(box_round(std::get<Polyhedron>(piece.form).corners));
+    return box.diagonal().norm();
 }
 
 /// Whether two planes that face the same way are one.

@@ -73,15 +73,8 @@ std::size_t cell_count(double area, double side) {
 }
 
 WaterArea box_of(Corners outline) {
-    WaterArea box{outline[0].x, outline[0].z};
-    for (const Corner& one : outline) {
-        box.low_x = std::min(box.low_x, one.x);
-        box.low_z = std::min(box.low_z, one.z);
-    }
-    const Corner size = size_of(outline);
-    box.length = size.x;
-    box.breadth = size.z;
-    return box;
+    const Box2 box = box_round(outline);
+    return {box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y()};
 }
 
 /// Faces shorter than this share of an element's side carry no joint.
@@ -352,22 +345,9 @@ CutElement element_of(const Outline& corners, Corners outline, double exact) {
     return element;
 }
 
-/// Sides along the axes.
-struct CellBox {
-    Corner low, high;
-
-    explicit CellBox(Corners of) : low(of[0]), high(of[0]) {
-        for (const Corner& one : of) {
-            low = {std::min(low.x, one.x), std::min(low.z, one.z)};
-            high = {std::max(high.x, one.x), std::max(high.z, one.z)};
-        }
-    }
-
-    bool is_apart_from(const CellBox& other, double gap) const {
-        return low.x > other.high.x + gap || other.low.x > high.x + gap || low.z > other.high.z + gap ||
-               other.low.z > high.z + gap;
-    }
-};
+bool are_apart(const Box2& a, const Box2& b, double gap) {
+    return (a.min().array() > b.max().array() + gap).any() || (b.min().array() > a.max().array() + gap).any();
+}
 
 }  // namespace
 
@@ -389,12 +369,12 @@ CutFloe cut_into_cells(Corners outline, double side, std::uint32_t pattern) {
     const Cutter cutter(outline, side);
     const std::vector<Outline> pieces = cutter.pieces(pattern);
     CutFloe floe;
-    std::vector<CellBox> boxes;
-    for (const Outline& one : pieces) boxes.emplace_back(one);
+    std::vector<Box2> boxes;
+    for (const Outline& one : pieces) boxes.push_back(box_round(one));
     for (const Outline& one : pieces) floe.elements.push_back(element_of(one, outline, cutter.exact()));
     for (std::size_t a = 0; a < pieces.size(); ++a)
         for (std::size_t b = a + 1; b < pieces.size(); ++b) {
-            if (boxes[a].is_apart_from(boxes[b], 2 * cutter.exact())) continue;  // most are, and sharing edges costs
+            if (are_apart(boxes[a], boxes[b], 2 * cutter.exact())) continue;  // most are, and sharing edges costs
             std::optional<CutJoint> joint =
                 joint_between(pieces[a], floe.elements[a].centre, pieces[b], floe.elements[b].centre, side);
             if (!joint) continue;

@@ -205,11 +205,16 @@ std::optional<Corner> half_sides_of(Corners polygon) {
     return half;
 }
 
+Box2 box_round(Corners points) {
+    Box2 box;
+    for (const Corner& one : points) box.extend(Vec2(one.x, one.z));
+    return box;
+}
+
 Corner size_of(Corners polygon) {
     FLOES_EXPECTS(!polygon.empty());
-    const auto [left, right] = std::ranges::minmax(polygon, {}, &Corner::x);
-    const auto [low, high] = std::ranges::minmax(polygon, {}, &Corner::z);
-    return {right.x - left.x, high.z - low.z};
+    const Vec2 size = box_round(polygon).sizes();
+    return {size.x(), size.y()};
 }
 
 Outline convex_hull(Outline points) {

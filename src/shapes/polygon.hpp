@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/vector.hpp"
+
 namespace floes {
 
 struct Corner {
@@ -107,6 +109,9 @@ std::optional<Corner> half_sides_of(Corners polygon);
 inline bool is_rectangle(Corners polygon) {
     return half_sides_of(polygon).has_value();
 }
+
+/// The smallest box along x and z that holds all.
+Box2 box_round(Corners points);
 
 /// Extents along x and z.
 Corner size_of(Corners polygon);

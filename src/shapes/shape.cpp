@@ -131,14 +131,6 @@ double Profile::largest_radius() const {
     return largest;
 }
 
-double Profile::bottom() const {
-    return points_.empty() ? 0 : points_.front().height;
-}
-
-double Profile::top() const {
-    return points_.empty() ? 0 : points_.back().height;
-}
-
 double Profile::wall_angle_above_water() const {
     const auto above = std::ranges::find_if(points_, [](const ProfilePoint& point) { return point.height > 0; });
     if (above == points_.begin() || above == points_.end())
@@ -233,10 +225,6 @@ std::vector<std::vector<double>> Shape::profile() const {
 
 std::vector<std::string> Shape::parts() const {
     return is_of_revolution() ? std::vector<std::string>{"hull"} : pieces().parts;
-}
-
-const Polyhedron& Shape::polyhedron(std::size_t piece) const {
-    return std::get<Polyhedron>(file_solids_[piece].form);
 }
 
 std::vector<std::vector<double>> Shape::piece_rows() const {
@@ -350,21 +338,24 @@ namespace {
 
 constexpr int lines_across = 200;
 
-struct Box {
-    Vec3 low, high;
-};
-
-Box box_of(const ConvexSolid& solid) {
-    Box box;
+Box3 box_of(const ConvexSolid& solid) {
+    Box3 box;
     for (int k = 0; k < 3; ++k) {
-        box.low[k] = (solid.place + solid.farthest(-Vec3::Unit(k)))[k];
-        box.high[k] = (solid.place + solid.farthest(Vec3::Unit(k)))[k];
+        box.min()[k] = (solid.place + solid.farthest(-Vec3::Unit(k)))[k];
+        box.max()[k] = (solid.place + solid.farthest(Vec3::Unit(k)))[k];
     }
     return box;
 }
 
-bool meet(const Box& a, const Box& b) {
-    return (a.low.array() < b.high.array()).all() && (b.low.array() < a.high.array()).all();
+/// Not where they only touch.
+bool meet(const Box3& a, const Box3& b) {
+    return (a.min().array() < b.max().array()).all() && (b.min().array() < a.max().array()).all();
+}
+
+Box3 round_all(const std::vector<Box3>& boxes) {
+    Box3 all;
+    for (const Box3& box : boxes) all.extend(box);
+    return all;
 }
 
 /// Where the line along x through (y, z) lies in a polyhedron.
@@ -397,25 +388,22 @@ double covered_length(std::vector<std::pair<double, double>>& spans) {
 }
 
 /// Islands of outlines whose bounding boxes meet, each as the box round its outlines.
-std::vector<Box> islands(const std::vector<std::vector<Vec2>>& outlines) {
-    std::vector<Box> boxes;
+std::vector<Box3> islands(const std::vector<std::vector<Vec2>>& outlines) {
+    std::vector<Box3> boxes;
     for (const std::vector<Vec2>& outline : outlines) {
         if (outline.empty()) continue;
-        Box box{{1e300, -1, 1e300}, {-1e300, 1, -1e300}};
-        for (const Vec2& point : outline) {
-            box.low = box.low.cwiseMin(Vec3(point.x(), -1, point.y()));
-            box.high = box.high.cwiseMax(Vec3(point.x(), 1, point.y()));
-        }
-        const double slack = 1e-3 * (box.high - box.low).norm();
+        const Box2 flat = box_round(outline);
+        Box3 box(Vec3(flat.min().x(), -1, flat.min().y()), Vec3(flat.max().x(), 1, flat.max().y()));
+        const double slack = 1e-3 * box.diagonal().norm();
         for (std::size_t k = 0; k < boxes.size();) {
-            Box wider = boxes[k];
-            wider.low.array() -= slack;
-            wider.high.array() += slack;
+            Box3 wider = boxes[k];
+            wider.min().array() -= slack;
+            wider.max().array() += slack;
             if (!meet(box, wider)) {
                 ++k;
                 continue;
             }
-            box = {box.low.cwiseMin(boxes[k].low), box.high.cwiseMax(boxes[k].high)};
+            box.extend(boxes[k]);
             boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(k));
             k = 0;
         }
@@ -427,7 +415,7 @@ std::vector<Box> islands(const std::vector<std::vector<Vec2>>& outlines) {
 }  // namespace
 
 double union_volume(std::span<const ConvexSolid> solids) {
-    std::vector<Box> boxes;
+    std::vector<Box3> boxes;
     for (const ConvexSolid& solid : solids) boxes.push_back(box_of(solid));
     bool apart = true;
     for (std::size_t a = 0; a < boxes.size(); ++a)
@@ -437,20 +425,18 @@ double union_volume(std::span<const ConvexSolid> solids) {
     if (apart || !flat)
         return std::accumulate(solids.begin(), solids.end(), 0.0,
                                [](double sum, const ConvexSolid& one) { return sum + one.volume(); });
-    Box all = boxes.front();
-    for (const Box& box : boxes) all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
-    const double rise = (all.high.y() - all.low.y()) / lines_across;
-    const double way = (all.high.z() - all.low.z()) / lines_across;
+    const Box3 all = round_all(boxes);
+    const double rise = all.sizes().y() / lines_across;
+    const double way = all.sizes().z() / lines_across;
     double length = 0;
     std::vector<std::pair<double, double>> spans;
     for (int i = 0; i < lines_across; ++i) {
         for (int k = 0; k < lines_across; ++k) {
-            const double y = all.low.y() + (i + 0.5) * rise;
-            const double z = all.low.z() + (k + 0.5) * way;
+            const double y = all.min().y() + (i + 0.5) * rise;
+            const double z = all.min().z() + (k + 0.5) * way;
             spans.clear();
             for (std::size_t s = 0; s < solids.size(); ++s) {
-                if (y < boxes[s].low.y() || y > boxes[s].high.y() || z < boxes[s].low.z() || z > boxes[s].high.z())
-                    continue;
+                if (!boxes[s].contains(Vec3(boxes[s].min().x(), y, z))) continue;
                 const auto [from, to] = covered(std::get<Polyhedron>(solids[s].form), y, z);
                 if (to > from) spans.emplace_back(from, to);
             }
@@ -478,16 +464,12 @@ std::vector<std::vector<Vec2>> Shape::waterlines() const {
 
 std::vector<WaterlineEllipse> Shape::waterline_ellipses() const {
     if (is_of_revolution()) return {{0, 0, waterline_radius(), waterline_radius()}};
-    std::vector<Box> found = islands(waterlines());
-    if (found.size() > most_ellipses) {
-        Box all = found.front();
-        for (const Box& box : found) all = {all.low.cwiseMin(box.low), all.high.cwiseMax(box.high)};
-        found = {all};
-    }
+    std::vector<Box3> found = islands(waterlines());
+    if (found.size() > most_ellipses) found = {round_all(found)};
     std::vector<WaterlineEllipse> ellipses;
-    for (const Box& box : found) {
-        const Vec3 middle = 0.5 * (box.low + box.high);
-        const Vec3 half = 0.5 * (box.high - box.low);
+    for (const Box3& box : found) {
+        const Vec3 middle = box.center();
+        const Vec3 half = 0.5 * box.sizes();
         ellipses.push_back({middle.x(), middle.z(), half.x(), half.z()});
     }
     return ellipses;

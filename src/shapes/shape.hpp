@@ -42,11 +42,11 @@ class Profile {
     /// Those, continued straight on along their walls for as long as that stays inside.
     std::vector<Frustum> overlapping_solids() const;
 
-    double waterline_radius() const;        ///< m; at a flat ring the larger
-    double largest_radius() const;          ///< m
-    double bottom() const;                  ///< m
-    double top() const;                     ///< m
-    double wall_angle_above_water() const;  ///< rad, from the horizontal
+    double waterline_radius() const;                                                ///< m; at a flat ring the larger
+    double largest_radius() const;                                                  ///< m
+    double bottom() const { return points_.empty() ? 0 : points_.front().height; }  ///< m
+    double top() const { return points_.empty() ? 0 : points_.back().height; }      ///< m
+    double wall_angle_above_water() const;                                          ///< rad, from the horizontal
     Words words() const;
     std::vector<Vec2> side_view() const;
     const std::vector<ProfilePoint>& points() const { return points_; }
@@ -195,8 +195,9 @@ class Shape {
   private:
     Profile in_force() const;  ///< of a body of revolution
     std::optional<std::string> fault_of_pieces() const;
-    const Polyhedron& polyhedron(std::size_t piece) const;  ///< of kind file
-    HullSolids pieces() const;                              ///< of a hull that is none of revolution
+    /// Of kind file.
+    const Polyhedron& polyhedron(std::size_t piece) const { return std::get<Polyhedron>(file_solids_[piece].form); }
+    HullSolids pieces() const;  ///< of a hull that is none of revolution
 
     HullKind kind_ = HullKind::profile;
     Profile profile_;

@@ -33,9 +33,9 @@ struct PlateDeflection {
     double elastic_modulus_point = 0;  ///< Pa; as if the load were a point: 3/16 (1 - ν²)/(ρ_w g h³) slope²
 };
 
-/// Runs the test on the scenario's ice (thickness, density, element, joint, general, water density; ν = 0.3; the rest
-/// of the scenario does not matter). Throws InputError if elements do not divide the sheet, the load breaks or sinks
-/// the sheet, or an increment does not settle.
+/// Runs the test on the scenario's ice (thickness, density, element, joint, general, water density, and ν of beams,
+/// 0.3 of joints by Σ; the rest of the scenario does not matter). Throws InputError if elements do not divide the
+/// sheet, the load breaks or sinks the sheet, or an increment does not settle.
 PlateDeflection measure_plate_deflection(const Scenario& scenario, const PlateTest& test);
 
 // The E-Σ curve of Fig. 2, and its inverse: the Σ that gives numerical ice a requested elastic modulus.

@@ -15,11 +15,9 @@ NearbyIce::NearbyIce(const Scenario& scenario, const Channel& channel)
       thickness_(scenario.floe.thickness) {
     for (const std::vector<Vec2>& outline : scenario.structure.shape.waterlines())
         for (const Vec2& corner : outline) waterline_.push_back({corner.x(), 0, corner.y()});
-    low_ = high_ = waterline_.front();
-    for (const Vec3& corner : waterline_) {
-        low_ = low_.cwiseMin(corner);
-        high_ = high_.cwiseMax(corner);
-    }
+    const Box3 box = box_round(waterline_);
+    low_ = box.min();
+    high_ = box.max();
     const double breadth = high_.z() - low_.z();
     high_ += Vec3{breadth, 0, breadth};
     low_.z() -= breadth;
@@ -31,10 +29,20 @@ NearbyIce::NearbyIce(const Scenario& scenario, const Channel& channel)
     if (!walls_.empty()) waterplane_ = waterplane_between_walls(scenario.structure.shape);
 }
 
-/// Of a hull that does not turn: it may be wider than the field.
+/// Of a hull that does not turn: it may be wider than the field. A piece that only stands on the water, as on one
+/// below, takes nothing of it.
 double NearbyIce::waterplane_between_walls(const Shape& shape) {
+    std::vector<std::vector<Vec2>> outlines;
+    const auto reaches_below = [](const ConvexSolid& solid) {
+        return std::ranges::any_of(solid.corners(round_sides), [](const Vec3& corner) { return corner.y() < 0; });
+    };
+    if (shape.is_of_revolution())
+        outlines = shape.waterlines();
+    else
+        for (const ConvexSolid& solid : shape.solids())
+            if (reaches_below(solid)) outlines.push_back(solid.section(0, round_sides));
     double area = 0;
-    for (const std::vector<Vec2>& outline : shape.waterlines()) {
+    for (const std::vector<Vec2>& outline : outlines) {
         seen_.clear();
         for (const Vec2& corner : outline) seen_.push_back({corner.x(), corner.y()});
         if (area_of(seen_) < 0) std::ranges::reverse(seen_);

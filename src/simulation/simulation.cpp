@@ -158,7 +158,7 @@ Simulation::Simulation(const Scenario& scenario, const FloeSet& floes, IceAhead 
     states_.resize(ice_.elements().size());
     states_before_.resize(states_.size());
     read_states();
-    drift_with_current();
+    drift_from_start();
     sleeping_.lay_down(world_, states_, motion_.after());
     encounters_.enter(ice_.floes());
     if (ahead.next) start_window(floes, std::move(ahead));
@@ -175,12 +175,14 @@ void Simulation::hold_edges(const FloeSet& floes) {
             ice_.hold_edge(world_, sheet, 0, body, -form.inwards);
 }
 
-/// Ice that lies still in the water moves with it.
-void Simulation::drift_with_current() {
+/// Ice that lies still in the water moves with it, and a sheet with what pushes it: at rest its edge would be struck.
+void Simulation::drift_from_start() {
     const Vec2 current = scenario_.water.current_velocity();
-    if (current.isZero(0)) return;
+    const bool pushed = scenario_.field.level_pushed && !scenario_.field.endless();  // there, ahead is pushed alone
+    const Vec3 velocity(current.x() - (pushed ? scenario_.structure.speed : 0), 0, current.y());
+    if (velocity.isZero(0)) return;
     for (std::size_t i = 0; i < states_.size(); ++i) {
-        states_[i].velocity = {current.x(), 0, current.y()};
+        states_[i].velocity = velocity;
         world_.place(ice_.elements()[i].body, states_[i]);
     }
 }

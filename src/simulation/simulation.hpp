@@ -204,7 +204,7 @@ class Simulation {
     void measure_places();
     void wake_floes();
     void apply_water();
-    void drift_with_current();
+    void drift_from_start();
     void read_states();
     void check_wellbeing() const;
     void read_ice_load();

@@ -7,6 +7,7 @@
 
 #include "core/contract.hpp"
 #include "core/state_archive.hpp"
+#include "core/units.hpp"
 
 namespace floes {
 
@@ -106,7 +107,7 @@ LinearMotion::LinearMotion(std::vector<int> directions, const Mat6& inertia, con
     : directions_(std::move(directions)), inertia_(inertia(directions_, directions_)), inverse_(inertia_.inverse()) {
     const int first = directions_.front();
     const auto n = static_cast<Eigen::Index>(directions_.size());
-    if (n == 1 && damping(first, first) == 0) {
+    if (n == 1 && damping(first, first) == 0 && stiffness(first, first) >= 0) {  // thrusters may hold what turns over
         alone_.emplace(Oscillator{stiffness(first, first), inertia(first, first), critical}, step);
         return;
     }
@@ -404,10 +405,6 @@ void MooredMotion::break_lines(double time) {
 std::optional<LinePull> MooredMotion::line(std::size_t number) const {
     if (!std::isnan(state_.broken_at[number])) return {};
     return pulls_[number];
-}
-
-Vec3 MooredMotion::restoring() const {
-    return pull_of_lines().head<3>() - springs_.cwiseProduct(state_.offset.head<3>());
 }
 
 void MooredMotion::archive(StateArchive& state) {

@@ -81,7 +81,7 @@ class MooredMotion {
     void advance(const Vec6& load, double time);
 
     /// Force of springs, lines and turret at the offset, on the structure, in surge, sway and yaw: N, N, N m.
-    Vec3 restoring() const;
+    Vec3 restoring() const { return pull_of_lines().head<3>() - springs_.cwiseProduct(state_.offset.head<3>()); }
 
     /// Force of the thrusters, on the structure and in its own axes, ahead and towards +z without yaw: N, N, N m.
     Vec3 thrust() const;

@@ -78,14 +78,9 @@ PlateLoad plate_load(const Vec2& middle, const Vec2& size, double area, double d
 
 std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double side, double draught,
                                          const WaterBody& water) {
-    Vec2 low = centres.front();
-    Vec2 high = low;
-    for (const Vec2& centre : centres) {
-        low = low.cwiseMin(centre);
-        high = high.cwiseMax(centre);
-    }
-    const Vec2 size = (high - low).array() + side;
-    const Vec2 middle = 0.5 * (low + high);
+    const Box2 box = box_round(centres);
+    const Vec2 size = box.sizes().array() + side;
+    const Vec2 middle = box.center();
     const double area = static_cast<double>(centres.size()) * side * side;
     const PlateLoad load = plate_load(middle, size, area, draught, water);
 
@@ -159,17 +154,13 @@ void for_each_node(Corners polygon, const See& see) {
 std::vector<ElementWater> water_of_piece(std::span<const CutElement* const> elements, double draught,
                                          const WaterBody& water) {
     const auto in_floe = [](const CutElement& one) { return from_axes(one.corners, one.centre, one.axis); };
-    Vec2 low(elements.front()->centre.x, elements.front()->centre.z);
-    Vec2 high = low;
+    Box2 box;
     double area = 0;
     for (const CutElement* one : elements) {
         area += one->area;
-        for (const Corner& corner : in_floe(*one)) {
-            low = low.cwiseMin(Vec2(corner.x, corner.z));
-            high = high.cwiseMax(Vec2(corner.x, corner.z));
-        }
+        box.extend(box_round(in_floe(*one)));
     }
-    const PlateLoad load = plate_load(0.5 * (low + high), high - low, area, draught, water);
+    const PlateLoad load = plate_load(box.center(), box.sizes(), area, draught, water);
     std::vector<ElementWater> shares;
     double sum = 0;
     for (const CutElement* one : elements) {

@@ -40,6 +40,15 @@ Laid laid(const Scenario& scenario, int parts, std::uint32_t number = 0) {
     return all;
 }
 
+TEST(EndlessSheetCells, AreOthersForAnotherDraw) {
+    Scenario scenario = sheet();
+    const auto first = [&] { return laid(scenario, 1).cells.front().pose.x; };
+    const double of_first_draw = first();
+    EXPECT_EQ(first(), of_first_draw);
+    scenario.elements.draw = 1;
+    EXPECT_NE(first(), of_first_draw);
+}
+
 TEST(EndlessSheetCells, CoverTheSheetAndAreMuchAlike) {
     const Scenario scenario = sheet();
     const Laid all = laid(scenario, 20);

@@ -369,6 +369,15 @@ TEST(Validate, SingleFloesInOpenWaterMayHaveColumns) {
               "consistent");
 }
 
+TEST(Validate, AllFloesAverageTheStressOverOneTime) {
+    EXPECT_THAT(sentence([](Scenario& s) {
+                    use_file(s);
+                    s.arrangement.columns = "joint.averaging_s";
+                    s.arrangement.values = {{0.03}, {0.04}};
+                }),
+                testing::HasSubstr("no such number"));
+}
+
 TEST(Validate, TheBedIsBelowTheThickestFloe) {
     const auto over = [](double thickest) {
         return sentence([=](Scenario& s) {

@@ -190,6 +190,21 @@ TEST(LevelIce, ThatIsPushedOnAWallAtRestLoadsItAsTheTowThroughIceAtRest) {
     EXPECT_NEAR(pushed.distance / towed.distance, 1, 0.1);
 }
 
+// At rest it would be struck at its held edge, and crush there.
+TEST(LevelIce, ThatIsPushedComesWithWhatPushesIt) {
+    Scenario scenario = test::level_strip(45 * degree, 0.2);
+    scenario.field.level_pushed = true;
+    scenario.structure.speed = 2;
+    scenario.structure.start -= 1;  // nothing touches yet
+    scenario.analysis.window = 1;
+    Simulation simulation(scenario, make_arrangement(scenario, 1, 0));
+    for (int k = 0; k < 5; ++k) {
+        simulation.step();
+        for (const BodyState& one : simulation.state().elements) EXPECT_NEAR(one.velocity.x(), -2, 0.02);
+    }
+    EXPECT_TRUE(simulation.ice().breaks().empty());
+}
+
 TEST(LevelIce, FreeOfWhatIsBehindItIsPushedAway) {
     Scenario scenario = test::level_strip(45 * degree, 0.2);
     scenario.field.level_held = LevelHeld::nowhere;

@@ -41,6 +41,16 @@ Moorings two_lines(double break_load = 0) {
     return moorings;
 }
 
+// By cosh(√(-k/m) t), as lines that turn a hull over move one that thrusters hold.
+TEST(LinearMotion, RunsAwayFromWhatPushesItOn) {
+    const Mat6 stiffness = -Mat6::Identity();
+    const LinearMotion yaw({2}, 4 * Mat6::Identity(), Mat6::Zero(), stiffness, 0.1, step);
+    MooredState state;
+    state.offset[2] = 1;
+    yaw.advance(state, Vec6::Zero());
+    EXPECT_NEAR(state.offset[2], std::cosh(step / 2), 1e-12);
+}
+
 TEST(MooredMotion, SlowLoadMovesItByTheStiffness) {
     for (const Moorings& moorings : {springs(0.3), two_lines()}) {
         Moorings damped = moorings;

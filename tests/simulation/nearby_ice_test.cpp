@@ -70,6 +70,23 @@ TEST(Concentration, IsOfTheWaterBetweenWallsThatTheHullIsWiderThan) {
     EXPECT_NEAR(concentration(scenario, {{1.6, 0, 0}}), side * side / (0.8 * 3 - 0.8 * 2), 1e-6);
 }
 
+// The same barge in two pieces, of which the upper one stands on the lower one at the waterline.
+TEST(Concentration, CountsAWaterplaneOfTwoPiecesOnce) {
+    Scenario scenario = with_barge(1);
+    std::vector<std::vector<double>> rows;
+    for (const double piece : {0.0, 1.0})
+        for (const double height : {piece == 0 ? -0.4 : 0.2, 0.0})
+            for (const double x : {-1.0, 1.0})
+                for (const double z : {-0.5, 0.5}) rows.push_back({piece, 0, x, height, z});
+    Shape& shape = scenario.structure.shape;
+    shape.part_list() = "hull";
+    shape.set_pieces(rows);
+    shape.set_kind(HullKind::file);
+    scenario.field.sides = FieldSides::wall;
+    scenario.field.half_width = 0.4;
+    EXPECT_NEAR(concentration(scenario, {{1.6, 0, 0}}), side * side / (0.8 * 3 - 0.8 * 2), 1e-6);
+}
+
 TEST(Concentration, IsOfABoxThatTurnsWithTheStructure) {
     Scenario scenario = with_barge(2);
     const double quarter = 0.5 * std::numbers::pi;  // the bow to port, -z
