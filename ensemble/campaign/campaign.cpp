@@ -113,11 +113,7 @@ double expected_cost(const Campaign& campaign, int number) {
     return scenario.arrangement.level() ? cost_of_sheet(scenario) : computed_elements(scenario) * scenario.step_count();
 }
 
-namespace {
-
 constexpr std::size_t most_numbers = 30'000'000;  // 240 MB
-
-}  // namespace
 
 void HeldNumbers::add(const Scenario& scenario) {
     for (const std::vector<double>& values : scenario.arrangement.values) numbers_ += values.size();

@@ -317,32 +317,17 @@ TableTitles titles() {
 }
 
 std::string default_configuration() {
-    CampaignHead head;
-    Design design;
-    StopRule stop;
-    RunRules rules;
-    Scenario scenario;
-    return about_files + write_tables(describe_all(head, design, stop, rules, scenario), titles(), Comments::all) +
-           about_cases;
+    return about_files + write_tables(DefaultKeys().keys, titles(), Comments::all) + about_cases;
 }
 
 std::string reference_markdown() {
-    CampaignHead head;
-    Design design;
-    StopRule stop;
-    RunRules rules;
-    Scenario scenario;
-    return reference_markdown(describe_all(head, design, stop, rules, scenario), titles());
+    return reference_markdown(DefaultKeys().keys, titles());
 }
 
 std::vector<KeyDescription> reference() {
-    CampaignHead head;
-    Design design;
-    StopRule stop;
-    RunRules rules;
-    Scenario scenario;
+    const DefaultKeys all{};
     std::vector<KeyDescription> lines;
-    for (const Key& key : describe_all(head, design, stop, rules, scenario)) {
+    for (const Key& key : all.keys) {
         lines.push_back(
             {std::string(key.path), literal(key), allowed(key), std::string(key.doc), std::string(key.source)});
     }

@@ -43,6 +43,16 @@ Keys describe(RunRules& rules);
 /// The keys of a campaign's tables, [campaign] first.
 Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& rules, Scenario& scenario);
 
+/// The same, bound to the defaults beside them.
+struct DefaultKeys {
+    CampaignHead head;
+    Design design;
+    StopRule stop;
+    RunRules rules;
+    Scenario scenario;
+    Keys keys = describe_all(head, design, stop, rules, scenario);
+};
+
 /// The keys that a [[case]] takes: name, design.base and design.point of a design written out, the shorthands cfm
 /// and elastic_modulus_MPa, and every key of a scenario.
 Keys describe(Case& one);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -354,15 +353,9 @@ Words turn_words(const Path& path) {
 }
 
 Vec2 waterline_size(const Shape& shape) {
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-    Vec2 high = -low;
-    for (const std::vector<Vec2>& outline : shape.waterlines()) {
-        for (const Vec2& point : outline) {
-            low = low.cwiseMin(point);
-            high = high.cwiseMax(point);
-        }
-    }
-    return high - low;
+    Box2 box;
+    for (const std::vector<Vec2>& outline : shape.waterlines()) box.extend(box_round(outline));
+    return box.sizes();
 }
 
 Words motion_words(const Scenario& scenario) {

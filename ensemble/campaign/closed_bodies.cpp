@@ -17,13 +17,6 @@ namespace floes {
 namespace {
 
 using TriangleNumbers = std::vector<std::size_t>;
-using Box3 = Eigen::AlignedBox3d;
-
-Box3 box_of(const Surface& surface) {
-    Box3 box;
-    for (const Vec3& point : surface.points) box.extend(point);
-    return box;
-}
 
 std::string place_text(const Vec3& at) {
     return fmt::format("({:.9g}, {:.9g}, {:.9g})", at.x(), at.y(), at.z());
@@ -305,7 +298,7 @@ std::string body_name(const std::vector<Surface>& bodies, std::size_t k) {
 void refuse_crossed(const std::vector<Surface>& bodies, const std::string& file) {
     for (std::size_t k = 0; k < bodies.size(); ++k) {
         const std::array one{&bodies[k]};
-        const WronglyCounted found = LinesAlongX(one, box_of(bodies[k])).look();
+        const WronglyCounted found = LinesAlongX(one, box_round(bodies[k].points)).look();
         const double share = found.volume / volume_of(bodies[k]);
         if (!(share > most_crossed)) continue;
         throw InputError(
@@ -320,7 +313,7 @@ void refuse_shared_space(const std::vector<Surface>& bodies, const std::string& 
         for (std::size_t i = 0; i < k; ++i) {
             const double smaller = std::min(volume_of(bodies[i]), volume_of(bodies[k]));
             const double larger = std::max(volume_of(bodies[i]), volume_of(bodies[k]));
-            const Box3 both = box_of(bodies[i]).intersection(box_of(bodies[k]));
+            const Box3 both = box_round(bodies[i].points).intersection(box_round(bodies[k].points));
             if (both.isEmpty() || !(both.volume() > most_crossed * smaller)) continue;
             const std::array two{&bodies[i], &bodies[k]};
             const WronglyCounted found = LinesAlongX(two, both).look();
@@ -378,7 +371,7 @@ bool encloses(const Surface& body, const Vec3& point) {
 }
 
 double size_of(const Surface& surface) {
-    return box_of(surface).diagonal().norm();
+    return box_round(surface.points).diagonal().norm();
 }
 
 }  // namespace floes

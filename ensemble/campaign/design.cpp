@@ -95,9 +95,9 @@ Value on_axis(const DesignAxis& axis, double unit) {
     return axis.whole ? Value{static_cast<std::int64_t>(inside)} : Value{inside};
 }
 
-std::string numbered(std::size_t point, std::size_t count) {
-    const std::size_t width = std::max<std::size_t>(3, fmt::format("{}", count - 1).size());
-    return fmt::format("p{:0{}}", point, width);
+/// The same in a design that has grown.
+std::string numbered(std::size_t point) {
+    return fmt::format("p{:03}", point);
 }
 
 /// "0.03_open"; empty where the values are no short name.
@@ -120,7 +120,7 @@ void name_points(std::vector<DesignPoint>& points, bool by_values) {
         if (!by_values) break;
     }
     if (by_values) return;
-    for (std::size_t p = 0; p < points.size(); ++p) points[p].name = numbered(p, points.size());
+    for (std::size_t p = 0; p < points.size(); ++p) points[p].name = numbered(p);
 }
 
 std::vector<DesignPoint> given_points(const Design& design) {

@@ -49,26 +49,20 @@ class Cutter {
   public:
     explicit Cutter(const Surface& body) : body_(&body) {
         Part whole;
-        Vec3 low = body.corner(0, 0);
-        Vec3 high = low;
+        Box3 box;
         for (std::size_t t = 0; t < body.triangles.size(); ++t) {
             Facet facet{{body.corner(t, 0), body.corner(t, 1), body.corner(t, 2)}, {}, body.group[t]};
-            for (const Vec3& corner : facet.corners) {
-                low = low.cwiseMin(corner);
-                high = high.cwiseMax(corner);
-            }
+            box.extend(box_round(facet.corners));
             const Vec3 normal = (facet.corners[1] - facet.corners[0]).cross(facet.corners[2] - facet.corners[0]);
             if (!(normal.norm() > 0)) continue;
             facet.plane = {normal.normalized(), normal.normalized().dot(facet.middle())};
             whole.surface.push_back(std::move(facet));
         }
-        size_ = (high - low).norm();
+        size_ = box.diagonal().norm();
         const Vec3 wide = 0.01 * Vec3::Constant(size_);
+        const Box3 wider(box.min() - wide, box.max() + wide);
         std::vector<Vec3> corners;
-        for (int k = 0; k < 8; ++k)
-            corners.emplace_back((k & 1) != 0 ? high.x() + wide.x() : low.x() - wide.x(),
-                                 (k & 2) != 0 ? high.y() + wide.y() : low.y() - wide.y(),
-                                 (k & 4) != 0 ? high.z() + wide.z() : low.z() - wide.z());
+        for (int k = 0; k < 8; ++k) corners.push_back(wider.corner(static_cast<Box3::CornerType>(k)));
         whole.cell = convex_hull(corners);
         finish(whole);
         parts_.push_back(std::move(whole));
@@ -245,22 +239,18 @@ Vec3 direction(HullAxis axis) {
 }
 
 /// Bounds of what the surfaces cut out of the water.
-std::pair<Vec2, Vec2> waterline_bounds(const std::vector<Surface>& bodies) {
-    Vec2 low = Vec2::Constant(1e300);
-    Vec2 high = -low;
-    for (const Surface& body : bodies) {
-        for (std::size_t t = 0; t < body.triangles.size(); ++t) {
+Box2 waterline_bounds(const std::vector<Surface>& bodies) {
+    Box2 box;
+    for (const Surface& body : bodies)
+        for (std::size_t t = 0; t < body.triangles.size(); ++t)
             for (std::size_t k = 0; k < 3; ++k) {
                 const Vec3& a = body.corner(t, k);
                 const Vec3& b = body.corner(t, (k + 1) % 3);
                 if ((a.y() <= 0) == (b.y() <= 0)) continue;
                 const Vec3 at = a + (b - a) * (a.y() / (a.y() - b.y()));
-                low = low.cwiseMin(Vec2(at.x(), at.z()));
-                high = high.cwiseMax(Vec2(at.x(), at.z()));
+                box.extend(Vec2(at.x(), at.z()));
             }
-        }
-    }
-    return {low, high};
+    return box;
 }
 
 /// Into m, with x ahead and y up from the waterline, about the middle of the waterline's bounds.
@@ -271,30 +261,24 @@ void turn(std::vector<Surface>& bodies, const HullFile& file, const std::string&
         throw InputError(
             fmt::format("{}: hull.up and hull.forward are the same axis; they must be at right angles", name));
     const Vec3 aside = ahead.cross(up);
-    Vec3 low = Vec3::Constant(1e300);
-    Vec3 high = -low;
-    for (Surface& body : bodies) {
+    Box3 box;
+    for (Surface& body : bodies)
         for (Vec3& point : body.points) {
             const Vec3 at = metres(file.unit) * point;
             point = {at.dot(ahead), at.dot(up) - file.waterline, at.dot(aside)};
-            low = low.cwiseMin(point);
-            high = high.cwiseMax(point);
+            box.extend(point);
         }
-    }
-    const double size = (high - low).norm();
+    const double size = box.diagonal().norm();
     if (!(size > smallest_size && size < largest_size))
-        throw InputError(
-            fmt::format("{}: the hull is {:.4g} m from corner to corner, which is none of a structure; is "
-                        "hull.unit right?",
-                        name, size));
-    if (!(low.y() < 0 && high.y() > 0))
+        throw InputError(fmt::format(
+            "{}: the hull is {:.4g} m from corner to corner, which is none of a structure; is hull.unit right?", name,
+            size));
+    if (!(box.min().y() < 0 && box.max().y() > 0))
         throw InputError(
             fmt::format("{}: the hull reaches from {:.4g} m to {:.4g} m above the waterline, so it does not stand in "
-                        "the water; set "
-                        "hull.waterline_m, hull.up or hull.unit",
-                        name, low.y(), high.y()));
-    const auto [first, last] = waterline_bounds(bodies);
-    const Vec2 middle = 0.5 * (first + last);
+                        "the water; set hull.waterline_m, hull.up or hull.unit",
+                        name, box.min().y(), box.max().y()));
+    const Vec2 middle = waterline_bounds(bodies).center();
     for (Surface& body : bodies)
         for (Vec3& point : body.points) point -= Vec3(middle.x(), 0, middle.y());
 }

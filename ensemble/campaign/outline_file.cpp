@@ -350,18 +350,6 @@ void refuse_doubles(const std::vector<TracedFloe>& floes) {
     }
 }
 
-struct Bounds {
-    Corner low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-    Corner high{-low.x, -low.z};
-
-    void hold(const Outline& outline) {
-        for (const Corner& one : outline) {
-            low = {std::min(low.x, one.x), std::min(low.z, one.z)};
-            high = {std::max(high.x, one.x), std::max(high.z, one.z)};
-        }
-    }
-};
-
 /// How wide a floe is that lies across the date line, where longitudes jump from 180 to -180; nothing of another.
 std::optional<double> width_across_date_line(const Outline& ring) {
     constexpr double widest = 10;  // degrees
@@ -377,7 +365,7 @@ std::optional<double> width_across_date_line(const Outline& ring) {
 }
 
 /// Floes of some metres are some 1e-5 degrees wide, and no file in lengths has floes as small beside its coordinates.
-void refuse_degrees(const std::vector<TracedFloe>& floes, const Bounds& bounds, const std::string& file) {
+void refuse_degrees(const std::vector<TracedFloe>& floes, const Box2& bounds, const std::string& file) {
     constexpr double widest = 0.1;  // degrees, of one floe: 11 km
     double size = 0;
     bool across = false;
@@ -387,13 +375,14 @@ void refuse_degrees(const std::vector<TracedFloe>& floes, const Bounds& bounds, 
         size = std::max({size, width.value_or(size_of(one.ring).x), size_of(one.ring).z});
     }
     const double most = across ? std::numeric_limits<double>::infinity() : widest;
-    if (size > most || bounds.low.x < -180 || bounds.high.x > 360 || bounds.low.z < -90 || bounds.high.z > 90) return;
+    const Vec2& low = bounds.min();
+    const Vec2& high = bounds.max();
+    if (size > most || low.x() < -180 || high.x() > 360 || low.y() < -90 || high.y() > 90) return;
     throw InputError(fmt::format(
         "{}: its coordinates look like degrees of longitude and latitude: the largest floe is {:.3g} across{}, and all "
         "lie within x = {:.6g} to {:.6g} and y = {:.6g} to {:.6g}; project them to lengths first, such as the UTM zone "
         "of the picture, or, if they are lengths, write them in a smaller unit with shapes.unit",
-        file, size, across ? " over the date line" : "", bounds.low.x, bounds.high.x, 0.0 - bounds.high.z,
-        0.0 - bounds.low.z));
+        file, size, across ? " over the date line" : "", low.x(), high.x(), 0.0 - high.y(), 0.0 - low.y()));
 }
 
 /// Two standard deviations of the area over it, where each corner is rounded to steps along x and z.
@@ -463,33 +452,32 @@ std::string names_of(const std::vector<TracedFloe>& floes) {
 void take_outlines(TracedOutlines& traced, const std::string& text, const std::string& file) {
     std::vector<TracedFloe> floes = floes_of(text, file);
     refuse_doubles(floes);
-    Bounds bounds;
+    Box2 bounds;
     for (TracedFloe& one : floes) {
         one.ring = ring_of(one.ring, one.where);
         for (Outline& hole : one.holes) hole = ring_of(hole, one.where + ", a hole");
-        bounds.hold(one.ring);
+        bounds.extend(box_round(one.ring));
     }
     refuse_degrees(floes, bounds, file);
     refuse_lost_digits(floes);
     const double unit = metres(traced.unit);
-    const double size = unit * std::max(bounds.high.x - bounds.low.x, bounds.high.z - bounds.low.z);
+    const double size = unit * bounds.sizes().maxCoeff();
     if (!(size > smallest_map && size < largest_map))
-        throw InputError(
-            fmt::format("{}: the outlines reach over {:.4g} m, which is no field of ice; is shapes.unit "
-                        "right?",
-                        file, size));
-    Bounds of_floes;  // which reach a little farther where they have fewer corners
+        throw InputError(fmt::format(
+            "{}: the outlines reach over {:.4g} m, which is no field of ice; is shapes.unit right?", file, size));
+    Box2 of_floes;  // which reach a little farther where they have fewer corners
+    const Corner low{bounds.min().x(), bounds.min().y()};
     std::vector<Outline> outlines;
     std::vector<double> areas;
     for (const TracedFloe& one : floes) {
         areas.push_back(unit * unit * area_of(one));
         Outline placed;
-        for (const Corner& corner : one.ring) placed.push_back(unit * (corner - bounds.low));
+        for (const Corner& corner : one.ring) placed.push_back(unit * (corner - low));
         outlines.push_back(outline_of(std::move(placed)));
-        of_floes.hold(outlines.back());
+        of_floes.extend(box_round(outlines.back()));
     }
     refuse_shared_area(floes, file);
-    const Corner origin{of_floes.low.x, 0.5 * (of_floes.low.z + of_floes.high.z)};
+    const Corner origin{of_floes.min().x(), of_floes.center().y()};
     for (Outline& one : outlines)
         for (Corner& corner : one) corner = corner - origin;
     traced.outlines = std::move(outlines);

@@ -166,17 +166,12 @@ OrderedJson axis_schema() {
 }  // namespace
 
 std::string configuration_schema() {
-    CampaignHead head;
-    Design design;
-    StopRule stop;
-    RunRules rules;
-    Scenario scenario;
     OrderedJson schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
                        {"title", "A configuration of floes"},
                        {"description", "Every key has its unit in its name. A key that is left out has its default."},
                        {"type", "object"},
                        {"additionalProperties", false}};
-    schema["properties"] = properties_of(describe_all(head, design, stop, rules, scenario), true);
+    schema["properties"] = properties_of(DefaultKeys().keys, true);
     schema["properties"]["design"]["properties"]["axis"] = list_of(axis_schema());
     schema["properties"]["case"] = list_of(case_schema());
     return schema.dump(1) + "\n";

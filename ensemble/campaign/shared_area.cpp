@@ -17,15 +17,11 @@ namespace {
 struct Enclosed {
     std::vector<Outline> rings;
     std::string label;
-    Corner low;
-    Corner high;
+    Box2 box;
     double area = 0;
 
-    Enclosed(std::vector<Outline> of, std::string called) : rings(std::move(of)), label(std::move(called)) {
-        const auto [left, right] = std::ranges::minmax(rings.front(), {}, &Corner::x);
-        const auto [first, last] = std::ranges::minmax(rings.front(), {}, &Corner::z);
-        low = {left.x, first.z};
-        high = {right.x, last.z};
+    Enclosed(std::vector<Outline> of, std::string called)
+        : rings(std::move(of)), label(std::move(called)), box(box_round(rings.front())) {
         for (const Outline& ring : rings) area += (area == 0 ? 1 : -1) * std::abs(area_of(ring));
     }
 
@@ -55,12 +51,11 @@ class SharedArea {
 
     /// Of the smaller one; 0 without a look where their boxes share less than `least` of it.
     double share(const Enclosed& a, const Enclosed& b, double least) {
-        const double length = std::min(a.high.x, b.high.x) - std::max(a.low.x, b.low.x);
-        const double breadth = std::min(a.high.z, b.high.z) - std::max(a.low.z, b.low.z);
+        const Vec2 common = a.box.intersection(b.box).sizes();
         const bool first = a.area < b.area;
         const Enclosed& smaller = first ? a : b;
         const Enclosed& larger = first ? b : a;
-        if (!(length > 0 && breadth > 0 && length * breadth > least * smaller.area)) return 0;
+        if (!(common.x() > 0 && common.y() > 0 && common.x() * common.y() > least * smaller.area)) return 0;
         return within(smaller, larger);
     }
 
@@ -85,9 +80,10 @@ template <typename Refuse>
 void look_at_pairs(const std::vector<Enclosed>& all, SharedArea& areas, double most, const Refuse& refuse) {
     std::vector<std::size_t> order(all.size());
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
-    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return all[k].low.x; });
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return all[k].box.min().x(); });
     for (std::size_t i = 0; i < order.size(); ++i) {
-        for (std::size_t k = i + 1; k < order.size() && all[order[k]].low.x < all[order[i]].high.x; ++k) {
+        const double end = all[order[i]].box.max().x();
+        for (std::size_t k = i + 1; k < order.size() && all[order[k]].box.min().x() < end; ++k) {
             const auto [first, second] = std::minmax(order[i], order[k]);
             const double share = areas.share(all[first], all[second], most);
             if (share > most) refuse(all[first], all[second], share);

@@ -41,12 +41,6 @@ std::string ending_of(const std::string& file) {
     return lower(std::string_view(file).substr(std::min(file.rfind('.'), file.size() - 1) + 1));
 }
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 /// A surface as it is read: points that are one by their places, groups by their names, and how it is rounded.
 class SurfaceMaker {
   public:
@@ -164,7 +158,7 @@ class TextWords {
     }
 
     /// What the line still has, without outer blanks.
-    std::string_view rest_of_line() { return trimmed(taken(text_.find_first_of("\r\n"))); }
+    std::string_view rest_of_line() { return trimmed(taken(text_.find_first_of("\r\n")), blanks); }
 
     /// The next line that has anything in it; nothing at the end.
     std::optional<std::string_view> line() {
@@ -358,7 +352,7 @@ class ObjText {
     Surface read() && {
         std::string continued;
         for (std::optional<std::string_view> line = lines_.line(); line; line = lines_.line()) {
-            std::string_view own = trimmed(line->substr(0, line->find('#')));
+            std::string_view own = trimmed(line->substr(0, line->find('#')), blanks);
             const bool goes_on = own.ends_with('\\');
             if (goes_on) own.remove_suffix(1);
             continued += own;

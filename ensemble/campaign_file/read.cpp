@@ -1,9 +1,9 @@
 #include "campaign_file/read.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,6 +14,7 @@
 #include "hdf5/columns.hpp"
 #include "member/design_of.hpp"
 #include "member/member_outputs.hpp"
+#include "member/moored_response.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
@@ -163,7 +164,7 @@ void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* c
     std::vector<ArrayReader> readers;
     for (const ArrayOutput* array : arrays) readers.emplace_back(file, *array, places);
     for (int member = 0; member < static_cast<int>(states.size()); ++member) {
-        if (states[static_cast<std::size_t>(member)] != RowStatus::done || !wanted(member)) continue;
+        if (states[static_cast<std::size_t>(member)] != RowStatus::done || (wanted && !wanted(member))) continue;
         const int of_case = member_key(campaign, member).case_index;
         std::vector<ArrayValues> read;
         for (ArrayReader& reader : readers) read.push_back(reader.read(static_cast<std::size_t>(member), of_case));
@@ -177,7 +178,6 @@ void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* c
 
 namespace {
 
-/// For the members that `wanted` takes.
 void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
                    const std::function<void(const StoredHistory&)>& use) {
     const ArrayOutput* const only = &array;
@@ -190,14 +190,7 @@ void for_histories(const CampaignFile& file, const ArrayOutput& array, const std
 
 void for_each_history(const CampaignFile& file, const ArrayOutput& of,
                       const std::function<void(const StoredHistory&)>& use) {
-    for_histories(
-        file, of, [](int) { return true; }, use);
-}
-
-void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
-                        const std::function<void(const StoredHistories&)>& use) {
-    for_each_histories(
-        file, of, [](int) { return true; }, use);
+    for_histories(file, of, {}, use);
 }
 
 void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use) {
@@ -308,36 +301,26 @@ std::span<const double> in_window(const StoredHistory& history, const Analysis& 
 
 namespace {
 
-/// The histories that responses_of() takes of any structure that gives way, of one that floats, and of lines that
-/// break.
-constexpr std::array horizontal_motion{&array_output("history/structure_yaw"), &array_output("history/surge_offset"),
-                                       &array_output("history/sway_offset"), &array_output("history/surge_mooring"),
-                                       &array_output("history/sway_mooring")};
-constexpr std::array vertical_motion{&array_output("history/heave_offset"), &array_output("history/pitch"),
-                                     &array_output("history/roll")};
-
-/// The responses of members that have the same histories, in the windows of the table.
-void measure_responses(const CampaignFile& file, CampaignTable& table, bool floats, bool breaks) {
-    std::vector<const ArrayOutput*> arrays(horizontal_motion.begin(), horizontal_motion.end());
-    if (floats) arrays.insert(arrays.end(), vertical_motion.begin(), vertical_motion.end());
-    if (breaks) arrays.push_back(&array_output("history/line_use"));
-    const auto scenario_of = [&](int member) -> const Scenario& {
-        return file.campaign()
-            .cases[static_cast<std::size_t>(table.members.at(static_cast<std::size_t>(member)).case_index)]
-            .scenario;
-    };
-    const auto wanted = [&](int member) {
-        const Moorings& moorings = scenario_of(member).moorings;
-        return moorings.give_way() && moorings.floats() == floats && has_lines_that_break(moorings) == breaks;
-    };
+/// How the structures of a case gave way, in its window of the table, from all that was kept of their motion.
+void measure_motion(const CampaignFile& file, CampaignTable& table, std::size_t case_index) {
+    Scenario scenario = file.campaign().cases[case_index].scenario;
+    if (!scenario.moorings.give_way()) return;
+    std::vector<const ArrayOutput*> arrays;
+    for (const auto& history : motion_histories)
+        if (!axis_of(history.of)->places(scenario).empty())
+            arrays.push_back(&array_outputs.at(array_number(history.path)));
+    scenario.analysis = table.cases[case_index].analysis;
+    const auto row_of = [&](int member) -> MemberRow& { return table.members.at(static_cast<std::size_t>(member)); };
+    const auto wanted = [&](int member) { return row_of(member).case_index == static_cast<int>(case_index); };
     for_each_histories(file, arrays, wanted, [&](const StoredHistories& found) {
-        MemberRow& row = table.members.at(static_cast<std::size_t>(found.member));
-        Scenario scenario = scenario_of(found.member);
-        scenario.analysis = table.cases.at(static_cast<std::size_t>(row.case_index)).analysis;
         MemberResult result;
         for (std::size_t k = 0; k < arrays.size(); ++k)
             arrays[k]->access.set(result, {{found.values[k].size()}, {found.values[k].begin(), found.values[k].end()}});
+        MemberRow& row = row_of(found.member);
         row.responses = responses_of(scenario, result.motion);
+        const MooredResponse of_run = std::exchange(row.moored, moored_response(scenario, result.motion));
+        row.moored.line_tension = of_run.line_tension;
+        row.moored.broken_lines = of_run.broken_lines;
     });
 }
 
@@ -355,8 +338,7 @@ CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const
                             about.name, about.analysis.history_stride));
         measure(row, in_window(history, about.analysis), history.step, about.analysis, table.levels);
     });
-    for (const bool floats : {false, true})
-        for (const bool breaks : {false, true}) measure_responses(file, table, floats, breaks);
+    for (std::size_t k = 0; k < table.cases.size(); ++k) measure_motion(file, table, k);
     return table;
 }
 

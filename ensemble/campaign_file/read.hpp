@@ -106,9 +106,7 @@ struct StoredHistories {
     double step = 0;  ///< s
     std::vector<std::span<const double>> values;
 };
-void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
-                        const std::function<void(const StoredHistories&)>& use);
-/// The same of the members that `wanted` takes; of others nothing is read.
+/// Of others than the members that `wanted` takes, if there is such a function, nothing is read.
 void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
                         const std::function<bool(int member)>& wanted,
                         const std::function<void(const StoredHistories&)>& use);
@@ -132,8 +130,9 @@ CampaignTable read_campaign_file(const CampaignFile& file);
 /// The part of a history that lies in the window, which ends the run.
 std::span<const double> in_window(const StoredHistory& history, const Analysis& analysis);
 
-/// The table of the file with every done member's surge load, the steps that it counted above levels, and its responses
-/// measured anew in the window of its case: `windows`, one a case, each ending the run. Nothing else changes. Throws
+/// The table of the file with every done member's surge load, the steps that it counted above levels, and how its
+/// structure gave way measured anew in the window of its case: `windows`, one a case, each ending the run. Loads of
+/// parts, moments, heave and sway loads, work and the ice keep the window that was run. Throws
 /// InputError for histories that are thinned, since maxima and deviations need every step.
 CampaignTable measured_anew(const CampaignFile& file, CampaignTable table, const std::vector<Analysis>& windows);
 

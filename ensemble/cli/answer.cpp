@@ -23,11 +23,7 @@
 
 namespace floes {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-}  // namespace
 
 int terminal_width() {
     int width = 100;

@@ -6,6 +6,7 @@
 #include "campaign_file/read.hpp"
 #include "cli/commands.hpp"
 #include "cli/export_fmu.hpp"
+#include "cli/given.hpp"
 #include "inference/order_quantile.hpp"
 #include "load_files/read_loads.hpp"
 #include "replay/replay_member.hpp"
@@ -176,6 +177,19 @@ int make_fmu(const ExportOptions& options) {
     return write_fmu(fmu, options.file, options.member.case_name);
 }
 
+/// Whether the file is there and completed by its reader, as by the place of an OpenFAST load. Throws InputError where
+/// it is of another load.
+bool is_completed(const WrittenLoad& made) {
+    if (made.completed.empty() || !std::filesystem::exists(made.path)) return false;
+    if (read_bytes(made.path).find(made.completed) == std::string::npos)
+        throw InputError(
+            fmt::format("{} is there, and is not of a load in these axes and of this name; move it away, or "
+                        "give another name.",
+                        made.path));
+    note("{} is there and stays as it is.", made.path);
+    return true;
+}
+
 int write_loads(const ExportOptions& options) {
     expect_sense(options);
     expect_campaign_file(options.file);
@@ -190,7 +204,7 @@ int write_loads(const ExportOptions& options) {
         if (!one.why.empty()) note("member {}. {}", one.number, one.why);
         for (const WrittenLoad& made :
              options.written().write(load, path_of(options.output, one.number, chosen.size() > 1))) {
-            write_page(made.path, made.text);
+            if (!is_completed(made)) write_page(made.path, made.text);
             std::printf("%s\n", made.path.c_str());
         }
     }

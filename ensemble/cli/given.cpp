@@ -203,7 +203,7 @@ std::string find_config(const std::string& name) {
     if (const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown); !unknown)
         folders.push_back((program.parent_path() / FLOES_SHARE_FROM_PROGRAM).lexically_normal());
     if (const char* launcher = std::getenv("FLOES_LAUNCHER"))  // of a clone
-        folders.push_back(std::filesystem::path(launcher).parent_path());
+        folders.push_back(std::filesystem::weakly_canonical(launcher, unknown).parent_path());
     for (const std::filesystem::path& folder : folders)
         if (const auto known = folder / "configs" / (name + ".toml"); std::filesystem::exists(known, unknown))
             return known.string();
@@ -246,8 +246,8 @@ void add_format(OptionList& verb, std::string& format) {
 
 void add_window(OptionList& verb, std::string& window) {
     verb.option("--window", window,
-                "Analysis window: given (as configured), or auto (from the start of the steady state, found in "
-                "the histories)")
+                "Analysis window: given (as configured), or auto (the surge load and how a moored structure gives way "
+                "from the start of the steady state, found in the histories)")
         .one_of({"given", "auto"})
         .shows_default();
 }

@@ -335,7 +335,9 @@ void add_merge(CommandLine& line) {
     Verb verb = line.verb("merge", "Merge the parts computed by floes run --part into one campaign");
     verb.option("parts", options->parts, "Campaign files of the parts; their journals are read from the same folders")
         .required();
-    verb.option("-o,--output", options->output, "The merged campaign file; one that exists is added to").required();
+    verb.option("-o,--output", options->output, "The merged campaign file; one that exists is added to")
+        .required()
+        .file_ending({".h5", ".hdf5", ".nc"});
     verb.flag("--overwrite", options->overwrite, "Replace what the merged campaign file has, instead of adding to it");
     verb.flag("--keep-journal", options->keep_journal, keep_journal_words);
     verb.runs([options] { return merge(*options); });

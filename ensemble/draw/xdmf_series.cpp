@@ -377,6 +377,20 @@ std::filesystem::path numbers_beside(const std::filesystem::path& path) {
     return path.string() + ".h5";
 }
 
+/// Where the state for ParaView lies. Throws InputError for a file there that is none.
+std::filesystem::path state_beside(std::filesystem::path path) {
+    path.replace_extension(".py");
+    const std::string_view known(opening, std::string_view(opening).find('\n'));
+    std::string first;
+    std::ifstream there(path);
+    if (there.is_open() && std::getline(there, first) && first != known)
+        throw InputError(
+            fmt::format("{} is there and is no state for ParaView, which would be written beside {}; give "
+                        "another name.",
+                        path.string(), path.replace_extension(".xdmf2").string()));
+    return path;
+}
+
 /// The whole of an array as a dataset, compressed.
 template <class Value>
 void write_numbers(hid_t file, const std::string& name, const std::vector<Value>& values) {
@@ -411,7 +425,9 @@ XdmfSeries::XdmfSeries(const std::filesystem::path& path, const RecordingSubject
       breaks_(breaks),
       sheets_(ice_sheets_part(subject.channel())),
       hull_(subject.scenario.structure.shape.mesh(96)),
-      state_{.file = path.filename().string()} {}
+      state_{.file = path.filename().string()} {
+    state_beside(path);
+}
 
 void XdmfSeries::add(const Frame& frame) {
     // First what every frame has: ParaView takes its times from the first part.
@@ -486,7 +502,7 @@ void XdmfSeries::finish() {
         if (!grids.empty())
             text += fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n{}</Grid>\n",
                                 part, grids);
-    write_text(std::filesystem::path(path_).replace_extension(".py"), paraview_state(state_, subject_));
+    write_text(state_beside(path_), paraview_state(state_, subject_));
     write_text(path_, text + "</Grid>\n</Domain>\n</Xdmf>\n");
 }
 

@@ -452,7 +452,7 @@ Section members_section(const Sample& sample) {
     results.columns.push_back({"trend_p"});
     shown.push_back(quantity("trend_p"));
     for (std::size_t member = 0; member < sample.members(); ++member) {
-        std::vector<Datum> line{member, sample.cases.at(sample.case_of(member)).name, sample.arrangement_of(member),
+        std::vector<Datum> line{member, sample.cases.at(sample.case_of(member)).name, sample.number_of(member),
                                 status_word(sample.status(member))};
         for (const Quantity& quantity : shown) line.emplace_back(sample.value(member, quantity));
         for (std::size_t k = 0; k < segments; ++k) {
@@ -470,7 +470,7 @@ Section long_section(const Sample& sample) {
     for (std::size_t member = 0; member < sample.members(); ++member)
         for (const Quantity& quantity : known)
             if (const double value = sample.value(member, quantity); std::isfinite(value))
-                results.add({sample.cases.at(sample.case_of(member)).name, sample.arrangement_of(member),
+                results.add({sample.cases.at(sample.case_of(member)).name, sample.number_of(member),
                              quantity.key.view(), quantity.unit, value});
     return {.results = {std::move(results)}};
 }

@@ -79,6 +79,13 @@ std::string unused(const Version& version) {
                                  "area_Y", "area_ratio_Y", "headLossCoeff_Y", "rho_Y"});
 }
 
+std::string prescribed(const LoadToWrite& load, const std::string& series) {
+    return section("PRESCRIBED TIME SERIES") +
+           (load.axes == LoadAxes::earth ? line("1", "PrescribedForcesCoordSys", "- global")
+                                         : line("2", "PrescribedForcesCoordSys", "- local")) +
+           line("\"" + series + "\"", "PrescribedForcesFile");
+}
+
 std::string input_file(const LoadToWrite& load, const std::string& series, const Version& version) {
     std::string text = fmt::format("------- STRUCTURAL CONTROL (StC) INPUT FILE, {} -------\n", version.words);
     text += fmt::format("Load of ice on the platform, by {}; the series says more. ServoDyn: NumSStC, SStCfiles\n",
@@ -91,10 +98,7 @@ std::string input_file(const LoadToWrite& load, const std::string& series, const
     for (const char* name : {"StC_P_X", "StC_P_Y", "StC_P_Z"})
         text += line("0", name, "- the structure's axis in the waterline, from the platform's reference point (m)");
     text += unused(version);
-    text += section("PRESCRIBED TIME SERIES");
-    text += load.axes == LoadAxes::earth ? line("1", "PrescribedForcesCoordSys", "- global")
-                                         : line("2", "PrescribedForcesCoordSys", "- local");
-    return text + line("\"" + series + "\"", "PrescribedForcesFile");
+    return text + prescribed(load, series);
 }
 
 std::vector<WrittenLoad> files_for(const LoadToWrite& load, const std::string& path, const Version& version) {
@@ -106,7 +110,8 @@ std::vector<WrittenLoad> files_for(const LoadToWrite& load, const std::string& p
     std::string text = commented(legend(load, true, "N", "N m"));
     text += fmt::format("# For {}: StC_DOF_MODE {}.\n", version.words, version.mode);
     text += "# Time  FX  FY  FZ  MX  MY  MZ\n# (s)  (N)  (N)  (N)  (N m)  (N m)  (N m)\n";
-    return {{path, text + rows(load.series, "  ")}, {beside(path, "_StC.dat"), input_file(load, name, version)}};
+    return {{path, text + rows(load.series, "  ")},
+            {beside(path, "_StC.dat"), input_file(load, name, version), prescribed(load, name)}};
 }
 
 }  // namespace

@@ -357,6 +357,9 @@ Campaign next_wave(const MatchWave& wave, const std::vector<RangedAxis>& axes, c
     next.name = name;
     next.seed = seed;
     next.cases.clear();
+    next.run.base_case.clear();  // a point of this wave
+    const auto names_a_point = [](const std::string& word) { return word != "all" && word != "none"; };
+    if (names_a_point(next.stop.case_name) || names_a_point(next.stop.contrast)) next.stop = {};
     next.design.method = DesignMethod::list;
     next.design.points = 0;
     next.design.indices = false;

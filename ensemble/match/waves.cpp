@@ -255,12 +255,6 @@ std::vector<std::string> match_cases(std::span<const MatchWave> waves) {
 
 namespace {
 
-double squares_about(const std::vector<double>& values, double mean) {
-    double sum = 0;
-    for (const double value : values) sum += (value - mean) * (value - mean);
-    return sum;
-}
-
 /// Covariance of single runs of two points on one arrangement. Of two points with m and n runs, c of them on common
 /// arrangements, the product of two deviations from the points' means has the expectation
 /// (1 - 1/m - 1/n + c/(m n)) times the covariance.

@@ -261,10 +261,13 @@ class Campaign:
             raise CampaignError(f"Which case? {self.path} has {', '.join(self._cases.index)}.")
         name = self._cases.index[0] if case is None else self._checked(case)
         loads = self.design_loads(**options)
-        found = loads[(loads.case == name) & (loads.method == "both tails") & (loads.figure == "quantile")].iloc[0]
-        if found.reason:
-            raise program.Refused(f"{name}: {found.reason}")
-        return found.drop("reason")
+        found = loads[(loads.case == name) & (loads.method == "both tails") & (loads.figure == "quantile")]
+        if found.empty:
+            raise program.Refused(f"{name}: it has no {options.get('of', 'load')}.")
+        first = found.iloc[0]
+        if first.reason:
+            raise program.Refused(f"{name}: {first.reason}")
+        return first.drop("reason")
 
     def design_basis(self, **options: Any) -> pandas.DataFrame:
         """What the design loads rest on: a row for each case, with the time that was run, peaks, trend and tail."""

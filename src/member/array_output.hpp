@@ -250,15 +250,38 @@ constexpr auto joined(const std::array<Value, sizes>&... lists) {
     return all;
 }
 
-/// One number of each element of a vector, which is read with the quantities.
+/// One number of each element of a vector.
 template <auto elements, auto number>
-constexpr ArrayOutput table_output(std::string_view path, std::string_view unit, std::string_view long_name,
-                                   const ArrayAxis& axis) {
+constexpr ArrayOutput each_output(std::string_view path, std::string_view unit, std::string_view long_name,
+                                  const ArrayAxis& axis, ArrayNumbers numbers = ArrayNumbers::real) {
     return {.path = path,
             .unit = unit,
             .long_name = long_name,
             .axes = {&axis},
             .access = at_each<elements, number>(),
+            .numbers = numbers};
+}
+
+/// The same, read with the quantities.
+template <auto elements, auto number>
+constexpr ArrayOutput table_output(std::string_view path, std::string_view unit, std::string_view long_name,
+                                   const ArrayAxis& axis) {
+    ArrayOutput array = each_output<elements, number>(path, unit, long_name, axis);
+    array.in_table = true;
+    return array;
+}
+
+/// A vector of numbers in each element of a vector, read with the quantities.
+template <auto elements, auto numbers>
+constexpr ArrayOutput rows_output(std::string_view path, std::string_view unit, std::string_view long_name,
+                                  const ArrayAxis& axis, const ArrayAxis& second,
+                                  ArrayChunks chunks = ArrayChunks::with_others) {
+    return {.path = path,
+            .unit = unit,
+            .long_name = long_name,
+            .axes = {&axis, &second},
+            .access = at_rows<elements, numbers>(),
+            .chunks = chunks,
             .in_table = true};
 }
 
@@ -280,11 +303,8 @@ inline constexpr std::array outputs_before_histories{
         "exceedance/steps_above", "1", "steps of the window with a surge load above the level", level_axis),
     table_output<&MemberResult::levels, &LevelCount::upcrossings>(
         "exceedance/upcrossings", "1", "rises of the surge load through the level within the window", level_axis),
-    ArrayOutput{.path = "averaging_time",
-                .unit = "s",
-                .long_name = "time that the surge load is averaged over",
-                .axes = {&averaging_axis},
-                .access = at_each<&MemberOutputs::averaged, &AveragedLoad::time>()},
+    each_output<&MemberOutputs::averaged, &AveragedLoad::time>(
+        "averaging_time", "s", "time that the surge load is averaged over", averaging_axis),
     table_output<&MemberOutputs::averaged, &AveragedLoad::sd>(
         "averaged/sd_load", "N",
         "population standard deviation of the surge load over the window, of its running means", averaging_axis),
@@ -294,36 +314,22 @@ inline constexpr std::array outputs_before_histories{
     table_output<&MemberOutputs::averaged, &AveragedLoad::sd_maximum>(
         "averaged/sd_maximum", "N",
         "population standard deviation of the segment maxima of the surge load, of its running means", averaging_axis),
-    ArrayOutput{.path = "averaged/segment_maximum",
-                .unit = "N",
-                .long_name = "largest running mean that ends in each segment",
-                .axes = {&averaging_axis, &segment_axis},
-                .access = at_rows<&MemberOutputs::averaged, &AveragedLoad::segment_maximum>(),
-                .in_table = true},
-    ArrayOutput{.path = "averaged/peaks",
-                .unit = "N",
-                .long_name = "declustered peaks of the running means above their mean, falling",
-                .axes = {&averaging_axis, &peak_axis},
-                .access = at_rows<&MemberOutputs::averaged, &AveragedLoad::peaks>(),
-                .in_table = true},
+    rows_output<&MemberOutputs::averaged, &AveragedLoad::segment_maximum>(
+        "averaged/segment_maximum", "N", "largest running mean that ends in each segment", averaging_axis,
+        segment_axis),
+    rows_output<&MemberOutputs::averaged, &AveragedLoad::peaks>(
+        "averaged/peaks", "N", "declustered peaks of the running means above their mean, falling", averaging_axis,
+        peak_axis),
     table_output<&MemberOutputs::responses, &Response::mean>("responses/mean", "SI",
                                                              "mean of the response over the window", response_axis),
     table_output<&MemberOutputs::responses, &Response::rise>(
         "responses/rise", "SI", "slope of the response over the window, times its length", response_axis),
-    ArrayOutput{.path = "responses/segment_maximum",
-                .unit = "SI",
-                .long_name = "largest response in each segment of the window",
-                .axes = {&response_axis, &segment_axis},
-                .access = at_rows<&MemberOutputs::responses, &Response::segment_maximum>(),
-                .chunks = ArrayChunks::of_its_own,
-                .in_table = true},
-    ArrayOutput{.path = "responses/peaks",
-                .unit = "SI",
-                .long_name = "declustered peaks of the response above its mean, falling",
-                .axes = {&response_axis, &peak_axis},
-                .access = at_rows<&MemberOutputs::responses, &Response::peaks>(),
-                .chunks = ArrayChunks::of_its_own,
-                .in_table = true},
+    rows_output<&MemberOutputs::responses, &Response::segment_maximum>(
+        "responses/segment_maximum", "SI", "largest response in each segment of the window", response_axis,
+        segment_axis, ArrayChunks::of_its_own),
+    rows_output<&MemberOutputs::responses, &Response::peaks>(
+        "responses/peaks", "SI", "declustered peaks of the response above its mean, falling", response_axis, peak_axis,
+        ArrayChunks::of_its_own),
     table_output<&MemberOutputs::parts, &PartLoad::mean>("parts/mean_load", "N",
                                                          "mean surge load on the part over the window", part_axis),
     table_output<&MemberOutputs::parts, &PartLoad::sd>(
@@ -334,19 +340,13 @@ inline constexpr std::array outputs_before_histories{
         "parts/mean_sway", "N", "mean load on the part towards +z over the window", part_axis),
     table_output<&MemberOutputs::parts, &PartLoad::mean_heave>(
         "parts/mean_heave", "N", "mean load on the part upwards over the window", part_axis),
-    ArrayOutput{.path = "parts/mean_maximum",
-                .unit = "N",
-                .long_name = "mean of the segment maxima of the surge load on the part, of its running means",
-                .axes = {&part_axis, &averaging_axis},
-                .access = at_rows<&MemberOutputs::parts, &PartLoad::mean_maximum>(),
-                .in_table = true},
-    ArrayOutput{.path = "parts/normal_maximum",
-                .unit = "N",
-                .long_name = "mean of the segment maxima of the sum of the normal forces on the part, of its running "
-                             "means",
-                .axes = {&part_axis, &averaging_axis},
-                .access = at_rows<&MemberOutputs::parts, &PartLoad::normal_maximum>(),
-                .in_table = true},
+    rows_output<&MemberOutputs::parts, &PartLoad::mean_maximum>(
+        "parts/mean_maximum", "N", "mean of the segment maxima of the surge load on the part, of its running means",
+        part_axis, averaging_axis),
+    rows_output<&MemberOutputs::parts, &PartLoad::normal_maximum>(
+        "parts/normal_maximum", "N",
+        "mean of the segment maxima of the sum of the normal forces on the part, of its running means", part_axis,
+        averaging_axis),
     ArrayOutput{.path = "arrangements/pose",
                 .unit = "m, m, rad",
                 .long_name = "pose of each floe at the start: x, z, yaw",
@@ -389,23 +389,12 @@ inline constexpr std::array outputs_after_histories{
                 .axes = {&tow_axis},
                 .access = at_vector<&MemberResult::load_map, &LoadMap::along_tow>(),
                 .chunks = ArrayChunks::of_its_own},
-    ArrayOutput{.path = "breaks/time",
-                .unit = "s",
-                .long_name = "end of the step in which the joint failed",
-                .axes = {&break_axis},
-                .access = at_each<&MemberResult::breaks, &BreakEvent::time>()},
-    ArrayOutput{.path = "breaks/floe",
-                .unit = "1",
-                .long_name = "floe of the joint",
-                .axes = {&break_axis},
-                .access = at_each<&MemberResult::breaks, &BreakEvent::floe>(),
-                .numbers = ArrayNumbers::index},
-    ArrayOutput{.path = "breaks/joint",
-                .unit = "1",
-                .long_name = "joint within its floe",
-                .axes = {&break_axis},
-                .access = at_each<&MemberResult::breaks, &BreakEvent::joint>(),
-                .numbers = ArrayNumbers::index},
+    each_output<&MemberResult::breaks, &BreakEvent::time>("breaks/time", "s",
+                                                          "end of the step in which the joint failed", break_axis),
+    each_output<&MemberResult::breaks, &BreakEvent::floe>("breaks/floe", "1", "floe of the joint", break_axis,
+                                                          ArrayNumbers::index),
+    each_output<&MemberResult::breaks, &BreakEvent::joint>("breaks/joint", "1", "joint within its floe", break_axis,
+                                                           ArrayNumbers::index),
     ArrayOutput{.path = "breaks/mode",
                 .unit = "1",
                 .long_name = "how the joint failed",
@@ -413,17 +402,11 @@ inline constexpr std::array outputs_after_histories{
                 .access = at_each<&MemberResult::breaks, &BreakEvent::mode>(),
                 .numbers = ArrayNumbers::flag,
                 .words = failure_mode_names},
-    ArrayOutput{.path = "pieces/floe",
-                .unit = "1",
-                .long_name = "floe of the piece; only of floes in more than one piece at the end",
-                .axes = {&piece_axis},
-                .access = at_each<&MemberResult::piece_areas, &PieceArea::floe>(),
-                .numbers = ArrayNumbers::index},
-    ArrayOutput{.path = "pieces/area",
-                .unit = "m2",
-                .long_name = "area of the piece, of its upper side",
-                .axes = {&piece_axis},
-                .access = at_each<&MemberResult::piece_areas, &PieceArea::area>()},
+    each_output<&MemberResult::piece_areas, &PieceArea::floe>(
+        "pieces/floe", "1", "floe of the piece; only of floes in more than one piece at the end", piece_axis,
+        ArrayNumbers::index),
+    each_output<&MemberResult::piece_areas, &PieceArea::area>("pieces/area", "m2",
+                                                              "area of the piece, of its upper side", piece_axis),
 };
 
 /// In the order in which they are stored and set: what others need comes first.

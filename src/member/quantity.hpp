@@ -126,77 +126,76 @@ constexpr Quantity crack_quantity(const char* key, const char* label, std::strin
             .since = 12};
 }
 
-/// Of ice on the sea bed; NaN where there is none.
-constexpr Quantity bed_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place,
-                                double least) {
-    return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = least, .since = 19};
+/// Only a column of /members.
+constexpr Quantity column_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place,
+                                   double least = 0, int since = 0) {
+    return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = least, .since = since};
 }
 
-/// A number of floes.
-constexpr Quantity floe_count(const char* key, std::string_view long_name, Place place) {
-    return {.key = key, .unit = "1", .long_name = long_name, .place = place, .since = 13};
+/// Joints that failed in a mode.
+template <FailureMode mode>
+constexpr Quantity failures_quantity(const char* key, std::string_view long_name, const char* label, int since = 0) {
+    return {.key = key,
+            .unit = "1",
+            .long_name = long_name,
+            .place = failures_in<mode>(),
+            .shown = Shown::in_summary,
+            .label = label,
+            .count = true,
+            .since = since};
 }
 
 /// A share of the work of the tow (statistics/work_shares.hpp).
-constexpr Quantity work_quantity(const char* key, std::string_view long_name, Place place, int since = 10) {
-    return {.key = key, .unit = "N", .long_name = long_name, .place = place, .least = no_least, .since = since};
+template <auto share>
+constexpr Quantity work_quantity(const char* key, std::string_view long_name, int since = 10) {
+    return column_quantity(key, "N", long_name, at<&MemberOutputs::work, share>(), no_least, since);
 }
 
 /// A statistic of a moment on the structure in the window; simulation/hull_loads.hpp has the signs.
 template <auto moment, auto statistic>
 constexpr Quantity moment_quantity(const char* key, std::string_view long_name) {
     const bool has_sign = ShortText(key).view().starts_with("mean");
-    return {.key = key,
-            .unit = "N m",
-            .long_name = long_name,
-            .place = at<moment, statistic>(),
-            .least = has_sign ? no_least : 0,
-            .since = 13};
+    return column_quantity(key, "N m", long_name, at<moment, statistic>(), has_sign ? no_least : 0, 13);
 }
 
 // The quantities of where the work of the tow goes, of how the floes lay at its start, and of what the solver did. Part
 // of quantity.hpp's list.
 
 inline constexpr std::array work_quantities{
-    work_quantity("work_ice_friction",
-                  "work over the distance towed that goes into friction between floes and on ice sheets",
-                  at<&MemberOutputs::work, &WorkShares::ice_friction>()),
-    work_quantity("work_ice_crushing",
-                  "work over the distance towed that goes into crushing and stopping of floes by floes",
-                  at<&MemberOutputs::work, &WorkShares::ice_crushing>()),
-    work_quantity("work_hull_friction", "work over the distance towed that goes into friction on the structure",
-                  at<&MemberOutputs::work, &WorkShares::hull_friction>()),
-    work_quantity("work_hull_crushing",
-                  "work over the distance towed that goes into crushing and stopping of floes by the structure",
-                  at<&MemberOutputs::work, &WorkShares::hull_crushing>()),
-    work_quantity("work_vertical_drag", "work over the distance towed that goes into drag along the normals of the ice",
-                  at<&MemberOutputs::work, &WorkShares::vertical_drag>()),
-    work_quantity("work_plane_drag", "work over the distance towed that goes into form and skin drag",
-                  at<&MemberOutputs::work, &WorkShares::plane_drag>()),
-    work_quantity("work_waves", "work over the distance towed that goes into waves: linear damping of heave",
-                  at<&MemberOutputs::work, &WorkShares::waves>()),
-    work_quantity("work_joints",
-                  "work over the distance towed that goes into bending: damped, released where floes break, or stored",
-                  at<&MemberOutputs::work, &WorkShares::joints>()),
-    work_quantity(
+    work_quantity<&WorkShares::ice_friction>(
+        "work_ice_friction", "work over the distance towed that goes into friction between floes and on ice sheets"),
+    work_quantity<&WorkShares::ice_crushing>(
+        "work_ice_crushing", "work over the distance towed that goes into crushing and stopping of floes by floes"),
+    work_quantity<&WorkShares::hull_friction>("work_hull_friction",
+                                              "work over the distance towed that goes into friction on the structure"),
+    work_quantity<&WorkShares::hull_crushing>(
+        "work_hull_crushing",
+        "work over the distance towed that goes into crushing and stopping of floes by the structure"),
+    work_quantity<&WorkShares::vertical_drag>(
+        "work_vertical_drag", "work over the distance towed that goes into drag along the normals of the ice"),
+    work_quantity<&WorkShares::plane_drag>("work_plane_drag",
+                                           "work over the distance towed that goes into form and skin drag"),
+    work_quantity<&WorkShares::waves>("work_waves",
+                                      "work over the distance towed that goes into waves: linear damping of heave"),
+    work_quantity<&WorkShares::joints>(
+        "work_joints",
+        "work over the distance towed that goes into bending: damped, released where floes break, or stored"),
+    work_quantity<&WorkShares::lifting>(
         "work_lifting",
-        "work over the distance towed that goes into lifting and pushing ice under, against weight and buoyancy",
-        at<&MemberOutputs::work, &WorkShares::lifting>()),
-    work_quantity("work_driving",
-                  "work over the distance towed that goes into ice sheets that give way and against the wind; negative "
-                  "where these push the ice",
-                  at<&MemberOutputs::work, &WorkShares::driving>(), 11),
-    work_quantity("work_motion",
-                  "work over the distance towed that goes into motion of the ice and the water it carries",
-                  at<&MemberOutputs::work, &WorkShares::motion>()),
-    work_quantity("work_giving_way",
-                  "work over the distance towed that goes into motion of the moored structure: damped by moorings, "
-                  "water and thrusters, or stored",
-                  at<&MemberOutputs::work, &WorkShares::giving_way>(), 16),
-    work_quantity(
+        "work over the distance towed that goes into lifting and pushing ice under, against weight and buoyancy"),
+    work_quantity<&WorkShares::driving>("work_driving",
+                                        "work over the distance towed that goes into ice sheets that give way and "
+                                        "against the wind; negative where these push the ice",
+                                        11),
+    work_quantity<&WorkShares::motion>(
+        "work_motion", "work over the distance towed that goes into motion of the ice and the water it carries"),
+    work_quantity<&WorkShares::giving_way>("work_giving_way",
+                                           "work over the distance towed that goes into motion of the moored "
+                                           "structure: damped by moorings, water and thrusters, or stored",
+                                           16),
+    work_quantity<&WorkShares::rest>(
         "work_rest",
-        "work over the distance towed that goes into what steps of finite length lose: the load less all other shares",
-        at<&MemberOutputs::work, &WorkShares::rest>()),
+        "work over the distance towed that goes into what steps of finite length lose: the load less all other shares"),
     Quantity{.key = "local_order",
              .unit = "1",
              .long_name = "mean cosine of four times the difference in yaw between a floe and its four nearest, at the "
@@ -214,144 +213,118 @@ inline constexpr std::array work_quantities{
              .label = "coverage ahead at the start",
              .most = 1,
              .percent = true},
-    Quantity{.key = "mean_sweeps",
-             .unit = "1",
-             .long_name = "sweeps of the solver a step, on average over the run",
-             .place = at<&MemberOutputs::mean_sweeps>(),
-             .since = 10},
+    column_quantity("mean_sweeps", "1", "sweeps of the solver a step, on average over the run",
+                    at<&MemberOutputs::mean_sweeps>(), 0, 10),
 };
 
 // The quantities of structures that are not towed straight on: offsets, mooring forces, yaw. Part of quantity.hpp's
 // list.
 
-/// Motion of a structure that is not towed straight on; NaN in other members.
-constexpr Quantity motion_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
-    return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = no_least, .since = 13};
+/// Motion of a structure that is not towed straight on; NaN in other members. `number`: of the response.
+template <auto... number>
+constexpr Quantity motion_quantity(const char* key, std::string_view unit, std::string_view long_name, int since = 13) {
+    return column_quantity(key, unit, long_name, at<&MemberOutputs::moored, number...>(), no_least, since);
 }
 
 /// The same, of which a stop rule can ask a precision relative to its mean.
-constexpr Quantity stopping_motion(const char* key, std::string_view unit, std::string_view long_name, Place place) {
-    Quantity quantity = motion_quantity(key, unit, long_name, place);
+template <auto... number>
+constexpr Quantity stopping_motion(const char* key, std::string_view unit, std::string_view long_name) {
+    Quantity quantity = motion_quantity<number...>(key, unit, long_name);
     quantity.stops = quantity.of_moored = true;
     return quantity;
 }
 
-/// Thrust; NaN in other members.
-constexpr Quantity thrust_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
-    Quantity quantity = motion_quantity(key, unit, long_name, place);
-    quantity.since = 14;
-    return quantity;
-}
-
-/// Heave, pitch and roll of a hull that floats; NaN in other members.
-constexpr Quantity floating_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place) {
-    Quantity quantity = motion_quantity(key, unit, long_name, place);
-    quantity.since = 15;
-    return quantity;
-}
-
 inline constexpr std::array motion_quantities{
-    stopping_motion("mean_surge_offset", "m", "mean offset of the moored structure along the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::mean>()),
-    motion_quantity("sd_surge_offset", "m",
-                    "population standard deviation of the offset of the moored structure along the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::sd>()),
-    motion_quantity("largest_surge_offset", "m",
-                    "largest amount of the offset of the moored structure along the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_offset, &Swing::largest>()),
-    motion_quantity("mean_sway_offset", "m", "mean offset of the moored structure towards +z",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_offset, &Swing::mean>()),
-    motion_quantity("sd_sway_offset", "m",
-                    "population standard deviation of the offset of the moored structure towards +z",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_offset, &Swing::sd>()),
-    motion_quantity("largest_sway_offset", "m", "largest amount of the offset of the moored structure towards +z",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_offset, &Swing::largest>()),
-    motion_quantity("mean_yaw", "rad", "mean yaw of the moored structure, positive where +z turns to +x",
-                    at<&MemberOutputs::moored, &MooredResponse::yaw, &Swing::mean>()),
-    motion_quantity("sd_yaw", "rad",
-                    "population standard deviation of the yaw of the moored structure, positive where +z turns to +x",
-                    at<&MemberOutputs::moored, &MooredResponse::yaw, &Swing::sd>()),
-    motion_quantity("largest_yaw", "rad",
-                    "largest amount of the yaw of the moored structure, positive where +z turns to +x",
-                    at<&MemberOutputs::moored, &MooredResponse::yaw, &Swing::largest>()),
-    stopping_motion("mean_surge_mooring", "N", "mean force of springs and lines against the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_mooring, &Swing::mean>()),
-    motion_quantity("sd_surge_mooring", "N",
-                    "population standard deviation of the force of springs and lines against the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_mooring, &Swing::sd>()),
-    motion_quantity("largest_surge_mooring", "N",
-                    "largest amount of the force of springs and lines against the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_mooring, &Swing::largest>()),
-    motion_quantity("mean_sway_mooring", "N", "mean force of springs and lines against the sway load",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_mooring, &Swing::mean>()),
-    motion_quantity("sd_sway_mooring", "N",
-                    "population standard deviation of the force of springs and lines against the sway load",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_mooring, &Swing::sd>()),
-    motion_quantity("largest_sway_mooring", "N",
-                    "largest amount of the force of springs and lines against the sway load",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_mooring, &Swing::largest>()),
-    stopping_motion("mean_maximum_surge_mooring", "N",
-                    "mean of the segment maxima of the force of springs and lines against the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::mean_maximum>()),
-    motion_quantity("rms_surge_velocity", "m s-1",
-                    "root mean square of the moored structure's velocity in surge, relative to its anchors",
-                    at<&MemberOutputs::moored, &MooredResponse::rms_velocity>()),
-    stopping_motion("largest_line_tension", "N",
-                    "largest tension of a mooring line over the run, horizontal where it has no weight",
-                    at<&MemberOutputs::moored, &MooredResponse::line_tension>()),
+    stopping_motion<&MooredResponse::surge_offset, &Swing::mean>(
+        "mean_surge_offset", "m", "mean offset of the moored structure along the surge load"),
+    motion_quantity<&MooredResponse::surge_offset, &Swing::sd>(
+        "sd_surge_offset", "m",
+        "population standard deviation of the offset of the moored structure along the surge load"),
+    motion_quantity<&MooredResponse::surge_offset, &Swing::largest>(
+        "largest_surge_offset", "m", "largest amount of the offset of the moored structure along the surge load"),
+    motion_quantity<&MooredResponse::sway_offset, &Swing::mean>("mean_sway_offset", "m",
+                                                                "mean offset of the moored structure towards +z"),
+    motion_quantity<&MooredResponse::sway_offset, &Swing::sd>(
+        "sd_sway_offset", "m", "population standard deviation of the offset of the moored structure towards +z"),
+    motion_quantity<&MooredResponse::sway_offset, &Swing::largest>(
+        "largest_sway_offset", "m", "largest amount of the offset of the moored structure towards +z"),
+    motion_quantity<&MooredResponse::yaw, &Swing::mean>(
+        "mean_yaw", "rad", "mean yaw of the moored structure, positive where +z turns to +x"),
+    motion_quantity<&MooredResponse::yaw, &Swing::sd>(
+        "sd_yaw", "rad",
+        "population standard deviation of the yaw of the moored structure, positive where +z turns to +x"),
+    motion_quantity<&MooredResponse::yaw, &Swing::largest>(
+        "largest_yaw", "rad", "largest amount of the yaw of the moored structure, positive where +z turns to +x"),
+    stopping_motion<&MooredResponse::surge_mooring, &Swing::mean>(
+        "mean_surge_mooring", "N", "mean force of springs and lines against the surge load"),
+    motion_quantity<&MooredResponse::surge_mooring, &Swing::sd>(
+        "sd_surge_mooring", "N",
+        "population standard deviation of the force of springs and lines against the surge load"),
+    motion_quantity<&MooredResponse::surge_mooring, &Swing::largest>(
+        "largest_surge_mooring", "N", "largest amount of the force of springs and lines against the surge load"),
+    motion_quantity<&MooredResponse::sway_mooring, &Swing::mean>(
+        "mean_sway_mooring", "N", "mean force of springs and lines against the sway load"),
+    motion_quantity<&MooredResponse::sway_mooring, &Swing::sd>(
+        "sd_sway_mooring", "N",
+        "population standard deviation of the force of springs and lines against the sway load"),
+    motion_quantity<&MooredResponse::sway_mooring, &Swing::largest>(
+        "largest_sway_mooring", "N", "largest amount of the force of springs and lines against the sway load"),
+    stopping_motion<&MooredResponse::mean_maximum>(
+        "mean_maximum_surge_mooring", "N",
+        "mean of the segment maxima of the force of springs and lines against the surge load"),
+    motion_quantity<&MooredResponse::rms_velocity>(
+        "rms_surge_velocity", "m s-1",
+        "root mean square of the moored structure's velocity in surge, relative to its anchors"),
+    stopping_motion<&MooredResponse::line_tension>(
+        "largest_line_tension", "N",
+        "largest tension of a mooring line over the run, horizontal where it has no weight"),
     Quantity{.key = "broken_lines",
              .unit = "1",
              .long_name = "mooring lines that broke",
              .place = at<&MemberOutputs::moored, &MooredResponse::broken_lines>(),
              .count = true,
              .since = 13},
-    thrust_quantity("mean_surge_thrust", "N", "mean force of thrusters against the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::mean>()),
-    thrust_quantity("sd_surge_thrust", "N",
-                    "population standard deviation of the force of thrusters against the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::sd>()),
-    thrust_quantity("largest_surge_thrust", "N", "largest amount of the force of thrusters against the surge load",
-                    at<&MemberOutputs::moored, &MooredResponse::surge_thrust, &Swing::largest>()),
-    thrust_quantity("mean_sway_thrust", "N", "mean force of thrusters against the sway load",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::mean>()),
-    thrust_quantity("sd_sway_thrust", "N",
-                    "population standard deviation of the force of thrusters against the sway load",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::sd>()),
-    thrust_quantity("largest_sway_thrust", "N", "largest amount of the force of thrusters against the sway load",
-                    at<&MemberOutputs::moored, &MooredResponse::sway_thrust, &Swing::largest>()),
-    thrust_quantity("mean_yaw_thrust", "N m", "mean moment of thrusters against the yaw load",
-                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::mean>()),
-    thrust_quantity("sd_yaw_thrust", "N m",
-                    "population standard deviation of the moment of thrusters against the yaw load",
-                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::sd>()),
-    thrust_quantity("largest_yaw_thrust", "N m", "largest amount of the moment of thrusters against the yaw load",
-                    at<&MemberOutputs::moored, &MooredResponse::yaw_thrust, &Swing::largest>()),
-    thrust_quantity("thrust_at_limit", "1", "share of the window in which thrusters are at their limit",
-                    at<&MemberOutputs::moored, &MooredResponse::thrust_at_limit>()),
-    floating_quantity("mean_heave_offset", "m", "mean heave of the floating structure, upwards",
-                      at<&MemberOutputs::moored, &MooredResponse::heave, &Swing::mean>()),
-    floating_quantity("sd_heave_offset", "m",
-                      "population standard deviation of the heave of the floating structure, upwards",
-                      at<&MemberOutputs::moored, &MooredResponse::heave, &Swing::sd>()),
-    floating_quantity("largest_heave_offset", "m", "largest amount of the heave of the floating structure, upwards",
-                      at<&MemberOutputs::moored, &MooredResponse::heave, &Swing::largest>()),
-    floating_quantity("mean_pitch", "rad", "mean pitch of the floating structure, positive with the bow up",
-                      at<&MemberOutputs::moored, &MooredResponse::pitch, &Swing::mean>()),
-    floating_quantity("sd_pitch", "rad",
-                      "population standard deviation of the pitch of the floating structure, positive with the bow up",
-                      at<&MemberOutputs::moored, &MooredResponse::pitch, &Swing::sd>()),
-    floating_quantity("largest_pitch", "rad",
-                      "largest amount of the pitch of the floating structure, positive with the bow up",
-                      at<&MemberOutputs::moored, &MooredResponse::pitch, &Swing::largest>()),
-    floating_quantity("mean_roll", "rad", "mean roll of the floating structure, positive with starboard (+z) down",
-                      at<&MemberOutputs::moored, &MooredResponse::roll, &Swing::mean>()),
-    floating_quantity(
+    motion_quantity<&MooredResponse::surge_thrust, &Swing::mean>("mean_surge_thrust", "N",
+                                                                 "mean force of thrusters against the surge load", 14),
+    motion_quantity<&MooredResponse::surge_thrust, &Swing::sd>(
+        "sd_surge_thrust", "N", "population standard deviation of the force of thrusters against the surge load", 14),
+    motion_quantity<&MooredResponse::surge_thrust, &Swing::largest>(
+        "largest_surge_thrust", "N", "largest amount of the force of thrusters against the surge load", 14),
+    motion_quantity<&MooredResponse::sway_thrust, &Swing::mean>("mean_sway_thrust", "N",
+                                                                "mean force of thrusters against the sway load", 14),
+    motion_quantity<&MooredResponse::sway_thrust, &Swing::sd>(
+        "sd_sway_thrust", "N", "population standard deviation of the force of thrusters against the sway load", 14),
+    motion_quantity<&MooredResponse::sway_thrust, &Swing::largest>(
+        "largest_sway_thrust", "N", "largest amount of the force of thrusters against the sway load", 14),
+    motion_quantity<&MooredResponse::yaw_thrust, &Swing::mean>("mean_yaw_thrust", "N m",
+                                                               "mean moment of thrusters against the yaw load", 14),
+    motion_quantity<&MooredResponse::yaw_thrust, &Swing::sd>(
+        "sd_yaw_thrust", "N m", "population standard deviation of the moment of thrusters against the yaw load", 14),
+    motion_quantity<&MooredResponse::yaw_thrust, &Swing::largest>(
+        "largest_yaw_thrust", "N m", "largest amount of the moment of thrusters against the yaw load", 14),
+    motion_quantity<&MooredResponse::thrust_at_limit>("thrust_at_limit", "1",
+                                                      "share of the window in which thrusters are at their limit", 14),
+    motion_quantity<&MooredResponse::heave, &Swing::mean>("mean_heave_offset", "m",
+                                                          "mean heave of the floating structure, upwards", 15),
+    motion_quantity<&MooredResponse::heave, &Swing::sd>(
+        "sd_heave_offset", "m", "population standard deviation of the heave of the floating structure, upwards", 15),
+    motion_quantity<&MooredResponse::heave, &Swing::largest>(
+        "largest_heave_offset", "m", "largest amount of the heave of the floating structure, upwards", 15),
+    motion_quantity<&MooredResponse::pitch, &Swing::mean>(
+        "mean_pitch", "rad", "mean pitch of the floating structure, positive with the bow up", 15),
+    motion_quantity<&MooredResponse::pitch, &Swing::sd>(
+        "sd_pitch", "rad",
+        "population standard deviation of the pitch of the floating structure, positive with the bow up", 15),
+    motion_quantity<&MooredResponse::pitch, &Swing::largest>(
+        "largest_pitch", "rad", "largest amount of the pitch of the floating structure, positive with the bow up", 15),
+    motion_quantity<&MooredResponse::roll, &Swing::mean>(
+        "mean_roll", "rad", "mean roll of the floating structure, positive with starboard (+z) down", 15),
+    motion_quantity<&MooredResponse::roll, &Swing::sd>(
         "sd_roll", "rad",
-        "population standard deviation of the roll of the floating structure, positive with starboard (+z) down",
-        at<&MemberOutputs::moored, &MooredResponse::roll, &Swing::sd>()),
-    floating_quantity("largest_roll", "rad",
-                      "largest amount of the roll of the floating structure, positive with starboard (+z) down",
-                      at<&MemberOutputs::moored, &MooredResponse::roll, &Swing::largest>())};
+        "population standard deviation of the roll of the floating structure, positive with starboard (+z) down", 15),
+    motion_quantity<&MooredResponse::roll, &Swing::largest>(
+        "largest_roll", "rad",
+        "largest amount of the roll of the floating structure, positive with starboard (+z) down", 15)};
 
 // The list of scalar quantities of a member: of the journal, the campaign file and its page, the stop rule, summaries,
 // pairs and designs. CONTRIBUTING.md says how to add one. Those of the averaged load are made of it: quantities_with().
@@ -386,16 +359,10 @@ inline constexpr std::array load_quantities{
              .positive = true,
              .stops = true,
              .averaged = largest_of},
-    Quantity{.key = "skewness",
-             .unit = "1",
-             .long_name = "skewness of the surge load over the window",
-             .place = at<&MemberOutputs::load, &LoadStatistics::skewness>(),
-             .least = no_least},
-    Quantity{.key = "excess_kurtosis",
-             .unit = "1",
-             .long_name = "excess kurtosis of the surge load over the window",
-             .place = at<&MemberOutputs::load, &LoadStatistics::excess_kurtosis>(),
-             .least = no_least},
+    column_quantity("skewness", "1", "skewness of the surge load over the window",
+                    at<&MemberOutputs::load, &LoadStatistics::skewness>(), no_least),
+    column_quantity("excess_kurtosis", "1", "excess kurtosis of the surge load over the window",
+                    at<&MemberOutputs::load, &LoadStatistics::excess_kurtosis>(), no_least),
     Quantity{.key = "mean_maximum",
              .unit = "N",
              .long_name = "mean of the segment maxima of the surge load",
@@ -424,9 +391,10 @@ inline constexpr std::array load_quantities{
              .percent = true,
              .stops = true,
              .in_designs = true},
-    floe_count("floes_entered", "floes that were computed at any time of the run: all of a field with an end",
-               at<&MemberOutputs::floes_entered>()),
-    floe_count("floes_met", "floes that touched the structure at any time of the run", at<&MemberOutputs::floes_met>()),
+    column_quantity("floes_entered", "1", "floes that were computed at any time of the run: all of a field with an end",
+                    at<&MemberOutputs::floes_entered>(), 0, 13),
+    column_quantity("floes_met", "1", "floes that touched the structure at any time of the run",
+                    at<&MemberOutputs::floes_met>(), 0, 13),
     Quantity{.key = "met_failure_ratio",
              .unit = "1",
              .long_name = "broken floes among those that touched the structure, over these",
@@ -441,35 +409,25 @@ inline constexpr std::array load_quantities{
              .place = at<&MemberOutputs::mean_concentration>(),
              .percent = true,
              .since = 17},
-    Quantity{.key = "pile_height",
-             .unit = "m",
-             .long_name = "mean over the window of the height above the water of the highest ice in that box",
-             .place = at<&MemberOutputs::pile_height>(),
-             .since = 19},
-    Quantity{.key = "pile_draught",
-             .unit = "m",
-             .long_name = "mean over the window of the depth below the water of the deepest ice in that box",
-             .place = at<&MemberOutputs::pile_draught>(),
-             .since = 19},
-    bed_quantity("mean_bed_surge", "N", "mean force of the ice on the bed against the tow over the window",
-                 at<&MemberOutputs::mean_bed_surge>(), no_least),
-    bed_quantity("mean_bed_weight", "N", "mean force of the ice on the bed downwards over the window",
-                 at<&MemberOutputs::mean_bed_weight>(), no_least),
-    bed_quantity("mean_grounded", "m2", "mean area of the elements that bear on the bed over the window",
-                 at<&MemberOutputs::mean_grounded>(), 0),
-    Quantity{.key = "ice_flux",
-             .unit = "m2 s-1",
-             .long_name = "area of ice that fell astern of the structure in the window, less what came back, over its "
-                          "length; of a straight tow, moored or not",
-             .place = at<&MemberOutputs::ice_flux>(),
-             .least = no_least,
-             .since = 17},
-    Quantity{.key = "floes_astern",
-             .unit = "1",
-             .long_name = "floes whose middle fell astern of the structure in the window, less those that came back",
-             .place = at<&MemberOutputs::floes_astern>(),
-             .least = no_least,
-             .since = 17},
+    column_quantity("pile_height", "m",
+                    "mean over the window of the height above the water of the highest ice in that box",
+                    at<&MemberOutputs::pile_height>(), 0, 19),
+    column_quantity("pile_draught", "m",
+                    "mean over the window of the depth below the water of the deepest ice in that box",
+                    at<&MemberOutputs::pile_draught>(), 0, 19),
+    column_quantity("mean_bed_surge", "N", "mean force of the ice on the bed against the tow over the window",
+                    at<&MemberOutputs::mean_bed_surge>(), no_least, 19),
+    column_quantity("mean_bed_weight", "N", "mean force of the ice on the bed downwards over the window",
+                    at<&MemberOutputs::mean_bed_weight>(), no_least, 19),
+    column_quantity("mean_grounded", "m2", "mean area of the elements that bear on the bed over the window",
+                    at<&MemberOutputs::mean_grounded>(), 0, 19),
+    column_quantity("ice_flux", "m2 s-1",
+                    "area of ice that fell astern of the structure in the window, less what came back, over its "
+                    "length; of a straight tow, moored or not",
+                    at<&MemberOutputs::ice_flux>(), no_least, 17),
+    column_quantity("floes_astern", "1",
+                    "floes whose middle fell astern of the structure in the window, less those that came back",
+                    at<&MemberOutputs::floes_astern>(), no_least, 17),
     crack_quantity("split_ratio", "floes cracked through",
                    "floes that a crack went through, over all floes, at the end of the run",
                    at<&MemberOutputs::split_ratio>(), true),
@@ -478,21 +436,10 @@ inline constexpr std::array load_quantities{
                    at<&MemberOutputs::cracked_ratio>(), true),
     crack_quantity("pieces", "pieces of ice at the end", "pieces of ice at the end of the run",
                    at<&MemberOutputs::pieces>(), false),
-    Quantity{.key = "fracture_work",
-             .unit = "J",
-             .long_name = "energy that cracks took over the run, of joints that fail by stress",
-             .place = at<&MemberOutputs::fracture_work>(),
-             .since = 12},
-    Quantity{.key = "mean_sway",
-             .unit = "N",
-             .long_name = "mean sway load over the window",
-             .place = at<&MemberOutputs::mean_sway>(),
-             .least = no_least},
-    Quantity{.key = "mean_heave",
-             .unit = "N",
-             .long_name = "mean heave load over the window",
-             .place = at<&MemberOutputs::mean_heave>(),
-             .least = no_least},
+    column_quantity("fracture_work", "J", "energy that cracks took over the run, of joints that fail by stress",
+                    at<&MemberOutputs::fracture_work>(), 0, 12),
+    column_quantity("mean_sway", "N", "mean sway load over the window", at<&MemberOutputs::mean_sway>(), no_least),
+    column_quantity("mean_heave", "N", "mean heave load over the window", at<&MemberOutputs::mean_heave>(), no_least),
     moment_quantity<&MemberOutputs::yaw, &Swing::mean>("mean_yaw_moment", "mean yaw moment"),
     moment_quantity<&MemberOutputs::yaw, &Swing::sd>("sd_yaw_moment", "SD of the yaw moment"),
     moment_quantity<&MemberOutputs::yaw, &Swing::largest>("largest_yaw_moment", "largest yaw moment"),
@@ -502,85 +449,34 @@ inline constexpr std::array load_quantities{
     moment_quantity<&MemberOutputs::pitch, &Swing::mean>("mean_pitch_moment", "mean overturning moment"),
     moment_quantity<&MemberOutputs::pitch, &Swing::sd>("sd_pitch_moment", "SD of the overturning moment"),
     moment_quantity<&MemberOutputs::pitch, &Swing::largest>("largest_pitch_moment", "largest overturning moment"),
-    Quantity{.key = "trend",
-             .unit = "N s-1",
-             .long_name = "slope of the surge load over the window",
-             .place = at<&MemberOutputs::load, &LoadStatistics::trend>(),
-             .least = no_least},
+    column_quantity("trend", "N s-1", "slope of the surge load over the window",
+                    at<&MemberOutputs::load, &LoadStatistics::trend>(), no_least),
     Quantity{.key = "trend_p",
              .unit = "1",
              .long_name = "probability of a slope at least so far from zero if there were none",
              .place = at<&MemberOutputs::load, &LoadStatistics::trend_p>(),
              .most = 1},
-    Quantity{.key = "peak_compression",
-             .unit = "N",
-             .long_name = "largest axial compression in any joint over the run",
-             .place = at<&MemberOutputs::peaks, &PeakReactions::compression>()},
-    Quantity{.key = "peak_tension",
-             .unit = "N",
-             .long_name = "largest axial tension in any joint over the run",
-             .place = at<&MemberOutputs::peaks, &PeakReactions::tension>()},
-    Quantity{.key = "peak_shear",
-             .unit = "N",
-             .long_name = "largest resultant shear in any joint over the run",
-             .place = at<&MemberOutputs::peaks, &PeakReactions::shear>()},
-    Quantity{.key = "peak_bending",
-             .unit = "N m",
-             .long_name = "largest bending moment in any joint over the run",
-             .place = at<&MemberOutputs::peaks, &PeakReactions::bending>()},
-    Quantity{.key = "peak_torsion",
-             .unit = "N m",
-             .long_name = "largest torsion in any joint over the run",
-             .place = at<&MemberOutputs::peaks, &PeakReactions::torsion>()},
-    Quantity{.key = "peak_in_plane_bending",
-             .unit = "N m",
-             .long_name = "largest in-plane bending moment in any joint over the run",
-             .place = at<&MemberOutputs::peaks, &PeakReactions::in_plane_bending>()},
-    Quantity{.key = "failures_bending",
-             .unit = "1",
-             .long_name = "joints that failed in bending",
-             .place = failures_in<FailureMode::bending>(),
-             .shown = Shown::in_summary,
-             .label = "joints failed in bending",
-             .count = true},
-    Quantity{.key = "failures_shear",
-             .unit = "1",
-             .long_name = "joints that failed in shear",
-             .place = failures_in<FailureMode::shear>(),
-             .shown = Shown::in_summary,
-             .label = "  in shear",
-             .count = true},
-    Quantity{.key = "failures_compression",
-             .unit = "1",
-             .long_name = "joints that failed in compression",
-             .place = failures_in<FailureMode::compression>(),
-             .shown = Shown::in_summary,
-             .label = "  in compression",
-             .count = true},
-    Quantity{.key = "failures_tension",
-             .unit = "1",
-             .long_name = "joints that failed in tension",
-             .place = failures_in<FailureMode::tension>(),
-             .shown = Shown::in_summary,
-             .label = "  in tension",
-             .count = true,
-             .since = 9},
-    Quantity{.key = "failures_torsion",
-             .unit = "1",
-             .long_name = "joints that failed in torsion",
-             .place = failures_in<FailureMode::torsion>(),
-             .shown = Shown::in_summary,
-             .label = "  in torsion",
-             .count = true,
-             .since = 9},
-    Quantity{.key = "failures_in_plane_bending",
-             .unit = "1",
-             .long_name = "joints that failed in bending in the plane",
-             .place = failures_in<FailureMode::in_plane_bending>(),
-             .shown = Shown::in_summary,
-             .label = "  in bending in the plane",
-             .count = true,
-             .since = 9},
+    column_quantity("peak_compression", "N", "largest axial compression in any joint over the run",
+                    at<&MemberOutputs::peaks, &PeakReactions::compression>()),
+    column_quantity("peak_tension", "N", "largest axial tension in any joint over the run",
+                    at<&MemberOutputs::peaks, &PeakReactions::tension>()),
+    column_quantity("peak_shear", "N", "largest resultant shear in any joint over the run",
+                    at<&MemberOutputs::peaks, &PeakReactions::shear>()),
+    column_quantity("peak_bending", "N m", "largest bending moment in any joint over the run",
+                    at<&MemberOutputs::peaks, &PeakReactions::bending>()),
+    column_quantity("peak_torsion", "N m", "largest torsion in any joint over the run",
+                    at<&MemberOutputs::peaks, &PeakReactions::torsion>()),
+    column_quantity("peak_in_plane_bending", "N m", "largest in-plane bending moment in any joint over the run",
+                    at<&MemberOutputs::peaks, &PeakReactions::in_plane_bending>()),
+    failures_quantity<FailureMode::bending>("failures_bending", "joints that failed in bending",
+                                            "joints failed in bending"),
+    failures_quantity<FailureMode::shear>("failures_shear", "joints that failed in shear", "  in shear"),
+    failures_quantity<FailureMode::compression>("failures_compression", "joints that failed in compression",
+                                                "  in compression"),
+    failures_quantity<FailureMode::tension>("failures_tension", "joints that failed in tension", "  in tension", 9),
+    failures_quantity<FailureMode::torsion>("failures_torsion", "joints that failed in torsion", "  in torsion", 9),
+    failures_quantity<FailureMode::in_plane_bending>(
+        "failures_in_plane_bending", "joints that failed in bending in the plane", "  in bending in the plane", 9),
 };
 
 /// All of them.

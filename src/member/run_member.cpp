@@ -12,6 +12,7 @@
 #include "arrangement/arrangement.hpp"
 #include "core/error.hpp"
 #include "member/design_of.hpp"
+#include "member/moored_response.hpp"
 #include "member/quantity.hpp"
 #include "member/result.hpp"
 #include "member/stepped_member.hpp"
@@ -114,46 +115,10 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.mean_sweeps = simulation.mean_sweeps();
 }
 
-/// The thrusters' share: they are at their limit to the bit where they want more.
-void take_thrust(MooredResponse& response, const MotionHistory& motion, const Scenario& scenario) {
-    const auto in_window = window_of(scenario);
-    const std::array histories{in_window(motion.surge_thrust), in_window(motion.sway_thrust),
-                               in_window(motion.yaw_thrust)};
-    response.surge_thrust = swing_of(histories[0]);
-    response.sway_thrust = swing_of(histories[1]);
-    response.yaw_thrust = swing_of(histories[2]);
-    std::size_t at_limit = 0;
-    for (std::size_t step = 0; step < histories[0].size(); ++step) {
-        bool ended = false;
-        for (std::size_t k = 0; k < histories.size(); ++k) {
-            const double limit = scenario.moorings.thrusters.limit[static_cast<Eigen::Index>(k)];
-            ended = ended || (limit > 0 && std::abs(histories.at(k)[step]) == limit);
-        }
-        at_limit += ended ? 1 : 0;
-    }
-    response.thrust_at_limit = static_cast<double>(at_limit) / static_cast<double>(histories[0].size());
-}
-
 /// The response of a structure on moorings that give way.
 void take_response(MemberResult& result, const Scenario& scenario) {
     result.responses = responses_of(scenario, result.motion);
-    const auto in_window = window_of(scenario);
-    const MotionHistory& motion = result.motion;
-    const double step = scenario.general.time_step;
-    result.moored = {
-        .surge_offset = swing_of(in_window(motion.surge_offset)),
-        .sway_offset = swing_of(in_window(motion.sway_offset)),
-        .yaw = swing_of(in_window(motion.yaw)),
-        .surge_mooring = swing_of(in_window(motion.surge_mooring)),
-        .sway_mooring = swing_of(in_window(motion.sway_mooring)),
-        .mean_maximum = load_statistics(in_window(motion.surge_mooring), step, scenario.analysis.segments).mean_maximum,
-        .rms_velocity = rms_rate(in_window(motion.surge_offset), step)};
-    if (scenario.moorings.floats()) {
-        result.moored.heave = swing_of(in_window(motion.heave));
-        result.moored.pitch = swing_of(in_window(motion.pitch));
-        result.moored.roll = swing_of(in_window(motion.roll));
-    }
-    if (scenario.moorings.thrusters.any()) take_thrust(result.moored, motion, scenario);
+    result.moored = moored_response(scenario, result.motion);
     if (result.line_tension.empty()) return;
     result.moored.line_tension = std::ranges::max(result.line_tension);
     result.moored.broken_lines = static_cast<double>(

@@ -9,12 +9,11 @@
 
 #include <array>
 
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "campaign/campaign_keys.hpp"
 #include "scenario/keys.hpp"
+#include "support/file_bytes.hpp"
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
@@ -56,8 +55,7 @@ bool can_change(const Key& key) {
 }
 
 std::string text_of(const std::string& path) {
-    std::ifstream file(std::string(FLOES_SOURCE_DIR) + "/" + path);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return file_text(std::string(FLOES_SOURCE_DIR) + "/" + path);
 }
 
 TEST(Campaign, MembersAreArrangementMajor) {

@@ -1,5 +1,6 @@
 // Designs: their points in the unit that keys have, cases of them, what is written and read back, and what is refused.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,6 +53,17 @@ TEST(Design, AGridCombinesAndNamesByValues) {
     EXPECT_EQ(campaign.cases[3].point, 3);
     EXPECT_EQ(numeric_value(campaign.cases[2], "ice.elastic_modulus_MPa"), 60.5);
     EXPECT_EQ(numeric_value(read("", {"field.concentration_percent=57"}).cases[0], "field.concentration_percent"), 57);
+}
+
+TEST(Design, KeepsTheNamesOfItsPointsWhenItGrows) {
+    const std::string keys = axis("ice.thickness_m", "from = 0.02\nto = 0.04");
+    const auto grown = [&](int points) {
+        return names(read(design(fmt::format("method = \"sobol\"\npoints = {}", points)) + keys));
+    };
+    std::vector<std::string> of_more = grown(1024);
+    EXPECT_EQ(of_more.back(), "p1023");
+    of_more.resize(4);
+    EXPECT_EQ(of_more, grown(4));
 }
 
 std::string points(const std::string& path) {

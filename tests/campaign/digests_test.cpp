@@ -4,8 +4,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,6 +14,7 @@
 #include "campaign/write.hpp"
 #include "keys/key.hpp"
 #include "scenario/keys.hpp"
+#include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
@@ -24,8 +23,7 @@ namespace digests_test {
 using testing::HasSubstr;
 
 std::string text_of(const std::string& path) {
-    std::ifstream file(std::string(FLOES_SOURCE_DIR) + "/" + path);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return file_text(std::string(FLOES_SOURCE_DIR) + "/" + path);
 }
 
 Campaign stored(const std::string& text) {

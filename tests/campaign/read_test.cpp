@@ -333,13 +333,10 @@ TEST(ReadCampaign, PosesOfAStoredCampaignAreNotJudged) {
 
 // A stored configuration has its poses inline, so whoever reads it needs no files.
 TEST(ReadCampaign, WithoutLoaderAPoseFileIsRefused) {
-    try {
-        read_campaign({with_file("poses.csv"), "a.toml", {}}, nullptr);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(),
-                     "a.toml:3: arrangement.file = \"poses.csv\" cannot be read here; give arrangement.poses");
-    }
+    EXPECT_EQ(refusal([] {
+                  read_campaign({with_file("poses.csv"), "a.toml", {}}, nullptr);
+              }),
+              "a.toml:3: arrangement.file = \"poses.csv\" cannot be read here; give arrangement.poses");
 }
 
 const Case& only_case(const Campaign& campaign) {

@@ -11,6 +11,7 @@
 #include "campaign/read.hpp"
 #include "core/error.hpp"
 #include "scenario/keys.hpp"
+#include "support/refusal.hpp"
 #include "support/sweeping_scenario.hpp"
 
 namespace floes {
@@ -157,14 +158,11 @@ TEST(Variations, AreConsistentInFieldsWithoutEndAndOfPolygons) {
 }
 
 TEST(Variations, ABaseCaseThatIsNoneIsRefused) {
-    try {
-        read_campaign(
-            {"[run]\nbase_case = \"bse\"\n[[case]]\nname = \"base\"\n[[case]]\nname = \"other\"\n", "a.toml", {}},
-            nullptr);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "a.toml:2: run.base_case = \"bse\" names no case; the cases are base, other");
-    }
+    const char* const text = "[run]\nbase_case = \"bse\"\n[[case]]\nname = \"base\"\n[[case]]\nname = \"other\"\n";
+    EXPECT_EQ(refusal([&] {
+                  read_campaign({text, "a.toml", {}}, nullptr);
+              }),
+              "a.toml:2: run.base_case = \"bse\" names no case; the cases are base, other");
 }
 
 }  // namespace variations_test

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "cli/verb_output.hpp"
+#include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -32,8 +32,7 @@ class Array : public testing::Test {
     static std::string script(const std::string& arguments) {
         std::string name = verb_output(add_array, "array " + config + " " + arguments);
         name.pop_back();
-        std::ifstream in(name);
-        std::string text{std::istreambuf_iterator<char>(in), {}};
+        const std::string text = file_text(name);
         fs::remove(name);
         return text;
     }

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 
 #include "campaign/read.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -30,10 +30,7 @@ class ContourVerb : public testing::Test {
 
     void put(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::string got(const std::string& name) const {
-        std::ifstream file(folder_ / name);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    std::string got(const std::string& name) const { return file_text(folder_ / name); }
     std::string contour(const std::string& arguments) {
         return verb_output(add_contour, "contour " + path("ice.toml") + " " + arguments);
     }

@@ -7,15 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "campaign_file/publish.hpp"
 #include "cli/given.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "findings/evidence.hpp"
 #include "findings/moored.hpp"
 #include "simulation/record.hpp"
+#include "support/published.hpp"
 #include "support/refusal.hpp"
-#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -34,17 +33,14 @@ void publish_long(const std::filesystem::path& file, bool histories) {
     std::vector<MemberRecord> records = synthetic::records(campaign);
     if (!histories)
         for (MemberRecord& record : records) record.result.history = {};
-    publish(file, campaign, records, std::vector<Session>{synthetic::session()});
+    synthetic::publish(file, campaign, records);
 }
 
 constexpr int no_load = 1;  ///< exit status where no case has a design load
 
 class Design : public testing::Test {
   protected:
-    Design() {
-        const Campaign campaign = synthetic::campaign();
-        publish(file_, campaign, synthetic::records(campaign), std::vector<Session>{synthetic::session()});
-    }
+    Design() { synthetic::publish(file_); }
 
     std::string design(const std::string& arguments, int status = 0) {
         const auto [output, ended] = verb_answer(add_design, words_of("design " + file_.string() + " " + arguments));
@@ -152,7 +148,7 @@ void publish_moored(const std::filesystem::path& file, double sideways = 0, doub
         if (responses) record.result.responses = responses_of(scenario, motion);
     }
     records.front().result.moored.broken_lines = 1;
-    publish(file, campaign, records, std::vector<Session>{synthetic::session()});
+    synthetic::publish(file, campaign, records);
 }
 
 // A hull whose swings are a period apart has a peak in each, six in 6 s, the ends apart.
@@ -248,6 +244,11 @@ TEST_F(Design, MeasuresResponsesInAnotherWindow) {
     EXPECT_LE(peaks(anew).size(), 3u);
     EXPECT_NEAR(peaks(anew).front(), peaks(table).front(), 1e-9);
     EXPECT_EQ(response_of(anew.members.front(), force)->segment_maximum.size(), 1u);
+    const MooredResponse& moored = anew.members.front().moored;  // two whole swings; the table has none of it
+    EXPECT_NEAR(moored.surge_offset.mean, 0.5, 1e-6);
+    EXPECT_NEAR(moored.surge_mooring.sd, 10 / std::numbers::sqrt2, 1e-6);
+    EXPECT_NEAR(moored.mean_maximum, 110, 0.1);
+    EXPECT_EQ(moored.broken_lines, 1);
 }
 
 TEST_F(Design, SaysThatOldFilesHaveNoResponses) {

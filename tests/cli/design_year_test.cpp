@@ -4,14 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "support/file_bytes.hpp"
+#include "support/published.hpp"
 #include "support/refusal.hpp"
-#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -31,17 +30,14 @@ class DesignYear : public testing::Test {
         std::vector<MemberRecord> records;
         for (int number = 0; number < member_count(campaign); ++number)
             records.push_back(synthetic::record_with_peaks(campaign, number));
-        publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
+        synthetic::publish(file_, campaign, records);
         put("year.toml",
             "[[regime]]\nhours_per_year = 3\ncase = \"soft\"\n[[regime]]\nhours_per_year = 1\ncase = "
             "\"stiff\"\n");
         put("year.csv", "case,hours_per_year\nsoft,3\nstiff,1\n");
     }
 
-    std::string got(const std::string& name) const {
-        std::ifstream file(folder_ / name);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    std::string got(const std::string& name) const { return file_text(folder_ / name); }
 
     void put(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
 

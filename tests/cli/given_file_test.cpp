@@ -49,10 +49,12 @@ TEST_F(GivenFiles, OfWhichOnlyTheJournalIsThereCanBeMade) {
 }
 
 TEST_F(GivenFiles, ThatAreNoCampaignAreNotReplacedByOne) {
-    std::ofstream(path("my.toml")) << "[campaign]\nseed = 1\n";
-    EXPECT_THAT(refusal([&] { verb_output(add_merge, "merge a.h5 --overwrite -o " + path("my.toml")); }),
+    std::ofstream(path("table.nc")) << "of another program";
+    EXPECT_THAT(refusal([&] { verb_output(add_merge, "merge a.h5 --overwrite -o " + path("table.nc")); }),
                 HasSubstr("is no campaign file and stays as it is; -o names another file for the campaign, as " +
-                          path("my.h5")));
+                          path("table.h5")));
+    EXPECT_THROW(verb_output(add_merge, "merge a.h5 -o " + path("all.journal")), CommandLineEnd)
+        << "the merged file would go as its journal";
     EXPECT_THAT(refusal([&] { expect_no_other_file(path(".")); }), HasSubstr("is a folder and stays as it is"));
     std::filesystem::create_directory(path("empty"));
     EXPECT_THAT(refusal([&] { expect_no_other_file(path("empty")); }), HasSubstr("is a folder and stays as it is"));

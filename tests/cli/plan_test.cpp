@@ -7,11 +7,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "store/journal.hpp"
-#include "support/synthetic.hpp"
+#include "support/published.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -60,7 +59,7 @@ TEST(Plan, TakesRunTimesFromACampaignFileAndFromItsJournal) {
     const TemporaryFolder folder;
     Campaign campaign = synthetic::campaign();
     const auto records = synthetic::records(campaign);
-    publish(folder / "a.h5", campaign, records, std::vector<Session>{synthetic::session()});
+    synthetic::publish(folder / "a.h5", campaign, records);
     const std::string of_file = plan("--from " + (folder / "a.h5").string() + " --format json");
     EXPECT_THAT(of_file, HasSubstr("10 measured members of synthetic"));  // of 12 one failed and one is missing
     Journal journal = open_journal(folder / "a.journal", campaign, Existing::refuse);

@@ -6,12 +6,11 @@
 
 #include <fstream>
 
-#include "campaign_file/publish.hpp"
 #include "cli/commands.hpp"
 #include "core/error.hpp"
 #include "draw/synthetic_recording.hpp"
+#include "support/published.hpp"
 #include "support/refusal.hpp"
-#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -41,12 +40,8 @@ TEST(ReplayOutput, ThatCannotHaveItsNameLeavesNothingBehind) {
     synthetic::write_recording(folder / "recording.h5", 3);
     const std::filesystem::path path = folder / "a.html";
     std::filesystem::create_directories(path / "taken");
-    try {
-        write_replay_output(path, Recording(folder / "recording.h5"), {}, [](double) {});
-        ADD_FAILURE() << "a folder was replaced";
-    } catch (const RunError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("renaming "));
-    }
+    EXPECT_THAT([&] { write_replay_output(path, Recording(folder / "recording.h5"), {}, [](double) {}); },
+                testing::ThrowsMessage<RunError>(HasSubstr("renaming ")));
     EXPECT_FALSE(std::filesystem::exists(folder / "a.part.html"));
 }
 
@@ -68,9 +63,7 @@ TEST(ReplayVerb, RefusesATimeWithoutAFrame) {
 TEST(ReplayVerb, SaysThatAMemberIsNotDoneYet) {
     const TemporaryFolder folder;
     const std::string file = folder / "a.h5";
-    const Campaign campaign = synthetic::campaign();
-    const std::vector<Session> sessions{synthetic::session()};
-    publish(file, campaign, synthetic::records(campaign), sessions);  // without member 7
+    synthetic::publish(file);  // without member 7
     EXPECT_THAT(refusal([&] {
                     run({"replay", file, "7", "--worst", "-o", folder / "a.png"});
                 }),

@@ -9,12 +9,11 @@
 #include <fstream>
 #include <string>
 
-#include "campaign_file/publish.hpp"
 #include "cli/answer.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "support/file_bytes.hpp"
-#include "support/synthetic.hpp"
+#include "support/published.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -44,8 +43,7 @@ class Report : public testing::Test {
 
 TEST_F(Report, TellsOfEveryCaseAndHowToRepeatIt) {
     const Campaign campaign = synthetic::campaign();
-    const std::vector<Session> sessions{synthetic::session()};
-    publish(file_, campaign, synthetic::records(campaign), sessions);
+    synthetic::publish(file_, campaign);
     run(file_.string() + " -o " + page_.string());
     const std::string page = file_text(page_);
     for (const Case& one : campaign.cases) EXPECT_THAT(page, HasSubstr("<td>" + one.name + "</td>"));
@@ -57,10 +55,9 @@ TEST_F(Report, TellsOfEveryCaseAndHowToRepeatIt) {
 
 TEST_F(Report, SaysWhenThereAreNoHistoriesAndDrawsTheLevelsCounted) {
     const Campaign campaign = synthetic::campaign();
-    const std::vector<Session> sessions{synthetic::session()};
     auto records = synthetic::records(campaign);
     for (MemberRecord& record : records) record.result.history = {};
-    publish(file_, campaign, records, sessions);
+    synthetic::publish(file_, campaign, records);
     run(file_.string() + " --no-plate-tests -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("the file has no load histories"));
     EXPECT_THAT(file_text(page_), HasSubstr("Share of the time with a surge load above a level"));
@@ -69,34 +66,30 @@ TEST_F(Report, SaysWhenThereAreNoHistoriesAndDrawsTheLevelsCounted) {
 // Histories of the first arrangement reach up to 600 N, those of the second file to 0.6 N: shifts of 500 and 0.5 N.
 TEST_F(Report, DrawsLoadsOverTimeAsLargeAsTheyAre) {
     const Campaign campaign = synthetic::campaign_with_design();
-    const std::vector<Session> sessions{synthetic::session()};
     std::vector<MemberRecord> records = synthetic::all_done_records(campaign);
-    publish(file_, campaign, records, sessions);
+    synthetic::publish(file_, campaign, records);
     run(file_.string() + " --no-plate-tests --pictures none -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("each case shifted by 500 N"));
     for (MemberRecord& record : records)
         for (double& load : record.result.history.surge) load *= 1e-3;
-    publish(file_, campaign, records, sessions);
+    synthetic::publish(file_, campaign, records);
     run(file_.string() + " --no-plate-tests --pictures none -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("each case shifted by 0.5 N"));
     EXPECT_THAT(file_text(page_), HasSubstr("soft: thickness 0.05 m, Σ 0.1"));  // the point by its keys
 }
 
 TEST_F(Report, TellsOfACampaignWithoutAnyResult) {
-    const Campaign campaign = synthetic::campaign();
-    const std::vector<Session> sessions{synthetic::session()};
-    publish(file_, campaign, {}, sessions);
+    synthetic::publish(file_, synthetic::campaign(), {});
     run(file_.string() + " --no-plate-tests -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("0 simulations done"));
 }
 
 TEST_F(Report, TellsWhatDecidesTheLoadOfADesign) {
     const Campaign campaign = synthetic::campaign_with_design();
-    const std::vector<Session> sessions{synthetic::session()};
-    publish(file_, campaign, {}, sessions);
+    synthetic::publish(file_, campaign, {});
     run(file_.string() + " --no-plate-tests -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("no plane"));
-    publish(file_, campaign, std::vector{synthetic::record(campaign, 0)}, sessions);
+    synthetic::publish(file_, campaign, {synthetic::record(campaign, 0)});
     run(file_.string() + " --no-plate-tests -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("<h2>What decides the load?</h2>"));
     EXPECT_THAT(file_text(page_), HasSubstr("<td>soft+0.05_0.1</td><td>0.05</td><td>0.1</td>"));
@@ -104,9 +97,7 @@ TEST_F(Report, TellsWhatDecidesTheLoadOfADesign) {
 
 TEST_F(Report, SaysWhatItCannotReadOrWrite) {
     EXPECT_THROW(run(file_.string()), InputError);
-    const Campaign campaign = synthetic::campaign();
-    const std::vector<Session> sessions{synthetic::session()};
-    publish(file_, campaign, synthetic::records(campaign), sessions);
+    synthetic::publish(file_);
     EXPECT_THROW(run(file_.string() + " --no-plate-tests -o " + (folder_ / "no/such/folder.html").string()),
                  CommandLineEnd);
     std::filesystem::create_directories(page_ / "with something in it");
@@ -116,8 +107,7 @@ TEST_F(Report, SaysWhatItCannotReadOrWrite) {
 
 TEST_F(Report, ExtrapolatesToTheExposureThatIsAskedFor) {
     const Campaign campaign = synthetic::campaign();
-    const std::vector<Session> sessions{synthetic::session()};
-    publish(file_, campaign, synthetic::records(campaign), sessions);
+    synthetic::publish(file_, campaign);
     const std::string time = fmt::format("{:g}", campaign.cases.front().scenario.analysis.averaging.back());
     run(file_.string() + " --pictures none --exposure-h 7 --averaging-s " + time + " -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("the largest load averaged over " + time + " s in 7 h"));
@@ -134,9 +124,7 @@ class PrintedReport : public Report {
         setenv("FLOES_BROWSER", program.c_str(), 1);
     }
     void SetUp() override {
-        const Campaign campaign = synthetic::campaign();
-        const std::vector<Session> sessions{synthetic::session()};
-        publish(file_, campaign, synthetic::records(campaign), sessions);
+        synthetic::publish(file_);
         page_ = folder_ / "page.pdf";
     }
     void TearDown() override { unsetenv("FLOES_BROWSER"); }
@@ -178,7 +166,7 @@ TEST_F(PrintedReport, DoesNotWaitForABrowserThatHangs) {
 TEST_F(Report, HasACommandThatAShellTakes) {
     Campaign campaign = synthetic::campaign();
     campaign.name = "my channel";
-    publish(file_, campaign, synthetic::records(campaign), std::vector<Session>{synthetic::session()});
+    synthetic::publish(file_, campaign);
     run(file_.string() + " --pictures none -o " + page_.string());
     EXPECT_THAT(file_text(page_), HasSubstr("./floes run 'my channel.toml' -o 'my channel.h5'"));
 }

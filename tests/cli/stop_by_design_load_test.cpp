@@ -7,12 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "campaign_file/publish.hpp"
 #include "cli/verb_output.hpp"
 #include "core/units.hpp"
 #include "member/design_of.hpp"
 #include "run/campaign_status.hpp"
-#include "support/synthetic.hpp"
+#include "support/published.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -48,7 +47,7 @@ class StopByDesignLoad : public testing::Test {
     }
 
     double by_rule() {
-        publish(file_, campaign_, records_, std::vector<Session>{synthetic::session()});
+        synthetic::publish(file_, campaign_, records_);
         const StopStatus stop = *read_status(file_).stop;
         EXPECT_EQ(stop.obstacle, "");
         return stop.achieved;

@@ -10,13 +10,12 @@
 
 #include <fmt/format.h>
 
-#include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
 #include "support/file_bytes.hpp"
+#include "support/published.hpp"
 #include "support/refusal.hpp"
-#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -29,11 +28,7 @@ using testing::Not;
 class Summarize : public testing::Test {
   protected:
     // Three cases, four arrangements; of the case "stiff" member 4 failed and member 7 is missing.
-    Summarize() {
-        const Campaign campaign = synthetic::campaign();
-        const std::vector<Session> sessions{synthetic::session()};
-        publish(file_, campaign, synthetic::records(campaign), sessions);
-    }
+    Summarize() { synthetic::publish(file_); }
 
     // Standard output of `floes summarize FILE arguments…`.
     std::string summarize(const std::string& arguments) {
@@ -102,8 +97,7 @@ TEST_F(Summarize, GivesCsv) {
 TEST_F(Summarize, SaysWhatDecidesTheLoad) {
     EXPECT_THAT(summarize("--parts sensitivity"), HasSubstr("has no design"));
     const Campaign campaign = synthetic::campaign_with_design();
-    const std::vector<Session> sessions{synthetic::session()};
-    publish(file_, campaign, synthetic::all_done_records(campaign), sessions);
+    synthetic::publish(file_, campaign, synthetic::all_done_records(campaign));
     const json found = json::parse(summarize("--format json")).at("sensitivity");
     // A row for each of two axes; SD and mean maximum over two averaging times as well.
     ASSERT_EQ(found.at("rows").size(), 2 * (4u + 2 * 2));
@@ -131,12 +125,8 @@ TEST_F(Summarize, ReadsSteadyStatesFromThinnedHistoriesButMeasuresNothingAnew) {
     for (Case& one : campaign.cases) one.scenario.analysis.history_stride = 2;
     publish(file_, campaign, synthetic::records(campaign), {});
     EXPECT_THAT(summarize("--parts steady"), HasSubstr("decorrelation, s"));
-    try {
-        summarize("--window auto");
-        FAIL() << "measured maxima of means";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("the histories of case soft are means over 2 steps"));
-    }
+    EXPECT_THAT(refusal([&] { summarize("--window auto"); }),
+                HasSubstr("the histories of case soft are means over 2 steps"));
 }
 
 TEST_F(Summarize, SaysThatThereAreNoHistories) {
@@ -201,7 +191,7 @@ TEST_F(Summarize, MovesAMooredHull) {
     }
     std::vector<MemberRecord> records = synthetic::records(campaign);
     std::ranges::fill(records.at(2).result.history.surge, 0.0);  // ice passed by
-    publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
+    synthetic::publish(file_, campaign, records);
     const std::string hull = "--mooring-kN-m 1000 --mass-t 6.333 --damping-percent 30";
     const std::string told = summarize(hull);
     EXPECT_THAT(told, HasSubstr("natural period 0.5 s"));

@@ -7,7 +7,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "campaign_file/publish.hpp"
 #include "campaign_file/read.hpp"
 #include "cli/verb_output.hpp"
 #include "cli/verify.hpp"
@@ -16,8 +15,8 @@
 #include "hdf5/read.hpp"
 #include "store/journal.hpp"
 #include "support/file_bytes.hpp"
+#include "support/published.hpp"
 #include "support/refusal.hpp"
-#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -32,7 +31,7 @@ class Verify : public testing::Test {
     Verify() {
         const Campaign campaign = synthetic::campaign();
         const std::vector<MemberRecord> records = synthetic::records(campaign);
-        publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
+        synthetic::publish(file_, campaign);
         Journal journal = open_journal(journal_, campaign, Existing::refuse);
         for (const MemberRecord& record : records) {
             journal.append(record);
@@ -221,8 +220,7 @@ TEST_F(VerifyOfOthers, NamesWhatTheyAddedToAGoodFile) {
 
 TEST_F(VerifyOfOthers, FindsWhatTheyChangedBesideWhatTheyAdded) {
     const auto changed = [&](const std::function<void(hid_t)>& change) {
-        publish(file_, synthetic::campaign(), synthetic::records(synthetic::campaign()),
-                std::vector<Session>{synthetic::session()});
+        synthetic::publish(file_);
         const Told told = after([&](hid_t file) {
             note(file, "/", "my note");
             change(file);
@@ -274,8 +272,7 @@ TEST_F(VerifyOfOthers, SaysThatTheFileIsOpenElsewhere) {
         EXPECT_THAT(refusal([&] { CampaignFile{held}; }), HasSubstr("close it there, and try again"));
     }
     EXPECT_EQ(verify(file_.string()).second, 0);
-    publish(file_, synthetic::campaign(), synthetic::records(synthetic::campaign()),
-            std::vector<Session>{synthetic::session()});
+    synthetic::publish(file_);
     Bytes bytes = file_bytes(file_);
     bytes.at(11) |= std::byte{1};  // the mark alone is a damaged byte
     write_file_bytes(file_, bytes);

@@ -24,12 +24,8 @@ using testing::Not;
 WatchedRun some_run() {
     CampaignSnapshot snapshot;
     snapshot.campaign = synthetic::campaign(8);
-    std::vector<MemberRecord> records;
-    for (int number = 0; number < 17; ++number) {
-        if (number == 7) continue;
-        records.push_back(number == 4 ? synthetic::failed_record(snapshot.campaign, number)
-                                      : synthetic::record(snapshot.campaign, number));
-    }
+    std::vector<MemberRecord> records = synthetic::records(snapshot.campaign);
+    records.resize(16);  // up to number 16
     snapshot.table = campaign_table(snapshot.campaign, std::span<const MemberRecord>(records));
     CampaignStatus& status = snapshot.status;
     status.title = "synthetic";

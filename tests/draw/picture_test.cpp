@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "draw/canvas.hpp"
 #include "shapes/moorings.hpp"
+#include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -367,11 +368,8 @@ TEST(Picture, IsAFileOfVectorsToo) {
     Canvas canvas(folder / "a.svg", style.width, picture_height(style, subject()));
     draw_picture(canvas, Stage(subject(), outcome()), frame(1), style);
     canvas.finish();
-    std::stringstream text;
-    text << std::ifstream(folder / "a.svg").rdbuf();
-    EXPECT_THAT(text.str(), HasSubstr("<svg"));
-    EXPECT_THAT(text.str(), HasSubstr("</svg>"));
-    EXPECT_THAT(text.str(), HasSubstr("width=\"400px\" height=\"300px\""));
+    EXPECT_THAT(file_text(folder / "a.svg"),
+                testing::AllOf(HasSubstr("<svg"), HasSubstr("</svg>"), HasSubstr("width=\"400px\" height=\"300px\"")));
     EXPECT_THROW(Canvas(folder / "no/such/folder.svg", 10, 10), RunError);
 }
 
@@ -393,9 +391,7 @@ TEST(Film, IsAnAnimatedPngWithoutFfmpeg) {
     write_film(folder / "a.apng", Recording(folder / "a.h5"), {.width = 320, .height = 200}, 25,
                [&](double share) { done = share; });
     EXPECT_EQ(done, 1);
-    std::stringstream text;
-    text << std::ifstream(folder / "a.apng", std::ios::binary).rdbuf();
-    const std::string bytes = text.str();
+    const std::string bytes = file_text(folder / "a.apng");
     EXPECT_EQ(bytes.substr(1, 3), "PNG");
     const std::size_t control = bytes.find("acTL");
     ASSERT_NE(control, std::string::npos);

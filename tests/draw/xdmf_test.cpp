@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <span>
 #include <string>
@@ -15,6 +13,8 @@
 #include "core/error.hpp"
 #include "draw/xdmf_series.hpp"
 #include "hdf5/read.hpp"
+#include "support/file_bytes.hpp"
+#include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -23,11 +23,6 @@ namespace xdmf_test {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
-
-std::string text_of(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// The array of that name.
 template <class Value>
@@ -226,7 +221,7 @@ TEST(Xdmf, ASeriesOfARecordHasEveryPartAtEveryTimeAndNothingTwice) {
     const Recording recording(folder / "recording.h5");
     write_xdmf_series(folder / "a & b.xdmf2", recording);
 
-    const std::string list = text_of(folder / "a & b.xdmf2");
+    const std::string list = file_text(folder / "a & b.xdmf2");
     for (const std::string part : {"ice", "structure", "load", "contacts", "ice_sheets"})
         for (const std::string time : {"0.5", "1"})
             EXPECT_THAT(list, HasSubstr(fmt::format(R"(<Grid Name="{}"><Time Value="{}"/>)", part, time)));
@@ -252,7 +247,7 @@ TEST(Xdmf, ASeriesOfARecordHasEveryPartAtEveryTimeAndNothingTwice) {
     }
     EXPECT_TRUE(hdf5::exists(numbers.id(), "structure_x_00001"));
 
-    const std::string state = text_of(folder / "a & b.py");
+    const std::string state = file_text(folder / "a & b.py");
     EXPECT_THAT(state, HasSubstr("file = 'a & b.xdmf2'"));
     EXPECT_THAT(state, HasSubstr("time_shown = 1 "));
     // The largest force of all, the load of the second frame, is one and a half radii long.
@@ -264,6 +259,10 @@ TEST(Xdmf, SaysWhyASeriesCannotBeWritten) {
     const RecordingSubject subject;
     EXPECT_THROW(XdmfSeries(folder / "a.xdmf", subject, {}), InputError);
     EXPECT_THROW(XdmfSeries(folder / "nowhere" / "a.xdmf2", subject, {}), RunError);
+    std::ofstream(folder / "mine.py") << "import numpy\n";
+    EXPECT_THAT(refusal([&] { XdmfSeries(folder / "mine.xdmf2", subject, {}); }),
+                HasSubstr("is no state for ParaView"));
+    EXPECT_EQ(file_text(folder / "mine.py"), "import numpy\n");
 }
 
 }  // namespace xdmf_test

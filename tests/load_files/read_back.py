@@ -121,6 +121,16 @@ def test_choice(folder, file):
     check(len(made) == 3, f"--quantile gives one of each case: {made}")
 
 
+def test_openfast(folder, file):
+    """What gives the load its place stays as its reader completed it, and is of that load alone."""
+    out, control = f"{folder}/ice.dat", pathlib.Path(folder, "ice_StC.dat")
+    ask = [file, "--member", "1", "--for", "openfast", "-o", out]
+    check(export(*ask)[0] == [out, str(control)], "two files for openfast")
+    control.write_text(control.read_text().replace("0   StC_P_Z", "-5   StC_P_Z"))
+    check("stays as it is" in export(*ask)[1] and "-5   StC_P_Z" in control.read_text(), "the place is lost")
+    refused("is not of a load in these axes", *ask, "--axes", "hull")
+
+
 def test_refusals(folder, file):
     out = ["--for", "csv", "-o", f"{folder}/r.csv"]
     refused("has no member 99: its members are 0 to 11", file, "--member", "99", *out)
@@ -155,7 +165,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         file = f"{folder}/synthetic.h5"
         subprocess.run([SYNTHETIC, file], check=True, stdout=subprocess.DEVNULL)
-        for test in (test_csv, test_orcaflex, test_choice, test_refusals):
+        for test in (test_csv, test_orcaflex, test_choice, test_openfast, test_refusals):
             test(folder, file)
     for fault in FAULTS:
         print(fault)

@@ -10,9 +10,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "campaign_file/publish.hpp"
+#include "support/published.hpp"
 #include "support/refusal.hpp"
-#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -35,7 +34,7 @@ class ReadLoads : public testing::Test {
             for (std::vector<double>* along : {&record.result.history.surge, &record.result.history.sway,
                                                &record.result.history.heave, &record.result.history.concentration})
                 along->resize(stride > 0 ? along->size() / static_cast<std::size_t>(stride) : 0);
-        publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
+        synthetic::publish(file_, campaign, records);
     }
 
     LoadToWrite read(int member, const LoadRequest& request = {}) {
@@ -80,7 +79,7 @@ TEST_F(ReadLoads, TurnsTheLoadOfATurnedHull) {
         motion.yaw.push_back(0.01 * static_cast<double>(k));
         motion.yaw_load.push_back(3.0 * static_cast<double>(k));
     }
-    publish(file_, campaign, std::vector<MemberRecord>{record}, std::vector<Session>{synthetic::session()});
+    synthetic::publish(file_, campaign, std::vector<MemberRecord>{record});
     const LoadToWrite made = read(0);
     EXPECT_EQ(made.origin.hull_went, "followed a path and did not give way");
     ASSERT_EQ(made.series.moment.size(), load.surge.size());

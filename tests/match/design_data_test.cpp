@@ -7,11 +7,10 @@
 
 #include <cmath>
 
-#include "campaign_file/publish.hpp"
 #include "core/random.hpp"
 #include "match/synthetic_wave.hpp"
+#include "support/published.hpp"
 #include "support/refusal.hpp"
-#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -263,7 +262,7 @@ TEST(MatchData, TakesARepeatedPointOfAWaveOnce) {
 TEST(MatchData, IsReadFromACampaignFile) {
     const TemporaryFolder folder;
     const Campaign campaign = synthetic::campaign_with_design();
-    publish(folder / "a.h5", campaign, synthetic::records(campaign), std::vector<Session>{synthetic::session()});
+    synthetic::publish(folder / "a.h5", campaign);
     const std::vector<MatchWave> waves{read_wave(folder / "a.h5")};
     EXPECT_EQ(waves.front().file, (folder / "a.h5").string());
     const std::vector<Target> targets{target_of("mean_load", "soft"), target_of("mean_maximum_0.4s", "soft")};

@@ -28,7 +28,10 @@ MatchWave wave() {
 }
 
 TEST(NextWave, IsTheCampaignAtThePointsThatWereChosen) {
-    const MatchWave first = wave();
+    MatchWave first = wave();
+    first.campaign.run.base_case = "A+p001";  // points of this wave
+    first.campaign.stop.half_width = 0.1;
+    first.campaign.stop.contrast = "B+p003 - A+p003";
     const std::vector<RangedAxis> axes = match_axes(std::span(&first, 1));
     Eigen::MatrixXd coordinates(2, 3);
     coordinates << 0, 0, 0, 0.123456789, 1, -1;

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
 #include "findings/cases.hpp"
+#include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 
 namespace floes {
@@ -22,8 +22,7 @@ std::vector<Target> read(const std::string& text) {
 }
 
 std::vector<Target> of_configs(const std::string& name) {
-    std::ifstream file(std::string(FLOES_SOURCE_DIR) + "/configs/" + name);
-    return read_targets(std::string{std::istreambuf_iterator<char>(file), {}}, name);
+    return read_targets(file_text(std::string(FLOES_SOURCE_DIR) + "/configs/" + name), name);
 }
 
 const Target& find(const std::vector<Target>& targets, const std::string& name) {
