@@ -126,11 +126,7 @@ CampaignTable campaign_table(const Campaign& campaign, const StoredMembers& memb
     return table;
 }
 
-namespace {
-
 constexpr std::string_view times_path = "averaging_time";
-
-}  // namespace
 
 Sample::Sample(const CampaignTable& table) : CampaignCases(table), done_(table.cases.size()) {
     const std::vector<Quantity> known = table.quantities();

@@ -460,6 +460,12 @@ std::string checksums_name(std::string_view path) {
 
 namespace {
 
+hdf5::Dimensions with(const hdf5::Scale& first, const hdf5::Dimensions& others) {
+    hdf5::Dimensions all{first};
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
 /// An array that lies in a row for each member.
 class MemberArray {
   public:
@@ -475,9 +481,7 @@ class MemberArray {
         if (array.chunks == ArrayChunks::of_its_own) {
             rows_.emplace(group, label, member, axes);
         } else {
-            hdf5::Dimensions all{member};
-            all.insert(all.end(), axes.begin(), axes.end());
-            column_.emplace(group, label, all, undefined);
+            column_.emplace(group, label, with(member, axes), undefined);
         }
     }
 
@@ -549,12 +553,6 @@ class ArrangementArray {
     }
 
   private:
-    static hdf5::Dimensions with(const hdf5::Scale& first, const hdf5::Dimensions& others) {
-        hdf5::Dimensions all{first};
-        all.insert(all.end(), others.begin(), others.end());
-        return all;
-    }
-
     void begin(int row) {
         first_ = row;
         values_.assign(static_cast<std::size_t>(rows_.groups()) * width_, undefined);

@@ -13,8 +13,6 @@
 
 namespace floes {
 
-namespace {
-
 /// Ends of names and what they mean, longer ones before those that end like them.
 constexpr auto units = std::to_array<std::pair<std::string_view, std::string_view>>({{"_kN_m_rad", "kN m/rad"},
                                                                                      {"_kN_s2_m2", "kN s²/m²"},
@@ -37,12 +35,6 @@ constexpr auto units = std::to_array<std::pair<std::string_view, std::string_vie
                                                                                      {"_deg", "°"},
                                                                                      {"_s", "s"},
                                                                                      {"_m", "m"}});
-
-}  // namespace
-
-std::string KeyWords::with(const std::string& value) const {
-    return name + " " + value + (unit.empty() ? "" : " " + unit);
-}
 
 std::string capital(std::string sentence) {
     sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));

@@ -18,7 +18,7 @@ struct KeyWords {
     /// "thickness, m"
     std::string heading() const { return unit.empty() ? name : name + ", " + unit; }
     /// "thickness 0.02 m"
-    std::string with(const std::string& value) const;
+    std::string with(const std::string& value) const { return name + " " + value + (unit.empty() ? "" : " " + unit); }
 };
 
 /// With a capital letter at its beginning.

@@ -1,7 +1,6 @@
 #include "findings/evidence.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -56,32 +55,8 @@ Evidence evidence_of(Campaign campaign, CampaignTable table) {
     return evidence;
 }
 
-double DesignLoadRequest::model_exposure() const {
-    return exposure / std::sqrt(scale);
-}
-
-double DesignLoadRequest::model_averaging() const {
-    return averaging / std::sqrt(scale);
-}
-
-double DesignLoadRequest::factor() const {
-    return std::pow(scale, of.power());
-}
-
 Oscillator MooredRequest::model() const {
     return {hull.stiffness / (scale * scale), hull.mass / force_factor(), hull.damping_ratio};
-}
-
-double MooredRequest::model_averaging() const {
-    return averaging / time_factor();
-}
-
-double MooredRequest::time_factor() const {
-    return std::sqrt(scale);
-}
-
-double MooredRequest::force_factor() const {
-    return scale * scale * scale;
 }
 
 const std::vector<BreakRow>& breaks_of(Evidence& evidence) {

@@ -3,6 +3,7 @@
 // them include this, and it includes none of them.
 
 #include <any>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -35,9 +36,9 @@ struct DesignLoadRequest {
     double share = 0.25;                 ///< of the peaks, the highest, that the tails are fitted to
     DesignOf of = design_ofs.front();
 
-    double model_exposure() const;   ///< s
-    double model_averaging() const;  ///< s
-    double factor() const;           ///< value at full scale / value in the campaign
+    double model_exposure() const { return exposure / std::sqrt(scale); }    ///< s
+    double model_averaging() const { return averaging / std::sqrt(scale); }  ///< s
+    double factor() const { return std::pow(scale, of.power()); }  ///< value at full scale / value in the campaign
 };
 
 /// A hull that the stored loads of a fixed one move.
@@ -48,9 +49,9 @@ struct MooredRequest {
 
     /// The hull at the scale of the campaign: stiffness over λ², mass over λ³, the same damping ratio.
     Oscillator model() const;
-    double model_averaging() const;  ///< s
-    double time_factor() const;      ///< of times and speeds
-    double force_factor() const;
+    double model_averaging() const { return averaging / time_factor(); }  ///< s
+    double time_factor() const { return std::sqrt(scale); }               ///< of times and speeds
+    double force_factor() const { return scale * scale * scale; }
 };
 
 /// What is asked of a campaign, beside the names of findings.

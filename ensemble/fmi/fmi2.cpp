@@ -131,39 +131,27 @@ FLOES_FMI int fmi2Reset(void* instance) {
 }
 
 FLOES_FMI int fmi2GetReal(void* instance, const unsigned* references, std::size_t count, double* values) {
-    return on<Fmi2Instance>(instance, [&](const Fmi2Instance& one) {
-        for (std::size_t k = 0; k < count; ++k) values[k] = one.session.real(references[k]);
-    });
+    return get_values<Fmi2Instance>(instance, references, count, values, count, &FmuSession::real);
 }
 
 FLOES_FMI int fmi2GetInteger(void* instance, const unsigned* references, std::size_t count, int* values) {
-    return on<Fmi2Instance>(instance, [&](const Fmi2Instance& one) {
-        for (std::size_t k = 0; k < count; ++k) values[k] = one.session.integer(references[k]);
-    });
+    return get_values<Fmi2Instance>(instance, references, count, values, count, &FmuSession::integer);
 }
 
 FLOES_FMI int fmi2GetString(void* instance, const unsigned* references, std::size_t count, const char** values) {
-    return on<Fmi2Instance>(instance, [&](const Fmi2Instance& one) {
-        for (std::size_t k = 0; k < count; ++k) values[k] = one.session.text(references[k]);
-    });
+    return get_values<Fmi2Instance>(instance, references, count, values, count, &FmuSession::text);
 }
 
 FLOES_FMI int fmi2SetReal(void* instance, const unsigned* references, std::size_t count, const double* values) {
-    return on<Fmi2Instance>(instance, [&](Fmi2Instance& one) {
-        for (std::size_t k = 0; k < count; ++k) one.session.set(references[k], values[k]);
-    });
+    return set_values<Fmi2Instance>(instance, references, count, values, count);
 }
 
 FLOES_FMI int fmi2SetInteger(void* instance, const unsigned* references, std::size_t count, const int* values) {
-    return on<Fmi2Instance>(instance, [&](Fmi2Instance& one) {
-        for (std::size_t k = 0; k < count; ++k) one.session.set(references[k], values[k]);
-    });
+    return set_values<Fmi2Instance>(instance, references, count, values, count);
 }
 
 FLOES_FMI int fmi2SetString(void* instance, const unsigned* references, std::size_t count, const char* const* values) {
-    return on<Fmi2Instance>(instance, [&](Fmi2Instance& one) {
-        for (std::size_t k = 0; k < count; ++k) one.session.set(references[k], values[k]);
-    });
+    return set_values<Fmi2Instance>(instance, references, count, values, count);
 }
 
 FLOES_FMI int fmi2DoStep(void* instance, double at, double length, int) {
@@ -207,19 +195,14 @@ FLOES_FMI int fmi2DeSerializeFMUstate(void* instance, const char* bytes, std::si
     return deserialize_state<Fmi2Instance>(instance, bytes, size, state);
 }
 
-// What the description says this FMU lacks. The arguments after the instance are the caller's.
+// What the description says this FMU lacks.
 
-#define FLOES_LACKS(name)                            \
-    FLOES_FMI int name(void* instance) {             \
-        return lacks<Fmi2Instance>(instance, #name); \
-    }
-FLOES_LACKS(fmi2GetBoolean)
-FLOES_LACKS(fmi2SetBoolean)
-FLOES_LACKS(fmi2GetDirectionalDerivative)
-FLOES_LACKS(fmi2SetRealInputDerivatives)
-FLOES_LACKS(fmi2GetRealOutputDerivatives)
-FLOES_LACKS(fmi2CancelStep)
-#undef FLOES_LACKS
+FLOES_LACKS(Fmi2Instance, fmi2GetBoolean)
+FLOES_LACKS(Fmi2Instance, fmi2SetBoolean)
+FLOES_LACKS(Fmi2Instance, fmi2GetDirectionalDerivative)
+FLOES_LACKS(Fmi2Instance, fmi2SetRealInputDerivatives)
+FLOES_LACKS(Fmi2Instance, fmi2GetRealOutputDerivatives)
+FLOES_LACKS(Fmi2Instance, fmi2CancelStep)
 
 // A status that it cannot give is discarded, and no error (FMI 2.0.4, 4.2.3).
 

@@ -3,8 +3,6 @@
 
 #include <string>
 
-#include <fmt/format.h>
-
 #include "core/error.hpp"
 #include "fmi/host_call.hpp"
 #include "fmi/session.hpp"
@@ -32,11 +30,6 @@ struct Fmi3Instance {
 
     void log(FmiStatus status, const std::string& sentence) const { host.log(status, sentence); }
 };
-
-void expect_alike(std::size_t references, std::size_t values) {
-    if (references != values)
-        throw InputError(fmt::format("There are {} value references and {} values.", references, values));
-}
 
 }  // namespace
 
@@ -87,51 +80,35 @@ FLOES_FMI int fmi3Reset(void* instance) {
 
 FLOES_FMI int fmi3GetFloat64(void* instance, const unsigned* references, std::size_t count, double* values,
                              std::size_t places) {
-    return on<Fmi3Instance>(instance, [&](const Fmi3Instance& one) {
-        expect_alike(count, places);
-        for (std::size_t k = 0; k < count; ++k)
-            values[k] = references[k] == time_reference ? one.session.time() : one.session.real(references[k]);
-    });
+    const auto value_of = [](const FmuSession& session, unsigned reference) {
+        return reference == time_reference ? session.time() : session.real(reference);
+    };
+    return get_values<Fmi3Instance>(instance, references, count, values, places, value_of);
 }
 
 FLOES_FMI int fmi3GetInt32(void* instance, const unsigned* references, std::size_t count, int* values,
                            std::size_t places) {
-    return on<Fmi3Instance>(instance, [&](const Fmi3Instance& one) {
-        expect_alike(count, places);
-        for (std::size_t k = 0; k < count; ++k) values[k] = one.session.integer(references[k]);
-    });
+    return get_values<Fmi3Instance>(instance, references, count, values, places, &FmuSession::integer);
 }
 
 FLOES_FMI int fmi3GetString(void* instance, const unsigned* references, std::size_t count, const char** values,
                             std::size_t places) {
-    return on<Fmi3Instance>(instance, [&](const Fmi3Instance& one) {
-        expect_alike(count, places);
-        for (std::size_t k = 0; k < count; ++k) values[k] = one.session.text(references[k]);
-    });
+    return get_values<Fmi3Instance>(instance, references, count, values, places, &FmuSession::text);
 }
 
 FLOES_FMI int fmi3SetFloat64(void* instance, const unsigned* references, std::size_t count, const double* values,
                              std::size_t places) {
-    return on<Fmi3Instance>(instance, [&](Fmi3Instance& one) {
-        expect_alike(count, places);
-        for (std::size_t k = 0; k < count; ++k) one.session.set(references[k], values[k]);
-    });
+    return set_values<Fmi3Instance>(instance, references, count, values, places);
 }
 
 FLOES_FMI int fmi3SetInt32(void* instance, const unsigned* references, std::size_t count, const int* values,
                            std::size_t places) {
-    return on<Fmi3Instance>(instance, [&](Fmi3Instance& one) {
-        expect_alike(count, places);
-        for (std::size_t k = 0; k < count; ++k) one.session.set(references[k], values[k]);
-    });
+    return set_values<Fmi3Instance>(instance, references, count, values, places);
 }
 
 FLOES_FMI int fmi3SetString(void* instance, const unsigned* references, std::size_t count, const char* const* values,
                             std::size_t places) {
-    return on<Fmi3Instance>(instance, [&](Fmi3Instance& one) {
-        expect_alike(count, places);
-        for (std::size_t k = 0; k < count; ++k) one.session.set(references[k], values[k]);
-    });
+    return set_values<Fmi3Instance>(instance, references, count, values, places);
 }
 
 FLOES_FMI int fmi3DoStep(void* instance, double at, double length, bool, bool* event_needed, bool* terminates,
@@ -187,62 +164,57 @@ FLOES_FMI void* fmi3InstantiateScheduledExecution() {
     return nullptr;
 }
 
-// What the description says this FMU lacks. The arguments after the instance are the caller's.
+// What the description says this FMU lacks.
 
-#define FLOES_LACKS(name)                            \
-    FLOES_FMI int name(void* instance) {             \
-        return lacks<Fmi3Instance>(instance, #name); \
-    }
-FLOES_LACKS(fmi3EnterEventMode)
-FLOES_LACKS(fmi3GetFloat32)
-FLOES_LACKS(fmi3GetInt8)
-FLOES_LACKS(fmi3GetUInt8)
-FLOES_LACKS(fmi3GetInt16)
-FLOES_LACKS(fmi3GetUInt16)
-FLOES_LACKS(fmi3GetUInt32)
-FLOES_LACKS(fmi3GetInt64)
-FLOES_LACKS(fmi3GetUInt64)
-FLOES_LACKS(fmi3GetBoolean)
-FLOES_LACKS(fmi3GetBinary)
-FLOES_LACKS(fmi3GetClock)
-FLOES_LACKS(fmi3SetFloat32)
-FLOES_LACKS(fmi3SetInt8)
-FLOES_LACKS(fmi3SetUInt8)
-FLOES_LACKS(fmi3SetInt16)
-FLOES_LACKS(fmi3SetUInt16)
-FLOES_LACKS(fmi3SetUInt32)
-FLOES_LACKS(fmi3SetInt64)
-FLOES_LACKS(fmi3SetUInt64)
-FLOES_LACKS(fmi3SetBoolean)
-FLOES_LACKS(fmi3SetBinary)
-FLOES_LACKS(fmi3SetClock)
-FLOES_LACKS(fmi3GetDirectionalDerivative)
-FLOES_LACKS(fmi3GetAdjointDerivative)
-FLOES_LACKS(fmi3EnterConfigurationMode)
-FLOES_LACKS(fmi3ExitConfigurationMode)
-FLOES_LACKS(fmi3GetIntervalDecimal)
-FLOES_LACKS(fmi3GetIntervalFraction)
-FLOES_LACKS(fmi3GetShiftDecimal)
-FLOES_LACKS(fmi3GetShiftFraction)
-FLOES_LACKS(fmi3SetIntervalDecimal)
-FLOES_LACKS(fmi3SetIntervalFraction)
-FLOES_LACKS(fmi3SetShiftDecimal)
-FLOES_LACKS(fmi3SetShiftFraction)
-FLOES_LACKS(fmi3EvaluateDiscreteStates)
-FLOES_LACKS(fmi3UpdateDiscreteStates)
-FLOES_LACKS(fmi3EnterContinuousTimeMode)
-FLOES_LACKS(fmi3CompletedIntegratorStep)
-FLOES_LACKS(fmi3SetTime)
-FLOES_LACKS(fmi3SetContinuousStates)
-FLOES_LACKS(fmi3GetContinuousStateDerivatives)
-FLOES_LACKS(fmi3GetEventIndicators)
-FLOES_LACKS(fmi3GetContinuousStates)
-FLOES_LACKS(fmi3GetNominalsOfContinuousStates)
-FLOES_LACKS(fmi3GetNumberOfEventIndicators)
-FLOES_LACKS(fmi3GetNumberOfContinuousStates)
-FLOES_LACKS(fmi3EnterStepMode)
-FLOES_LACKS(fmi3GetOutputDerivatives)
-FLOES_LACKS(fmi3ActivateModelPartition)
-#undef FLOES_LACKS
+FLOES_LACKS(Fmi3Instance, fmi3EnterEventMode)
+FLOES_LACKS(Fmi3Instance, fmi3GetFloat32)
+FLOES_LACKS(Fmi3Instance, fmi3GetInt8)
+FLOES_LACKS(Fmi3Instance, fmi3GetUInt8)
+FLOES_LACKS(Fmi3Instance, fmi3GetInt16)
+FLOES_LACKS(Fmi3Instance, fmi3GetUInt16)
+FLOES_LACKS(Fmi3Instance, fmi3GetUInt32)
+FLOES_LACKS(Fmi3Instance, fmi3GetInt64)
+FLOES_LACKS(Fmi3Instance, fmi3GetUInt64)
+FLOES_LACKS(Fmi3Instance, fmi3GetBoolean)
+FLOES_LACKS(Fmi3Instance, fmi3GetBinary)
+FLOES_LACKS(Fmi3Instance, fmi3GetClock)
+FLOES_LACKS(Fmi3Instance, fmi3SetFloat32)
+FLOES_LACKS(Fmi3Instance, fmi3SetInt8)
+FLOES_LACKS(Fmi3Instance, fmi3SetUInt8)
+FLOES_LACKS(Fmi3Instance, fmi3SetInt16)
+FLOES_LACKS(Fmi3Instance, fmi3SetUInt16)
+FLOES_LACKS(Fmi3Instance, fmi3SetUInt32)
+FLOES_LACKS(Fmi3Instance, fmi3SetInt64)
+FLOES_LACKS(Fmi3Instance, fmi3SetUInt64)
+FLOES_LACKS(Fmi3Instance, fmi3SetBoolean)
+FLOES_LACKS(Fmi3Instance, fmi3SetBinary)
+FLOES_LACKS(Fmi3Instance, fmi3SetClock)
+FLOES_LACKS(Fmi3Instance, fmi3GetDirectionalDerivative)
+FLOES_LACKS(Fmi3Instance, fmi3GetAdjointDerivative)
+FLOES_LACKS(Fmi3Instance, fmi3EnterConfigurationMode)
+FLOES_LACKS(Fmi3Instance, fmi3ExitConfigurationMode)
+FLOES_LACKS(Fmi3Instance, fmi3GetIntervalDecimal)
+FLOES_LACKS(Fmi3Instance, fmi3GetIntervalFraction)
+FLOES_LACKS(Fmi3Instance, fmi3GetShiftDecimal)
+FLOES_LACKS(Fmi3Instance, fmi3GetShiftFraction)
+FLOES_LACKS(Fmi3Instance, fmi3SetIntervalDecimal)
+FLOES_LACKS(Fmi3Instance, fmi3SetIntervalFraction)
+FLOES_LACKS(Fmi3Instance, fmi3SetShiftDecimal)
+FLOES_LACKS(Fmi3Instance, fmi3SetShiftFraction)
+FLOES_LACKS(Fmi3Instance, fmi3EvaluateDiscreteStates)
+FLOES_LACKS(Fmi3Instance, fmi3UpdateDiscreteStates)
+FLOES_LACKS(Fmi3Instance, fmi3EnterContinuousTimeMode)
+FLOES_LACKS(Fmi3Instance, fmi3CompletedIntegratorStep)
+FLOES_LACKS(Fmi3Instance, fmi3SetTime)
+FLOES_LACKS(Fmi3Instance, fmi3SetContinuousStates)
+FLOES_LACKS(Fmi3Instance, fmi3GetContinuousStateDerivatives)
+FLOES_LACKS(Fmi3Instance, fmi3GetEventIndicators)
+FLOES_LACKS(Fmi3Instance, fmi3GetContinuousStates)
+FLOES_LACKS(Fmi3Instance, fmi3GetNominalsOfContinuousStates)
+FLOES_LACKS(Fmi3Instance, fmi3GetNumberOfEventIndicators)
+FLOES_LACKS(Fmi3Instance, fmi3GetNumberOfContinuousStates)
+FLOES_LACKS(Fmi3Instance, fmi3EnterStepMode)
+FLOES_LACKS(Fmi3Instance, fmi3GetOutputDerivatives)
+FLOES_LACKS(Fmi3Instance, fmi3ActivateModelPartition)
 
 }  // namespace floes

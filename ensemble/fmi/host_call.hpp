@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <exception>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -65,6 +66,38 @@ template <class Instance>
 FmiStatus lacks(void* instance, const char* name) {
     return on<Instance>(instance, [&](Instance&) {
         throw InputError(fmt::format("{}: this FMU has no such thing, as its description says.", name));
+    });
+}
+
+/// A function that answers so. The arguments after the instance are the caller's.
+#define FLOES_LACKS(Instance, name)              \
+    FLOES_FMI int name(void* instance) {         \
+        return lacks<Instance>(instance, #name); \
+    }
+
+// The values of variables: one for each reference, or it is an error.
+
+inline void expect_alike(std::size_t references, std::size_t values) {
+    if (references != values)
+        throw InputError(fmt::format("There are {} value references and {} values.", references, values));
+}
+
+/// `value_of`: of the session and a reference.
+template <class Instance, class Value, class ValueOf>
+FmiStatus get_values(void* instance, const unsigned* references, std::size_t count, Value* values, std::size_t places,
+                     ValueOf value_of) {
+    return on<Instance>(instance, [&](const Instance& one) {
+        expect_alike(count, places);
+        for (std::size_t k = 0; k < count; ++k) values[k] = std::invoke(value_of, one.session, references[k]);
+    });
+}
+
+template <class Instance, class Value>
+FmiStatus set_values(void* instance, const unsigned* references, std::size_t count, const Value* values,
+                     std::size_t places) {
+    return on<Instance>(instance, [&](Instance& one) {
+        expect_alike(count, places);
+        for (std::size_t k = 0; k < count; ++k) one.session.set(references[k], values[k]);
     });
 }
 

@@ -188,18 +188,6 @@ void FmuSession::terminate() {
     phase_ = Phase::terminated;
 }
 
-double FmuSession::time() const {
-    return start_ + static_cast<double>(steps_) * time_step_;
-}
-
-Vec6 FmuSession::six(unsigned first) const {
-    return Vec6(reals_.data() + first);
-}
-
-void FmuSession::put_six(unsigned first, const Vec6& values) {
-    std::ranges::copy(values, reals_.begin() + first);
-}
-
 /// Hosts add up their times, and add rounding.
 int FmuSession::whole_steps(double at, double length) const {
     const double rounding = 1e-4 * time_step_;

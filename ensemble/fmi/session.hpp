@@ -3,6 +3,7 @@
 // may be told what. Throws InputError and RunError with a sentence for the host's log; an instance that a step has
 // broken takes reset(), set() and its end only.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -45,7 +46,7 @@ class FmuSession {
     /// lies before that of the step; then nothing has happened.
     StepEnd step(double at, double length);
 
-    double time() const;  ///< s, where the last step ended
+    double time() const { return start_ + static_cast<double>(steps_) * time_step_; }  ///< s, where the last step ended
 
     Bytes saved() const;
     void set(std::span<const std::byte> saved);
@@ -56,8 +57,8 @@ class FmuSession {
     const FmuVariable& known(unsigned reference, FmuType type) const;
     const FmuVariable& settable(unsigned reference, FmuType type) const;
     void expect(Phase phase, std::string_view what) const;
-    Vec6 six(unsigned first) const;
-    void put_six(unsigned first, const Vec6& values);
+    Vec6 six(unsigned first) const { return Vec6(reals_.data() + first); }
+    void put_six(unsigned first, const Vec6& values) { std::ranges::copy(values, reals_.begin() + first); }
     void begin();
     int whole_steps(double at, double length) const;
     void advance(int steps, double length);

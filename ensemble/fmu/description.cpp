@@ -41,13 +41,14 @@ std::string units_text() {
     return text + "  </UnitDefinitions>\n";
 }
 
-constexpr std::string_view categories =
-    "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusError\"/>\n"
-    "  </LogCategories>\n";
-
-std::string experiment(const FmuDescription& of) {
-    return fmt::format("  <DefaultExperiment startTime=\"0\" stopTime=\"{}\" stepSize=\"{}\"/>\n", of.stop_time,
-                       of.time_step);
+/// From the capabilities to the variables, the same in both versions.
+std::string before_variables(const FmuDescription& of) {
+    return units_text() +
+           fmt::format(
+               "  <LogCategories>\n    <Category name=\"logStatusWarning\"/>\n    <Category name=\"logStatusError\"/>\n"
+               "  </LogCategories>\n  <DefaultExperiment startTime=\"0\" stopTime=\"{}\" stepSize=\"{}\"/>\n"
+               "  <ModelVariables>\n",
+               of.stop_time, of.time_step);
 }
 
 std::string variable_2(const FmuVariable& one, const FmuDescription& of) {
@@ -72,9 +73,7 @@ std::string text_2(const FmuDescription& of) {
         "  <CoSimulation modelIdentifier=\"{}\" canHandleVariableCommunicationStepSize=\"false\" "
         "canNotUseMemoryManagementFunctions=\"true\" canGetAndSetFMUstate=\"{}\" canSerializeFMUstate=\"{}\"/>\n",
         markup_escaped(of.model_name), of.token, of.program, fmu_identifier, of.can_be_saved, of.can_be_saved);
-    text += units_text();
-    text += categories;
-    text += experiment(of) + "  <ModelVariables>\n";
+    text += before_variables(of);
     std::string unknowns;
     int index = 0;
     for (const FmuVariable& one : fmu_variables(of.mover)) {
@@ -97,9 +96,7 @@ std::string text_3(const FmuDescription& of) {
         "fixedInternalStepSize=\"{}\" canGetAndSetFMUState=\"{}\" canSerializeFMUState=\"{}\"/>\n",
         markup_escaped(of.model_name), of.token, of.program, fmu_identifier, of.time_step, of.can_be_saved,
         of.can_be_saved);
-    text += units_text();
-    text += categories;
-    text += experiment(of) + "  <ModelVariables>\n";
+    text += before_variables(of);
     text +=
         "    <Float64 name=\"time\" valueReference=\"0\" causality=\"independent\" variability=\"continuous\" "
         "unit=\"s\"/>\n";

@@ -17,11 +17,7 @@
 
 namespace floes::hdf5 {
 
-namespace {
-
 constexpr unsigned creation_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-
-}  // namespace
 
 Handle creation_properties(hid_t kind) {
     Handle properties(H5Pcreate(kind), H5Pclose, "H5Pcreate", "creation properties");

@@ -36,9 +36,7 @@ Interval mean_interval(std::span<const double> values, double confidence) {
     const double mean = sum / count;
     if (values.size() == 1) return {mean, undefined, undefined, undefined, undefined};
 
-    double squares = 0;
-    for (const double value : values) squares += (value - mean) * (value - mean);
-    const double sd = std::sqrt(squares / (count - 1));
+    const double sd = std::sqrt(squares_about(values, mean) / (count - 1));
     const double t = student_t(count - 1, (1 - confidence) / 2);
     const double of_mean = t * sd / std::sqrt(count);
     const double of_run = t * sd * std::sqrt(1 + 1 / count);

@@ -39,10 +39,6 @@ double score_of_hazard(double hazard) {
 
 }  // namespace
 
-double SmoothParameter::at(double x) const {
-    return constant() ? a : a + b * std::pow(x, c);
-}
-
 std::string_view name_of(InputLaw law) {
     constexpr std::array<std::string_view, 4> names{"normal", "lognormal", "weibull", "exponential"};
     return names.at(static_cast<std::size_t>(law));

@@ -5,6 +5,7 @@
 // the inputs by Rosenblatt's transform. Outside of any line that touches the circle lies the probability Φ(-radius).
 
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct SmoothParameter {
     double c = 1;
 
     bool constant() const { return b == 0; }
-    double at(double x) const;
+    double at(double x) const { return constant() ? a : a + b * std::pow(x, c); }
 };
 
 enum class InputLaw {

@@ -13,13 +13,9 @@
 
 namespace floes {
 
-namespace {
-
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using PivotedQr = Eigen::ColPivHouseholderQR<MatrixXd>;
-
-}  // namespace
 
 struct Cholesky::Factor {
     Eigen::LLT<MatrixXd> root;

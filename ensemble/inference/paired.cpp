@@ -24,11 +24,7 @@ constexpr int most_arrangements = 1'000'000;
 
 double sample_variance(std::span<const double> values) {
     if (values.size() < 2) return undefined;
-    const double count = static_cast<double>(values.size());
-    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
-    double squares = 0;
-    for (const double value : values) squares += (value - mean) * (value - mean);
-    return squares / (count - 1);
+    return squares_about(values, mean_of(values)) / (static_cast<double>(values.size()) - 1);
 }
 
 }  // namespace
@@ -165,9 +161,7 @@ double tail_by_counting(const std::vector<int>& ranks, std::int64_t smaller) {
 SignedRank wilcoxon_signed_rank(std::span<const double> differences) {
     std::vector<double> moved(differences.begin(), differences.end());
     std::erase(moved, 0.0);
-    if (moved.empty()) {
-        return {undefined, undefined, true};
-    }
+    if (moved.empty()) return {undefined, undefined, true};
     const std::vector<int> ranks = doubled_ranks(moved);
     std::int64_t positive = 0;
     double squares = 0;
@@ -178,9 +172,7 @@ SignedRank wilcoxon_signed_rank(std::span<const double> differences) {
     const std::int64_t all = std::accumulate(ranks.begin(), ranks.end(), std::int64_t{0});
     const std::int64_t smaller = std::min(positive, all - positive);
     const double rank_sum = 0.5 * static_cast<double>(smaller);
-    if (moved.size() <= most_for_exact) {
-        return {rank_sum, std::min(1.0, 2 * tail_by_counting(ranks, smaller)), true};
-    }
+    if (moved.size() <= most_for_exact) return {rank_sum, std::min(1.0, 2 * tail_by_counting(ranks, smaller)), true};
     const double z =
         (rank_sum - 0.25 * static_cast<double>(all)) / std::sqrt(0.25 * squares);  // mean and variance given the ranks
     return {rank_sum, 2 * normal_below(-std::abs(z)), false};

@@ -558,10 +558,6 @@ void RecordingWriter::add(const Frame& frame) {
     file_->add(frame);
 }
 
-void RecordingWriter::finish(const RecordingOutcome& outcome) {
-    file_->finish(outcome, {});
-}
-
 void RecordingWriter::finish(const RecordingOutcome& outcome, const FloeRoll& roll) {
     file_->finish(outcome, roll);
 }
@@ -619,14 +615,6 @@ Channel RecordingSubject::channel() const {
         sheet.half_extents.x() = 0.5 * (channel.end - channel.begin);
     }
     return channel;
-}
-
-double RecordingSubject::seen_ahead() const {
-    return scenario.window_ahead() + largest_side(floes);
-}
-
-double RecordingSubject::seen_behind() const {
-    return scenario.window_behind() + largest_side(floes);
 }
 
 }  // namespace floes

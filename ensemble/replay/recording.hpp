@@ -44,8 +44,8 @@ struct RecordingSubject {
     /// In a field without end, what stands beside the ice that frames show: its sides are too long for any picture.
     Channel channel() const;
     /// How far ahead of the structure's axis, and behind it, a field without end is to be seen, m.
-    double seen_ahead() const;
-    double seen_behind() const;
+    double seen_ahead() const { return scenario.window_ahead() + largest_side(floes); }
+    double seen_behind() const { return scenario.window_behind() + largest_side(floes); }
 };
 
 /// What is known only at the end of a run.
@@ -79,9 +79,8 @@ class RecordingWriter {
     ~RecordingWriter();
 
     void add(const Frame& frame);
-    void finish(const RecordingOutcome& outcome);
-    /// For a field without end, whose frames and breaks are in the numbers of `roll`.
-    void finish(const RecordingOutcome& outcome, const FloeRoll& roll);
+    /// Frames and breaks of a field without end are in the numbers of `roll`.
+    void finish(const RecordingOutcome& outcome, const FloeRoll& roll = {});
 
   private:
     class File;

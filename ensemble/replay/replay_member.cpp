@@ -202,7 +202,7 @@ std::vector<double> largest_values(const CampaignFile& file, const CampaignTable
         for (std::size_t k = 0; k < values.size(); ++k) values[k] = table.members[k].value(from);
         return values;
     }
-    for_each_histories(file, histories_of(asked.of), [&](const StoredHistories& histories) {
+    for_each_histories(file, histories_of(asked.of), {}, [&](const StoredHistories& histories) {
         const int of_case = member_key(file.campaign(), histories.member).case_index;
         const Scenario& scenario = file.campaign().cases.at(static_cast<std::size_t>(of_case)).scenario;
         const auto found = largest_in(histories, asked, scenario);

@@ -74,13 +74,9 @@ Camera camera(View view, const RecordingSubject& subject, double structure, doub
     return looking({structure + 0.15 * seen, 0, across}, {-0.75, 0.75, 1.0}, Vec3::UnitY(), 0.85 * seen);
 }
 
-namespace {
-
 constexpr double least_light = 0.60;  // on faces that look away from the sun
 constexpr double deepest_tint = 0.85;
 constexpr double golden_share = 0.61803398875;
-
-}  // namespace
 
 Colour between(const Colour& a, const Colour& b, double share) {
     FLOES_EXPECTS(share >= 0 && share <= 1);

@@ -6,11 +6,7 @@
 
 namespace floes {
 
-namespace {
-
 constexpr unsigned slots_for_the_owner = 0;  // who begins tasks only waits
-
-}  // namespace
 
 CorePool::CorePool(int threads)
     : threads_(threads),

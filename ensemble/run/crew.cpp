@@ -118,10 +118,6 @@ std::vector<MemberProgress> Crew::progress() const {
     return all;
 }
 
-void Crew::abandon() {
-    stop_.request_stop();
-}
-
 std::vector<Outcome> Crew::take() {
     std::vector<Outcome> taken;
     {

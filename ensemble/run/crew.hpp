@@ -78,7 +78,7 @@ class Crew {
     void begin(Assignment assignment);
 
     /// Asks running members to stop and drops waiting ones. Each still gives an outcome.
-    void abandon();
+    void abandon() { stop_.request_stop(); }
 
     /// The outcomes since the last call.
     std::vector<Outcome> take();

@@ -6,11 +6,7 @@
 
 namespace floes {
 
-namespace {
-
 constexpr std::size_t most_running = 20;  // running members
-
-}  // namespace
 
 Tally::Tally(const Campaign& campaign, Inventory found, Time begin)
     : campaign_(campaign),
@@ -18,10 +14,6 @@ Tally::Tally(const Campaign& campaign, Inventory found, Time begin)
       found_(std::move(found)),
       precision_(found_.precision),
       begin_(begin) {}
-
-void Tally::started(int number, int attempt, Time now) {
-    under_way_[identity_of(number)] = {number, attempt, now};
-}
 
 void Tally::kept(const MemberRecord& record) {
     kept(identity(record), record.result.status, &record);

@@ -71,7 +71,7 @@ class Tally {
     Tally(const Campaign& campaign, Inventory found, Time begin);
 
     /// An attempt at the member begins.
-    void started(int number, int attempt, Time now);
+    void started(int number, int attempt, Time now) { under_way_[identity_of(number)] = {number, attempt, now}; }
     /// How far members have come that are under way.
     void note(const std::vector<MemberProgress>& progress);
     /// A member is done or set aside.

@@ -236,10 +236,6 @@ MemberRecord Parts::read(std::size_t record) const {
     return journal_format::read_member(latest_.file, path, at);
 }
 
-StoredMembers Parts::members() const {
-    return {notes_, [this](std::size_t k) { return read(k); }};
-}
-
 std::vector<Session> Parts::sessions() const {
     std::vector<Session> sessions;
     for (const Block& block : blocks_) {

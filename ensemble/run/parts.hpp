@@ -56,7 +56,9 @@ class Parts {
     /// The stop rule with all members; none if the campaign has none.
     const std::optional<PrecisionStop>& rule() const { return rule_; }
     /// All records; of a member that several parts have, the first part's comes first.
-    StoredMembers members() const;
+    StoredMembers members() const {
+        return {notes_, [this](std::size_t k) { return read(k); }};
+    }
     const MemberNotes& notes() const { return notes_; }
     /// By member of campaign(), as match_records() gives them.
     const std::vector<std::optional<std::size_t>>& matched() const { return matched_; }

@@ -23,13 +23,9 @@
 
 namespace floes {
 
-namespace {
-
 constexpr std::chrono::milliseconds live_interval{500};
 constexpr std::chrono::milliseconds plain_interval{60'000};
 constexpr const char* erase_line = "\r\033[K";
-
-}  // namespace
 
 double time_left(double finished_cost, double remaining_cost, double elapsed) {
     if (finished_cost <= 0 || elapsed <= 0) return -1;
@@ -63,9 +59,7 @@ std::string counts_text(const ProgressState& state) {
     std::string text =
         fmt::format("{} of {} done, {} failed, {} running", state.done, state.total, state.failed, state.running);
     if (state.elapsed >= 1) text += fmt::format(", {} elapsed", clock_text(state.elapsed));
-    if (state.finished_now > 0 && state.elapsed > 0) {
-        text += ", " + rate_text(state.finished_now / state.elapsed);
-    }
+    if (state.finished_now > 0 && state.elapsed > 0) text += ", " + rate_text(state.finished_now / state.elapsed);
     if (state.half_width_target > 0) {
         if (std::isfinite(state.half_width)) {
             text += fmt::format(", half-width {:.1f} % after {}, target {:g} %", 100 * state.half_width,
@@ -135,11 +129,7 @@ Progress::Style style_of_standard_error() {
     return ::isatty(STDERR_FILENO) == 1 ? Progress::Style::live : Progress::Style::plain;
 }
 
-namespace {
-
 constexpr double longest_silence = 60;  // s; heartbeats come every few seconds, but publishing may delay one
-
-}  // namespace
 
 std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file) {
     return target_of(campaign_file).replace_extension(".alive");

@@ -17,13 +17,9 @@
 
 namespace floes {
 
-namespace {
-
 constexpr std::chrono::seconds heartbeat_interval{5};
 constexpr int least_work_per_publishing = 20;
 constexpr std::chrono::seconds look_interval{20};
-
-}  // namespace
 
 UpkeepTimer::UpkeepTimer(Time begin, std::chrono::seconds publish_every)
     : publish_every_(publish_every), next_heartbeat_(begin), next_publishing_(begin + publish_every) {}

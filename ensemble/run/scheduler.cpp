@@ -156,14 +156,6 @@ void Scheduler::withdraw(int worker) {
     room_.erase({w.level(), worker});
 }
 
-bool Scheduler::finished() const {
-    return workers_.empty() && (stopping_ || done_ == total());
-}
-
-double Scheduler::remaining_cost() const {
-    return done_ == total() ? 0.0 : total_cost_ - done_cost_;
-}
-
 void Scheduler::check_invariants() const {
     int done = 0;
     int assigned = 0;

@@ -128,7 +128,7 @@ class Scheduler {
     std::vector<Command> handle(const Event& event);
 
     /// True if every member is done or the stop was requested, and every worker has left.
-    bool finished() const;
+    bool finished() const { return workers_.empty() && (stopping_ || done_ == total()); }
 
     int total() const { return static_cast<int>(tasks_.size()); }
     int done() const { return done_; }
@@ -139,7 +139,8 @@ class Scheduler {
     int late_answers() const { return late_answers_; }  ///< answers of attempts that had been considered lost
     bool stopping() const { return stopping_; }
     double done_cost() const { return done_cost_; }  ///< sum over done members
-    double remaining_cost() const;                   ///< sum over all others
+    /// Sum over all others.
+    double remaining_cost() const { return done_ == total() ? 0.0 : total_cost_ - done_cost_; }
 
     /// Throws ContractError naming the first inconsistency of the state. O(members + workers); for tests.
     void check_invariants() const;

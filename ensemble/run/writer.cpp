@@ -8,11 +8,7 @@
 
 namespace floes {
 
-namespace {
-
 constexpr std::chrono::milliseconds sync_interval{900};
-
-}  // namespace
 
 bool SyncTimer::is_due(Time now) const {
     return now - last_sync_ >= sync_interval;

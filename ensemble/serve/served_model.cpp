@@ -1,7 +1,6 @@
 #include "serve/served_model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -54,10 +53,6 @@ ModelInput free_input(const std::string& path) {
 }
 
 }  // namespace
-
-bool ModelInput::bounded() const {
-    return std::isfinite(from) && std::isfinite(to);
-}
 
 bool ModelQuestion::same_point(const ModelQuestion& other) const {
     return values == other.values && arrangements == other.arrangements && seed == other.seed;

@@ -2,6 +2,7 @@
 // A campaign as a function of numbers, as samplers call it: what goes in, what comes out, what is wrong.
 
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -28,7 +29,7 @@ struct ModelInput {
     bool whole = false;
 
     /// Has an axis, so `from` and `to` are numbers.
-    bool bounded() const;
+    bool bounded() const { return std::isfinite(from) && std::isfinite(to); }
 };
 
 struct ServedModel {

@@ -593,14 +593,14 @@ void expect_to_continue(const Campaign& there, const Campaign& here, const std::
 void Journal::extend(const Campaign& there, const Campaign& here) {
     ByteWriter payload;
     payload.text(write_campaign(here));
-    write_record(static_cast<std::uint32_t>(RecordType::campaign), payload.bytes());
+    write_record(RecordType::campaign, payload.bytes());
     sync();
     contents_.campaign_text = write_campaign(here);
     extension_ = differences(there, here);
 }
 
-void Journal::write_record(std::uint32_t type, std::span<const std::byte> payload) {
-    const Bytes bytes = journal_format::record(static_cast<RecordType>(type), payload);
+void Journal::write_record(journal_format::RecordType type, std::span<const std::byte> payload) {
+    const Bytes bytes = journal_format::record(type, payload);
     appended_.insert(appended_.end(), bytes.begin(), bytes.end());
     contents_.good_bytes += bytes.size();
     if (appended_.size() >= most_appended) hand_over();
@@ -621,7 +621,7 @@ void Journal::hand_over() {
 
 void Journal::append(const MemberRecord& record) {
     const std::uint64_t offset = contents_.good_bytes;
-    write_record(static_cast<std::uint32_t>(RecordType::member), encode(record));
+    write_record(RecordType::member, encode(record));
     contents_.add(record, {offset, contents_.good_bytes - offset});
 }
 
@@ -634,19 +634,19 @@ StoredMembers Journal::members() const {
 
 void Journal::append(const CalibrationRecord& record) {
     if (find_calibration(contents_.calibrations, record.key) != nullptr) return;
-    write_record(static_cast<std::uint32_t>(RecordType::calibration), encode(record));
+    write_record(RecordType::calibration, encode(record));
     contents_.calibrations.push_back(record);
 }
 
 void Journal::append(std::span<const Session> earlier) {
     for (const Session& session : earlier) {
         const std::uint64_t at = contents_.good_bytes;
-        write_record(static_cast<std::uint32_t>(RecordType::session_begin), encode(session));
+        write_record(RecordType::session_begin, encode(session));
         contents_.begin(session, at);
         ByteWriter counts;
         counts.i32(session.computed);
         counts.i32(session.set_aside);
-        write_record(static_cast<std::uint32_t>(RecordType::session_counts), counts.bytes());
+        write_record(RecordType::session_counts, counts.bytes());
     }
 }
 
@@ -654,7 +654,7 @@ void Journal::done_in_piece(const MemberIdentity& member) {
     ByteWriter payload;
     payload.text(member.first);
     payload.i32(member.second);
-    write_record(static_cast<std::uint32_t>(RecordType::done_in_piece), payload.bytes());
+    write_record(RecordType::done_in_piece, payload.bytes());
     contents_.add_done(member);
 }
 
@@ -676,7 +676,7 @@ void Journal::started(const MemberIdentity& member, int attempt) {
     payload.text(member.first);
     payload.i32(member.second);
     payload.i32(attempt);
-    write_record(static_cast<std::uint32_t>(RecordType::attempt_started), payload.bytes());
+    write_record(RecordType::attempt_started, payload.bytes());
     contents_.attempts.started(member);
 }
 
@@ -691,14 +691,14 @@ void Journal::sync() {
 
 void Journal::begin_session(const Session& session) {
     const std::uint64_t at = contents_.good_bytes;
-    write_record(static_cast<std::uint32_t>(RecordType::session_begin), encode(session));
+    write_record(RecordType::session_begin, encode(session));
     contents_.begin(session, at);
     sync();
     Session& begun = contents_.sessions.back();
     const double ahead = file_.system().seconds_since_1970() - modified_at(file_, path_);
     if (std::abs(ahead) >= least_told_difference) begun.clock_ahead = ahead;
     if (begun.parts == 1 && begun.clock_ahead == 0) return;
-    write_record(static_cast<std::uint32_t>(RecordType::session_surroundings), encode_surroundings(begun, ::getpid()));
+    write_record(RecordType::session_surroundings, encode_surroundings(begun, ::getpid()));
     sync();
 }
 
@@ -708,7 +708,7 @@ void Journal::end_session(const std::string& outcome) {
     ByteWriter payload;
     payload.text(now);
     payload.text(outcome);
-    write_record(static_cast<std::uint32_t>(RecordType::session_end), payload.bytes());
+    write_record(RecordType::session_end, payload.bytes());
     sync();
 }
 

@@ -192,7 +192,7 @@ class Journal {
                                 const std::string&);
     Journal(std::filesystem::path path, OpenFile file, JournalContents contents);
     void extend(const Campaign& there, const Campaign& here);
-    void write_record(std::uint32_t type, std::span<const std::byte> payload);
+    void write_record(journal_format::RecordType type, std::span<const std::byte> payload);
 
     std::filesystem::path path_;
     OpenFile file_;

@@ -43,14 +43,6 @@ Axis axis_around(std::string label, std::span<const double> values, bool with_ze
             .unit = std::move(unit)};
 }
 
-void Figure::line(Points points, std::string style) {
-    marks.emplace_back(Line{std::move(points), std::move(style)});
-}
-
-void Figure::area(Points outline, std::string style) {
-    marks.emplace_back(Area{std::move(outline), std::move(style)});
-}
-
 void Figure::dot(double x_value, double y_value, std::string style, double radius) {
     marks.emplace_back(Dot{x_value, y_value, std::move(style), radius, false});
 }
@@ -65,14 +57,6 @@ void Figure::cell(double left, double low, double width, double height, double s
 
 void Figure::text(double x_value, double y_value, std::string words, std::string anchor, std::string style) {
     marks.emplace_back(Words{x_value, y_value, std::move(words), std::move(anchor), std::move(style)});
-}
-
-void Figure::upright(double x_value, std::string style) {
-    line({{x_value, y.low}, {x_value, y.high}}, std::move(style));
-}
-
-void Figure::level(double y_value, std::string style) {
-    line({{x.low, y_value}, {x.high, y_value}}, std::move(style));
 }
 
 void Figure::band(Points low, const Points& high, std::string style) {

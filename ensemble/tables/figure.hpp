@@ -74,14 +74,16 @@ struct Figure {
     std::string heat_scale = {};  ///< in place of the legend: the shades of "heat" from 0 to 1, and these words
     std::string caption = {};     ///< empty: the next figure stands beside it, and its caption is for both
 
-    void line(Points points, std::string style);
-    void area(Points outline, std::string style);
+    void line(Points points, std::string style) { marks.emplace_back(Line{std::move(points), std::move(style)}); }
+    void area(Points outline, std::string style) { marks.emplace_back(Area{std::move(outline), std::move(style)}); }
     void dot(double x_value, double y_value, std::string style, double radius = 3.5);
     void cross(double x_value, double y_value, std::string style, double radius = 4);
     void cell(double left, double low, double width, double height, double share, std::string style);
     void text(double x_value, double y_value, std::string words, std::string anchor, std::string style = {});
-    void upright(double x_value, std::string style);  ///< a vertical line over the whole figure
-    void level(double y_value, std::string style);    ///< a horizontal one
+    /// A vertical line over the whole figure.
+    void upright(double x_value, std::string style) { line({{x_value, y.low}, {x_value, y.high}}, std::move(style)); }
+    /// A horizontal one.
+    void level(double y_value, std::string style) { line({{x.low, y_value}, {x.high, y_value}}, std::move(style)); }
     /// The area from `low` to `high`, which have the same x values.
     void band(Points low, const Points& high, std::string style);
 };

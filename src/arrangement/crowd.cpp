@@ -308,10 +308,6 @@ double Crowd::overlap_at(std::size_t floe, const PlanarPose& pose) const {
     return sum;
 }
 
-void Crowd::put(std::size_t floe, const PlanarPose& pose) {
-    bodies_[floe].lie(pose);
-}
-
 std::vector<PlanarPose> Crowd::poses() const {
     std::vector<PlanarPose> result;
     for (const Body& body : std::span(bodies_).first(free_))

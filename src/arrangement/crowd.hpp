@@ -284,7 +284,7 @@ class Crowd {
     /// Sum of the overlaps that a floe would have with the others at a pose, m.
     double overlap_at(std::size_t floe, const PlanarPose& pose) const;
 
-    void put(std::size_t floe, const PlanarPose& pose);
+    void put(std::size_t floe, const PlanarPose& pose) { bodies_[floe].lie(pose); }
 
     /// Where they lie. Yaw in [-pi, pi].
     std::vector<PlanarPose> poses() const;

@@ -10,6 +10,7 @@
 #include "arrangement/crowd.hpp"
 #include "core/contract.hpp"
 #include "core/turn.hpp"
+#include "shapes/convex_solid.hpp"
 
 namespace floes {
 
@@ -46,16 +47,6 @@ Polygon cut(const Polygon& polygon, const Vec2& normal, double bound) {
             kept.push_back(here + room_here / (room_here - room_next) * (next - here));
     }
     return kept;
-}
-
-double area_of(const Polygon& polygon) {
-    double twice = 0;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2& here = polygon[i];
-        const Vec2& next = polygon[(i + 1) % polygon.size()];
-        twice += here.x() * next.y() - here.y() * next.x();
-    }
-    return 0.5 * std::abs(twice);
 }
 
 CellArea area_around(std::span<const PlanarPose> poses) {
@@ -123,7 +114,7 @@ double coverage(const Walls& area, std::span<const Outline> outlines) {
         for (const HalfPlane& half : {HalfPlane{{1, 0}, area.low_x + area.length}, HalfPlane{{-1, 0}, -area.low_x},
                                       HalfPlane{{0, 1}, area.low_z + area.breadth}, HalfPlane{{0, -1}, -area.low_z}})
             if (!inside.empty()) inside = clipped(inside, half);
-        if (!inside.empty()) covered += area_of(inside);
+        if (!inside.empty()) covered += std::abs(area_of(inside));
     }
     return covered / (area.length * area.breadth);
 }
@@ -135,7 +126,7 @@ double coverage(const Walls& area, std::span<const Rectangle> shapes, std::span<
         inside = cut(inside, {-1, 0}, -area.low_x);
         inside = cut(inside, {0, 1}, area.low_z + area.breadth);
         inside = cut(inside, {0, -1}, -area.low_z);
-        covered += area_of(inside);
+        covered += std::abs(area_of(inside));
     }
     return covered / (area.length * area.breadth);
 }

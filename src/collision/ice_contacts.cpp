@@ -77,15 +77,11 @@ std::span<const NearPairs::Pair> NearPairs::find(std::span<const Bounds> bounds,
     return pairs_;
 }
 
-namespace {
-
 /// Rounding, in lengths of the order of 0.1 m.
 constexpr double tolerance = 1e-9;
 
 /// Pairs are listed up to this part of the largest moving element's radius beyond the reach of their points.
 constexpr double room_in_radii = 0.25;
-
-}  // namespace
 
 void IceContacts::add(ContactElement element) {
     there_.push_back(element.shape.empty() ? 0 : 1);

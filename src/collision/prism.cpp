@@ -8,12 +8,8 @@
 #include "core/state_archive.hpp"
 
 namespace floes {
-namespace {
-
 /// As of boxes (solver/contact_setup.inl): flush faces reach their whole area within micrometres.
 constexpr double flattest = 1e-5;
-
-}  // namespace
 
 PrismShape::PrismShape(Outline of, double half)
     : corners(std::move(of)), half_thickness(half), half_extent{0, half, 0}, is_box(is_rectangle(corners)) {

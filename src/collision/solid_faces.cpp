@@ -151,10 +151,6 @@ BearingPoints::BearingPoints(const SolidCore& solid, const PrismCorners& prism, 
         on_wall(*of, prism, found.normal);
 }
 
-void BearingPoints::add(const Vec3& on_prism, double gap) {
-    if (count_ < points_.size()) points_[count_++] = {on_prism, gap};
-}
-
 void BearingPoints::on_flat(const SolidCore& solid, const PrismCorners& prism, const Vec3& normal) {
     const Polyhedron& body = solid.flat();
     std::size_t face = 0;

@@ -26,7 +26,9 @@ class BearingPoints {
     void on_flat(const SolidCore& solid, const PrismCorners& prism, const Vec3& normal);
     void on_wall(const Frustum& solid, const PrismCorners& prism, const Vec3& normal);
     void on_end(const Frustum& solid, const PrismCorners& prism, bool top);
-    void add(const Vec3& on_prism, double gap);
+    void add(const Vec3& on_prism, double gap) {
+        if (count_ < points_.size()) points_[count_++] = {on_prism, gap};
+    }
 
     static constexpr std::size_t room = 2 * most_corners;
     std::array<BearingPoint, room> points_;

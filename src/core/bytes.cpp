@@ -35,26 +35,12 @@ Integer extract(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-void ByteWriter::u8(std::uint8_t value) {
-    bytes_.push_back(std::byte{value});
-}
 void ByteWriter::u32(std::uint32_t value) {
     append(bytes_, value);
 }
 void ByteWriter::u64(std::uint64_t value) {
     append(bytes_, value);
 }
-void ByteWriter::i32(std::int32_t value) {
-    u32(static_cast<std::uint32_t>(value));
-}
-void ByteWriter::f64(double value) {
-    u64(std::bit_cast<std::uint64_t>(value));
-}
-
-void ByteWriter::text(std::string_view value) {
-    blob(std::as_bytes(std::span(value)));
-}
-
 void ByteWriter::blob(std::span<const std::byte> value) {
     u64(value.size());
     bytes_.insert(bytes_.end(), value.begin(), value.end());
@@ -73,22 +59,12 @@ std::span<const std::byte> ByteReader::take(std::size_t size) {
     return taken;
 }
 
-std::uint8_t ByteReader::u8() {
-    return std::to_integer<std::uint8_t>(take(1)[0]);
-}
 std::uint32_t ByteReader::u32() {
     return extract<std::uint32_t>(take(4));
 }
 std::uint64_t ByteReader::u64() {
     return extract<std::uint64_t>(take(8));
 }
-std::int32_t ByteReader::i32() {
-    return static_cast<std::int32_t>(u32());
-}
-double ByteReader::f64() {
-    return std::bit_cast<double>(u64());
-}
-
 std::size_t ByteReader::count(std::size_t bytes_each) {
     const std::uint64_t number = u64();
     if (number > rest_.size() / bytes_each)

@@ -53,6 +53,12 @@ std::string_view beginning(std::string_view text, std::size_t most) {
     return text.substr(0, is_further(text[end]) ? most : end);
 }
 
+std::string_view trimmed(std::string_view text, std::string_view blanks) {
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
 std::string markup_escaped(std::string_view text) {
     std::string escaped;
     for (const char c : text) {

@@ -28,6 +28,9 @@ std::string_view beginning(std::string_view text, std::size_t most);
 /// A name that people gave, as part of a file's name: without "/" and control characters.
 std::string in_a_file_name(std::string name);
 
+/// Without outer blanks.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
+
 // Counts and durations in words, the same wherever the program says them.
 
 /// "1 member", "3 members": nouns that take an s.

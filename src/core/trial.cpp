@@ -11,12 +11,8 @@
 
 namespace floes {
 
-namespace {
-
 constexpr rlim_t longest = 10;          // s of processor time, because the disk may be slow
 constexpr unsigned longest_wait = 600;  // s
-
-}  // namespace
 
 bool started_by_mpi() {
     for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK"}) {

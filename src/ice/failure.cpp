@@ -82,12 +82,8 @@ PeakReactions raised(const PeakReactions& peaks, const JointReaction& r) {
             .in_plane_bending = std::max(peaks.in_plane_bending, std::abs(r.in_plane_bending))};
 }
 
-namespace {
-
 /// A stiffness that differs by less is not worth factorising a piece anew.
 constexpr double material = 0.02;
-
-}  // namespace
 
 double CohesiveLaw::moment(double rotation) const {
     if (rotation <= peak_rotation) return stiffness * rotation;

@@ -53,11 +53,7 @@ IceLayout::IceLayout(const FloeSet& floes) : first_joint{0} {
     }
 }
 
-namespace {
-
 constexpr std::size_t no_element = ~std::size_t{0};
-
-}  // namespace
 
 IceField::IceField(World& world, const Scenario& scenario, const FloeSet& floes)
     : time_step_(scenario.general.time_step) {

@@ -18,10 +18,7 @@ namespace {
 
 /// Without outer blanks; a tab may be what divides cells, and is none then.
 std::string_view without_blanks(std::string_view text, char divider = ',') {
-    const char* const blanks = divider == '\t' ? " " : " \t";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+    return trimmed(text, divider == '\t' ? " " : " \t");
 }
 
 /// The line that the text begins with; takes it off the text, with its line feed, carriage return or both.

@@ -166,12 +166,6 @@ std::string table_above(std::string_view text, toml::source_index line) {
     return name;
 }
 
-std::string trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return "";
-    return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
-}
-
 /// "thickness_m = 0,033: write 0.033, with a point", if a line (counted from 1) has such a number; otherwise empty.
 std::string decimal_comma(std::string_view text, toml::source_index line) {
     for (toml::source_index number = 1; number < line; ++number)
@@ -179,8 +173,8 @@ std::string decimal_comma(std::string_view text, toml::source_index line) {
     text = text.substr(0, text.find('\n'));
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) return {};
-    const std::string key = trimmed(text.substr(0, equals));
-    std::string value = trimmed(text.substr(equals + 1));
+    const std::string_view key = trimmed(text.substr(0, equals));
+    std::string value(trimmed(text.substr(equals + 1)));
     value.resize(std::min(value.find_first_of(" \t\r#"), value.size()));
     const std::string pointed = with_decimal_point(value);
     return pointed.empty() ? "" : fmt::format("{} = {}: write {}, with a point", key, value, pointed);
@@ -192,11 +186,11 @@ toml::source_index first_line_of(std::string_view text, const std::string& name,
     toml::source_index found = 0;
     for (toml::source_index number = 1; number < last && !text.empty(); ++number) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string line = trimmed(text.substr(0, end));
+        const std::string_view line = trimmed(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
         const bool header = line.starts_with('[');
         if (header && !is_table) found = 0;
-        const std::string here = header ? line.substr(1, line.find(']') - 1) : line.substr(0, line.find('='));
+        const std::string_view here = header ? line.substr(1, line.find(']') - 1) : line.substr(0, line.find('='));
         const bool opens = is_table && !header && line.starts_with(name + ".");  // "ice.thickness_m = 0.03" above [ice]
         if (opens || (header == is_table && trimmed(here) == name)) found = number;
     }
@@ -245,12 +239,12 @@ Document parse_document(std::string_view text, const std::string& file) {
 Entry parse_override(const std::string& override_text, const std::string& option) {
     const std::string where = option + " " + override_text;
     const std::size_t equals = override_text.find('=');
-    const std::string path = trimmed(std::string_view(override_text).substr(0, equals));
+    const std::string path(trimmed(std::string_view(override_text).substr(0, equals)));
     if (equals == std::string::npos || path.empty()) {
         throw InputError(fmt::format("{}: this is not key=value; write {} general.iterations=50", where, option));
     }
     refuse_long_path(path, [&] { return option; });
-    const std::string value = trimmed(std::string_view(override_text).substr(equals + 1));
+    const std::string value(trimmed(std::string_view(override_text).substr(equals + 1)));
     refuse_what_cannot_be_held(value, option + " " + path);
     try {
         const toml::table table = toml::parse("value = " + value);

@@ -6,11 +6,7 @@
 
 namespace floes {
 
-namespace {
-
 constexpr std::size_t longest_compared = 200;  // the time grows with the product of the lengths
-
-}  // namespace
 
 // Allocates nothing, because an unknown key is compared with every key.
 std::size_t edit_distance(std::string_view one, std::string_view other) {

@@ -10,23 +10,11 @@
 
 namespace floes {
 
-namespace {
-
 // Lengths in a field without end, in widths of the field (docs/field.md).
 constexpr double widths_ahead = 2;
 constexpr double widths_behind = 1;
 constexpr double lengths_ahead = 8;  // characteristic, of level ice: docs/field.md
 constexpr double lengths_behind = 4;
-
-}  // namespace
-
-int FloeShape::elements_long() const {
-    return static_cast<int>(std::lround(length / element));
-}
-
-int FloeShape::elements_broad() const {
-    return static_cast<int>(std::lround(breadth / element));
-}
 
 double FloeShape::elements() const {
     if (has_squares()) return static_cast<double>(elements_long()) * elements_broad();
@@ -68,14 +56,6 @@ int Scenario::pattern_of_sheet(std::uint32_t arrangement) const {
     constexpr std::int64_t draws = 1 << 20;
     if (!has_cells()) return FloeShape::squares;
     return static_cast<int>((draws * arrangement + elements.draw) % std::numeric_limits<int>::max());
-}
-
-Material Scenario::material() const {
-    return {ice, joint, {}};
-}
-
-double Scenario::closing_speed() const {
-    return field.closing_speed > 0 ? field.closing_speed : structure.speed;
 }
 
 std::vector<PathPlace> Scenario::places() const {
@@ -157,10 +137,6 @@ int Scenario::step_count() const {
     return static_cast<int>(std::lround((analysis.steady_start + analysis.window) / general.time_step));
 }
 
-int Scenario::first_window_step() const {
-    return static_cast<int>(std::lround(analysis.steady_start / general.time_step));
-}
-
 namespace {
 
 /// Area of all floes, m². Of drawn sizes in the order of their law, so that it has the same bits for every arrangement.
@@ -178,10 +154,6 @@ double Scenario::field_length() const {
     if (arrangement.level()) return field.endless() ? window_ahead() + window_behind() : floe.length;
     const double covered = area_of_floes(*this);
     return covered / (field.concentration * 2.0 * field.half_width);
-}
-
-double Scenario::field_end() const {
-    return field.begin + field_length();
 }
 
 std::optional<BankGap> Scenario::gap() const {

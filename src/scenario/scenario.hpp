@@ -3,6 +3,7 @@
 // SI units throughout. Keys and ranges: scenario/tables_*.cpp.
 
 #include <array>
+#include <cmath>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -224,9 +225,10 @@ struct FloeShape {
 
     static constexpr int squares = -1;
 
-    int elements_long() const;   ///< squares along x, at least 1
-    int elements_broad() const;  ///< along z, at least 1
-    double elements() const;     ///< of the whole floe
+    /// Squares along x and along z, at least 1.
+    int elements_long() const { return static_cast<int>(std::lround(length / element)); }
+    int elements_broad() const { return static_cast<int>(std::lround(breadth / element)); }
+    double elements() const;                                                               ///< of the whole floe
     double area() const { return outline.empty() ? length * breadth : area_of(outline); }  ///< m²
     bool is_polygon() const { return !outline.empty(); }
     bool has_squares() const { return pattern == squares && !is_polygon(); }
@@ -424,7 +426,7 @@ struct Scenario {
 
     /// m: covered area / (concentration * 2 half_width); of level ice that of the sheet or, without end, of its window
     double field_length() const;
-    double field_end() const;  ///< x of the field's far edge, m
+    double field_end() const { return field.begin + field_length(); }  ///< x of the field's far edge, m
     /// Of the moored hull, by Motion: N/m, N, N m; nothing where it neither heaves nor pitches nor rolls.
     Mat6 water_stiffness() const;
     /// Time over which stress is averaged before it meets the strength, s: joint.averaging, or its default, a tenth of
@@ -438,7 +440,8 @@ struct Scenario {
     /// radius and eight characteristic lengths.
     double window_ahead() const;
     double window_behind() const;  ///< likewise field.behind: a width; its radius and four characteristic lengths
-    double closing_speed() const;  ///< of the field, or that of the tow, m/s
+    /// Of the field, or that of the tow, m/s.
+    double closing_speed() const { return field.closing_speed > 0 ? field.closing_speed : structure.speed; }
     bool towed_straight() const { return !path.any() && !moorings.give_way(); }
     /// Where the structure starts; none where the sides are open, in level ice, where a path takes it elsewhere, or
     /// where it is as broad as the channel.
@@ -446,7 +449,7 @@ struct Scenario {
     std::vector<PathPlace> places() const;  ///< of a path, places_of() it; empty without one
     double reach() const;                   ///< m, how far ahead of its start it comes, without its moorings
     double towed() const;                   ///< m, how far the structure goes in a run, along its path
-    Material material() const;              ///< of floes that have no other
+    Material material() const { return {ice, joint, {}}; }  ///< of floes that have no other
     bool has_cells() const { return elements.form == ElementForm::cells && joint.model == JointModel::beam; }
     /// FloeShape::pattern of a floe by its number: a stock of them, taken in turn.
     int pattern_of(std::size_t floe) const;
@@ -459,8 +462,9 @@ struct Scenario {
     std::vector<double> averaging_times() const;
     /// Whether the time is whole steps, at least one, and fits into a segment.
     bool is_averaging_time(double time) const;
-    int step_count() const;         ///< steps of a run: (steady_start + window) / time_step, rounded
-    int first_window_step() const;  ///< index of the first step inside the window
+    int step_count() const;  ///< steps of a run: (steady_start + window) / time_step, rounded
+    /// Index of the first step inside the window.
+    int first_window_step() const { return static_cast<int>(std::lround(analysis.steady_start / general.time_step)); }
 };
 
 }  // namespace floes

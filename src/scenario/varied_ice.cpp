@@ -8,11 +8,7 @@
 
 namespace floes {
 
-namespace {
-
 constexpr int waves = 256;
-
-}  // namespace
 
 VariedIce::VariedIce(const IceVariation& variation) : correlation_(variation.correlation) {
     FLOES_EXPECTS(variation.length > 0);

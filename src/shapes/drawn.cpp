@@ -11,13 +11,9 @@
 
 namespace floes {
 
-namespace {
-
 /// Corners nearer than this share of the cell's reach are one: whoever lies beside it has to see the same edges,
 /// however wide the area is.
 constexpr double exact = 1e-6;
-
-}  // namespace
 
 Outline voronoi_cell(const WaterArea& area, Corners by_x, std::size_t point) {
     const Corner& own = by_x[point];
@@ -186,10 +182,6 @@ std::vector<EndlessCells::Cell> EndlessCells::settle(Diagram& diagram, double& k
 std::size_t EndlessCells::ready() const {
     const auto is_next = [&](const Cell& cell) { return cell.centroid.x < cells_known_; };
     return static_cast<std::size_t>(std::ranges::count_if(cells_, is_next));
-}
-
-void EndlessCells::take(std::size_t count) {
-    cells_.erase(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 }  // namespace floes

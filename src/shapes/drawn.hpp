@@ -66,7 +66,7 @@ class EndlessCells {
     double middle_x(std::size_t number) const { return cells_[number].centroid.x; }
 
     /// Forgets the first so many.
-    void take(std::size_t count);
+    void take(std::size_t count) { cells_.erase(cells_.begin(), cells_.begin() + static_cast<std::ptrdiff_t>(count)); }
 
   private:
     struct Point {

@@ -77,10 +77,6 @@ double reach(const Cable& cable, double along, double down) {
 
 }  // namespace
 
-double CablePull::tension() const {
-    return std::hypot(along, down);
-}
-
 CablePull hang(const Cable& cable, double x, double z) {
     FLOES_EXPECTS(x >= 0 && z > 0 && cable.length > 0 && cable.weight > 0 && cable.stiffness > 0);
     const double all = cable.weight * cable.length;

@@ -2,6 +2,7 @@
 // What holds a structure that gives way: hanging cables, thrusters, springs and lines, and how it moves on them.
 
 #include <array>
+#include <cmath>
 #include <compare>
 #include <numbers>
 #include <optional>
@@ -46,7 +47,7 @@ struct CablePull {
     double resting = 0;  ///< L_B, m
     double anchor = 0;   ///< tension at the lower end, N
 
-    double tension() const;  ///< at the upper end, N
+    double tension() const { return std::hypot(along, down); }  ///< at the upper end, N
 };
 
 /// With the upper end x >= 0 m beside the anchor and z > 0 m above it. To 1e-10.

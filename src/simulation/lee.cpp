@@ -10,8 +10,6 @@
 
 namespace floes {
 
-namespace {
-
 /// Steps from one look to the next; ice of the tank moves by less than its draught in them.
 constexpr int steps_apart = 10;
 
@@ -20,8 +18,6 @@ constexpr double open_water = 0.99;
 
 /// Ice that stands steeper, by the cosine of its tilt, has no lee.
 constexpr double steepest = 0.1;
-
-}  // namespace
 
 /// From the middle of an edge, seen from above.
 struct Lee::Ray {

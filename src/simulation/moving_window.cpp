@@ -69,10 +69,6 @@ void SleepingFloes::rest(World& world, const IceField& ice, int place, std::span
     set_asleep(world, floe, true);
 }
 
-void SleepingFloes::leave(int place) {
-    floes_[static_cast<std::size_t>(place)].there = false;
-}
-
 void SleepingFloes::lay_down(World& world, std::span<const BodyState> states, const StructurePose& structure) {
     if (wake_radius_ == 0) return;
     for (FloeElements& floe : floes_) {

@@ -81,7 +81,7 @@ class SleepingFloes {
     /// elements, is laid down, and waits for rouse() whatever touches it; it may be new there.
     void rest(World& world, const IceField& ice, int place, std::span<const BodyState> states);
     void rouse(World& world, int place) { set_asleep(world, floes_[static_cast<std::size_t>(place)], false); }
-    void leave(int place);
+    void leave(int place) { floes_[static_cast<std::size_t>(place)].there = false; }
     bool rests(int place) const { return floes_[static_cast<std::size_t>(place)].asleep; }
     double middle_x(int place) const { return floes_[static_cast<std::size_t>(place)].middle.x(); }  ///< when laid, m
     int resting() const { return static_cast<int>(sleepers_); }

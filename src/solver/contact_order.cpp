@@ -11,11 +11,7 @@
 
 namespace floes {
 
-namespace {
-
 constexpr std::uint32_t known_levels = 64;
-
-}  // namespace
 
 std::uint32_t ContactOrder::next_level(const Contact& pair) {
     const std::uint32_t level =

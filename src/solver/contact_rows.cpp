@@ -8,11 +8,7 @@
 
 namespace floes {
 
-namespace {
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 void ContactRows::Rows::reserve(std::size_t slots) {
     row.reserve(slots * contact_field::count);

@@ -8,15 +8,11 @@
 
 namespace floes {
 
-namespace {
-
 /// Sum of squares of a sweep's changes, over the least of the step so far, from which on sweeps run away. Momentum
 /// alone lets changes grow for some sweeps. 27 steps of a jam on a vertical wall took 148, 124, 111 and 122 sweeps on
 /// average at 2, 4, 8 and 16; from 8 on some end at other thrusts, by 1 to 4 %. Compared with the sweep before in place
 /// of the least, some steps never end. Without momentum steps of that jam take over 800 sweeps.
 constexpr double runs_away = 4;
-
-}  // namespace
 
 double Acceleration::after(const SweepChange& sweep) {
     if (sweep.onwards < 0 || sweep.square > runs_away * least_square_) momentum_ = 1;

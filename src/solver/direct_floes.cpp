@@ -266,9 +266,7 @@ void DirectFloes::split(std::size_t piece) {
         part.within.push_back(within_piece_[body]);
         part.bodies.push_back(body);
     }
-    for (const std::uint32_t joint : whole.joints) {
-        pieces_[piece_of_body_[joints_[joint].a]].joints.push_back(joint);
-    }
+    for (const std::uint32_t joint : whole.joints) pieces_[piece_of_body_[joints_[joint].a]].joints.push_back(joint);
 }
 
 void DirectFloes::store_spring(std::size_t joint, const PieceJoint& at_rest, const std::array<double, 6>& stiffness) {

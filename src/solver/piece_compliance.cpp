@@ -220,12 +220,8 @@ void PlaneFactors::substitute(const Places& places, double* x, const Slot& slot)
     }
 }
 
-namespace {
-
 constexpr std::uint32_t no_number = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t no_slot = std::numeric_limits<std::size_t>::max();
-
-}  // namespace
 
 PieceCompliance::PieceCompliance(std::vector<PieceBody> bodies, std::vector<PieceJoint> joints,
                                  const PieceCompliance* before)

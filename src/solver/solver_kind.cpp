@@ -1,11 +1,7 @@
 #include "solver/solver_kind.hpp"
 
 namespace floes {
-namespace {
-
 constexpr std::string_view solver_key = "general.solver";
-
-}  // namespace
 
 std::vector<Refusal> refused_contacts(SolverKind solver, const ContactLaw& law) {
     std::vector<Refusal> refused;

@@ -18,10 +18,14 @@ double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double population_sd(std::span<const double> values, double mean) {
+double squares_about(std::span<const double> values, double mean) {
     double sum = 0;
     for (const double value : values) sum += (value - mean) * (value - mean);
-    return std::sqrt(sum / static_cast<double>(values.size()));
+    return sum;
+}
+
+double population_sd(std::span<const double> values, double mean) {
+    return std::sqrt(squares_about(values, mean) / static_cast<double>(values.size()));
 }
 
 std::size_t part_begin(std::size_t count, std::size_t index, std::size_t parts) {

@@ -14,6 +14,9 @@ namespace floes {
 /// Sum over count, added in order; NaN of none.
 double mean_of(std::span<const double> values);
 
+/// Sum of squared differences from `mean`, added in order.
+double squares_about(std::span<const double> values, double mean);
+
 /// Root of the mean square difference from `mean`; NaN if there is none.
 double population_sd(std::span<const double> values, double mean);
 

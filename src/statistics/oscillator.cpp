@@ -1,27 +1,10 @@
 #include "statistics/oscillator.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "core/contract.hpp"
 
 namespace floes {
-
-double Oscillator::angular_frequency() const {
-    return std::sqrt(stiffness / mass);
-}
-
-double Oscillator::period() const {
-    return 2 * std::numbers::pi / angular_frequency();
-}
-
-double Oscillator::damping() const {
-    return 2 * damping_ratio * mass * angular_frequency();
-}
-
-double Oscillator::decay_rate() const {
-    return damping_ratio * angular_frequency();
-}
 
 OscillatorStep::OscillatorStep(const Oscillator& oscillator, double step) : stiffness_(oscillator.stiffness) {
     const bool real = oscillator.stiffness >= 0 && oscillator.mass > 0 && oscillator.damping_ratio >= 0 &&

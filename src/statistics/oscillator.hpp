@@ -12,7 +12,9 @@
 //
 // (free motion of a damped mass from y and v). There is no time step to choose and no numerical damping.
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -25,10 +27,12 @@ struct Oscillator {
     double mass = 0;           ///< m, kg, > 0; of a floating hull with its added mass
     double damping_ratio = 0;  ///< ζ, c over the critical one, in [0, 1)
 
-    double angular_frequency() const;  ///< ω, rad/s
-    double period() const;             ///< 2π/ω, s: the natural period without damping; infinite of a free mass
-    double damping() const;            ///< c, N s/m
-    double decay_rate() const;         ///< ζω, 1/s: free motion falls as e^(-ζωt)
+    double angular_frequency() const { return std::sqrt(stiffness / mass); }  ///< ω, rad/s
+    /// 2π/ω, s: the natural period without damping; infinite of a free mass.
+    double period() const { return 2 * std::numbers::pi / angular_frequency(); }
+    double damping() const { return 2 * damping_ratio * mass * angular_frequency(); }  ///< c, N s/m
+    /// ζω, 1/s: free motion falls as e^(-ζωt).
+    double decay_rate() const { return damping_ratio * angular_frequency(); }
 };
 
 struct OscillatorState {

@@ -212,11 +212,7 @@ std::optional<double> HybridModel::crossing() const {
     return std::pow(soft.bending / excess, 2);
 }
 
-namespace {
-
 constexpr double right_angle = std::numbers::pi / 2;
-
-}  // namespace
 
 LevelIce level_ice_of(const Scenario& scenario) {
     return {.thickness = scenario.floe.thickness,

@@ -34,10 +34,6 @@ double cantilever_frequency(double length, double stiffness, double mass_per_len
     return root * root * std::sqrt(stiffness / mass_per_length) / (2 * std::numbers::pi * length * length);
 }
 
-double FloatingPlate::foundation() const {
-    return water_density * gravity;
-}
-
 double FloatingPlate::flexural_rigidity(double elastic_modulus) const {
     FLOES_EXPECTS(elastic_modulus > 0);
     return elastic_modulus * std::pow(thickness, 3) / (12 * (1 - poisson_ratio * poisson_ratio));

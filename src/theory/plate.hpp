@@ -33,9 +33,9 @@ struct FloatingPlate {
     double gravity = 9.81;          ///< m/s²
     double poisson_ratio = 0.3;     ///< ν
 
-    double foundation() const;                                   ///< k, N/m³
-    double flexural_rigidity(double elastic_modulus) const;      ///< D, N m; E in Pa
-    double characteristic_length(double elastic_modulus) const;  ///< l, m
+    double foundation() const { return water_density * gravity; }  ///< k, N/m³
+    double flexural_rigidity(double elastic_modulus) const;        ///< D, N m; E in Pa
+    double characteristic_length(double elastic_modulus) const;    ///< l, m
 };
 
 /// dP/dw0 (N/m) under a load spread over a circle of radius a (m), w0 at its centre:

@@ -50,11 +50,7 @@ std::vector<double> plan_of(const CutElement& element) {
     return plan;
 }
 
-namespace {
-
 constexpr double rounding = 1e-9;
-
-}  // namespace
 
 void follow_structure(WaterFactors& factors, bool flows, const StructureInWater& structure) {
     factors.drifts = true;
