@@ -10,20 +10,17 @@
 #include "arrangement/crowd.hpp"
 #include "arrangement/endless_field.hpp"
 #include "arrangement/order.hpp"
-#include "core/error.hpp"
 #include "scattered_scenario.hpp"
 #include "shapes/polygon.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace endless_polygons_test {
 
 Scenario endless(ShapeKind kind, double concentration = 0.75) {
-    Scenario scenario = scattered_scenario(concentration);
+    Scenario scenario = polygon_scenario(kind, concentration, 24);
     scenario.field.far_end = FarEnd::never;
-    scenario.field.floes = 24;
     scenario.field.half_width = 1.25;
-    scenario.shapes.kind = kind;
-    scenario.joint.failure = JointFailure::moment;
     return scenario;
 }
 
@@ -148,12 +145,8 @@ TEST(EndlessPolygons, CellsTooNarrowToBeFloesAreOpenWater) {
 }
 
 TEST(EndlessPolygons, GapsBelowTheClearanceAreASentence) {
-    try {
-        laid(endless(ShapeKind::voronoi, 0.999), 1);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("arrangement.clearance_m"));
-    }
+    EXPECT_THAT(refusal([] { laid(endless(ShapeKind::voronoi, 0.999), 1); }),
+                testing::HasSubstr("arrangement.clearance_m"));
 }
 
 TEST(EndlessPolygons, EachPartHasWeakFloesOfItsOwn) {

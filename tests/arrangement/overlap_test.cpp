@@ -101,48 +101,44 @@ void bring_to_touch(Pair& pair) {
 }
 
 // Where the two algorithms disagree, the truth must lie within rounding: a hair's breadth more or less decides it.
-bool agrees(const Pair& pair, bool& near_touching) {
-    constexpr double hair = 1e-9;
-    const bool grown = pair.overlaps_by_corners_and_sides(hair);
-    const bool shrunk = pair.overlaps_by_corners_and_sides(-hair);
-    near_touching = grown != shrunk;
-    return near_touching || pair.overlaps() == grown;
-}
-
-TEST(Overlap, AgreesWithCornersAndSidesOnAMillionRandomPairs) {
-    RandomStream random(1, 0, StreamId::monte_carlo, 0);
+struct Tally {
     int overlapping = 0, undecided = 0, disagreeing = 0;
-    for (int i = 0; i < 1'000'000; ++i) {
-        const Pair pair = random_pair(random);
-        bool near_touching = false;
-        disagreeing += !agrees(pair, near_touching);
+
+    void add(const Pair& pair) {
+        constexpr double hair = 1e-9;
+        const bool grown = pair.overlaps_by_corners_and_sides(hair);
+        const bool near_touching = grown != pair.overlaps_by_corners_and_sides(-hair);
+        disagreeing += !near_touching && pair.overlaps() != grown;
         undecided += near_touching;
         overlapping += pair.overlaps();
     }
-    EXPECT_EQ(disagreeing, 0);
-    EXPECT_LT(undecided, 10);
-    EXPECT_GT(overlapping, 300'000);
-    EXPECT_LT(overlapping, 800'000);
+};
+
+TEST(Overlap, AgreesWithCornersAndSidesOnAMillionRandomPairs) {
+    RandomStream random(1, 0, StreamId::monte_carlo, 0);
+    Tally tally;
+    for (int i = 0; i < 1'000'000; ++i) tally.add(random_pair(random));
+    EXPECT_EQ(tally.disagreeing, 0);
+    EXPECT_LT(tally.undecided, 10);
+    EXPECT_GT(tally.overlapping, 300'000);
+    EXPECT_LT(tally.overlapping, 800'000);
 }
 
 TEST(Overlap, AgreesWithCornersAndSidesOnAHundredThousandPairsThatNearlyTouch) {
     RandomStream random(2, 0, StreamId::monte_carlo, 0);
-    int overlapping = 0, undecided = 0, disagreeing = 0;
+    Tally tally;
     for (int i = 0; i < 100'000; ++i) {
         Pair pair = random_pair(random);
         bring_to_touch(pair);
         const double scale = 1 + random.uniform(-1e-6, 1e-6);
         pair.dx *= scale;
         pair.dz *= scale;
-        bool near_touching = false;
-        disagreeing += !agrees(pair, near_touching);
-        undecided += near_touching;
-        overlapping += pair.overlaps();
+        tally.add(pair);
     }
-    EXPECT_EQ(disagreeing, 0);
-    EXPECT_LT(undecided, 5'000);
-    EXPECT_GT(overlapping, 40'000);
-    EXPECT_LT(overlapping, 60'000);
+    EXPECT_EQ(tally.disagreeing, 0);
+    EXPECT_LT(tally.undecided, 5'000);
+    EXPECT_GT(tally.overlapping, 40'000);
+    EXPECT_LT(tally.overlapping, 60'000);
 }
 
 TEST(Overlap, TouchingIsNotOverlapping) {

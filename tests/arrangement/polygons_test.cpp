@@ -6,8 +6,8 @@
 #include "arrangement/arrangement.hpp"
 #include "arrangement/check.hpp"
 #include "arrangement/crowd.hpp"
-#include "core/error.hpp"
 #include "scattered_scenario.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace polygons_test {
@@ -54,12 +54,9 @@ TEST(Polygons, FaultsAreFound) {
 }
 
 TEST(Polygons, TooDenseIsASentence) {
-    try {
-        static_cast<void>(make_arrangement(polygon_scenario(ShapeKind::voronoi, 0.999, 60), 1, 0));
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("arrangement.clearance_m"));
-    }
+    const Scenario dense = polygon_scenario(ShapeKind::voronoi, 0.999, 60);
+    EXPECT_THAT(refusal([&] { static_cast<void>(make_arrangement(dense, 1, 0)); }),
+                testing::HasSubstr("arrangement.clearance_m"));
 }
 
 /// Two triangles that overlap part by a shift that the deeper normal says.

@@ -75,15 +75,10 @@ class Readers(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.path = pathlib.Path(cls.folder.name, "full.h5")
-        cls.empty_path = pathlib.Path(cls.folder.name, "empty.h5")
+        folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        cls.path, cls.empty_path = folder / "full.h5", folder / "empty.h5"
         subprocess.run([WRITER, cls.path, *cls.how], check=True)
         subprocess.run([WRITER, cls.empty_path, "none"], check=True)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
 
     def test_xarray_opens_every_group_with_named_dimensions(self):
         expected = {

@@ -9,14 +9,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "campaign_file/publish.hpp"
 #include "core/random.hpp"
 #include "findings/example.hpp"
 #include "findings/moored.hpp"
 #include "findings/overview.hpp"
 #include "member/design_of.hpp"
 #include "simulation/record.hpp"
-#include "support/synthetic.hpp"
+#include "support/published.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -64,7 +63,7 @@ TEST(PageOne, HasTheDesignLoadThatPeaksGive) {
     for (int number = 0; number < member_count(campaign); ++number)
         records.push_back(synthetic::record_with_peaks(campaign, number));
     const TemporaryFolder folder;
-    publish(folder / "a.h5", campaign, records, std::vector<Session>{synthetic::session()});
+    synthetic::publish(folder / "a.h5", campaign, records);
     Evidence evidence = read_evidence(CampaignFile(folder / "a.h5"));
     evidence.design_request = DesignLoadRequest{.exposure = 36, .averaging = 0.4};
     const PageOne page = find_page_one(evidence);
@@ -103,7 +102,7 @@ class MooredPageOne : public testing::Test {
             record.result.line_tension = {tension += 200};
             record.result.line_broken_at = {std::nan("")};
         }
-        publish(folder_ / "a.h5", campaign, records, std::vector<Session>{synthetic::session()});
+        synthetic::publish(folder_ / "a.h5", campaign, records);
         evidence_ = read_evidence(CampaignFile(folder_ / "a.h5"));
         page_ = find_page_one(evidence_);
     }
@@ -177,7 +176,7 @@ TEST(PageOne, HasTheDesignValuesOfMoorings) {
         record.result.line_broken_at = {std::nan("")};
     }
     const TemporaryFolder folder;
-    publish(folder / "a.h5", campaign, records, std::vector<Session>{synthetic::session()});
+    synthetic::publish(folder / "a.h5", campaign, records);
     Evidence evidence = read_evidence(CampaignFile(folder / "a.h5"));
     constexpr double exposure = 600;
     evidence.design_request = DesignLoadRequest{.exposure = exposure, .averaging = 0.4};

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
 #include "findings/example.hpp"
 #include "findings/pairs.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace summary_test {
@@ -134,12 +134,8 @@ TEST(Summary, ComparesAsTable3Does) {
 
 TEST(Summary, NamesTheCasesThereAre) {
     const Summary summary = summarise(example::campaign());
-    try {
-        case_index(summary, "E61");
-        FAIL() << "E61 was found";
-    } catch (const InputError& error) {
-        EXPECT_STREQ(error.what(), "There is no case 'E61' in this campaign; its cases are E30, E60, E200.");
-    }
+    EXPECT_EQ(refusal([&] { case_index(summary, "E61"); }),
+              "There is no case 'E61' in this campaign; its cases are E30, E60, E200.");
 }
 
 }  // namespace summary_test

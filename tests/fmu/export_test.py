@@ -1,4 +1,4 @@
-#!/ usr / bin / python3
+#!/usr/bin/python3
 """floes export --fmu, as its users meet it: the archive, a host in Python (docs/coupling), and what is refused.
 
 Usage: export_test.py FLOES
@@ -27,9 +27,7 @@ HULL = str(PROJECT / "docs" / "coupling" / "hull.toml")
 
 class Export(unittest.TestCase):
     def setUp(self):
-        kept = tempfile.TemporaryDirectory()
-        self.addCleanup(kept.cleanup)
-        self.folder = pathlib.Path(kept.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def export(self, *options, config=CONFIG, status=0):
         run = subprocess.run([FLOES, "export", config, *options], cwd=self.folder, capture_output=True, text=True)
@@ -49,7 +47,7 @@ class Export(unittest.TestCase):
                 self.assertIn(b"[moorings]", archive.read("resources/configuration.toml"))
             for name in (binary + "floes.so", "documentation/index.html", "documentation/licenses/license.txt"):
                 self.assertIn(name, names)
-#What the library needs beside it lies beside it.
+            # What the library needs beside it lies beside it.
             self.assertTrue(any(name.startswith(binary + "libBulletCollision") for name in names), names)
             self.assertTrue(any(name.startswith(binary + "libLinearMath") for name in names), names)
 

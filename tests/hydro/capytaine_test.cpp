@@ -8,14 +8,13 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/error.hpp"
+#include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -100,10 +99,7 @@ class File {
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
-    std::string bytes() const {
-        std::ifstream in(path_, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    std::string bytes() const { return file_text(path_); }
 
   private:
     std::vector<int> axes() const {

@@ -18,9 +18,7 @@ inline Scenario scenario_of(int elements_long, int elements_broad) {
 }
 
 inline World weightless_world() {
-    WorldDefinition definition;
-    definition.gravity = 0;
-    return World(definition);
+    return World({.gravity = 0});
 }
 
 inline double element_mass(const Scenario& scenario) {

@@ -43,8 +43,8 @@ def fitted(cost, start):
 class Design(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        path = os.path.join(cls.folder.name, "campaign.h5")
+        cls.folder = cls.enterClassContext(tempfile.TemporaryDirectory())
+        path = os.path.join(cls.folder, "campaign.h5")
         given = [f"analysis.peak_separation_s={SEPARATION}", f"analysis.averaging_s=[{AVERAGING}]",
                  "campaign.arrangements=20"]
         subprocess.run([FLOES, "run", CONFIG, "-o", path] + [word for one in given for word in ("--set", one)],
@@ -64,10 +64,6 @@ class Design(unittest.TestCase):
         cls.averaged = [np.convolve(load[-round(cls.window / step):], np.ones(steps) / steps, mode="valid")
                         for load in surge]
         cls.apart = round(SEPARATION / step)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
 
     def test_peaks_are_those_of_the_histories(self):
         for load, stored in zip(self.averaged, self.peaks):

@@ -52,14 +52,14 @@ def sobol_indices(a, b, ab):
 class Sensitivity(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
+        cls.folder = cls.enterClassContext(tempfile.TemporaryDirectory())
         if sys.argv[2] == "--file":
             cls.path = sys.argv[3]
         else:
-            cls.path = os.path.join(cls.folder.name, "design.h5")
+            cls.path = os.path.join(cls.folder, "design.h5")
             with open(sys.argv[2]) as given:
                 text = given.read().split("[[case]]")[0] + DESIGN
-            config = os.path.join(cls.folder.name, "design.toml")
+            config = os.path.join(cls.folder, "design.toml")
             with open(config, "w") as file:
                 file.write(text)
             settings = [word for setting in SMALL for word in ("--set", setting)]
@@ -76,10 +76,6 @@ class Sensitivity(unittest.TestCase):
             cls.config = tomllib.loads(file["provenance/configuration"][()].decode())
         cls.cases = len(cls.config["case"])
         cls.axes = cls.config["design"]["axis"]
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
 
     def chosen(self, base):
         cases = [k for k, case in enumerate(self.config["case"]) if case["design"]["base"] == base]

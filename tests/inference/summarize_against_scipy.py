@@ -98,11 +98,11 @@ def effective_samples(load):
 class Summarize(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
+        cls.folder = cls.enterClassContext(tempfile.TemporaryDirectory())
         if sys.argv[2] == "--file":
             cls.path = sys.argv[3]
         else:
-            cls.path = os.path.join(cls.folder.name, "campaign.h5")
+            cls.path = os.path.join(cls.folder, "campaign.h5")
             levels = "analysis.exceedance_levels_N=[10,30,60,90,1000]"
             times = "analysis.averaging_s=[0.02,0.1,0.5,1]"
             subprocess.run([FLOES, "run", sys.argv[2], "-o", cls.path, "--set", levels, "--set", times], check=True,
@@ -122,10 +122,6 @@ class Summarize(unittest.TestCase):
             cls.segments = file["cases/segments"][:]
             cls.counts = {name: file["exceedance"][name][:] for name in file.get("exceedance", {})}
         cls.done = cls.members["status"] == 0
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
 
     @classmethod
     def summarize(cls, *arguments):

@@ -146,7 +146,6 @@ void f() { struct Local {}; const char* text = "class Quoted {"; }
         table = "const int all[] = {\n" + "    1,\n" * 100 + "};\n"
         self.assertEqual(list(layers.long_texts({"src/a/a.cpp": table})), [])
 
-
     def test_openings(self):
         good = {"src/a/a.hpp": "#pragma once\n// Ice.\n\nint a;\n", "src/a/a.cpp": '#include "a/a.hpp"\n',
                 "src/a/b.cpp": "// Water.\n// And more.\n\nint b;\n", "src/a/c.inl": "// Lanes.\n#define C\n"}

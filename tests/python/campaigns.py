@@ -2,6 +2,7 @@
 that they read. Arguments of the program: FLOES SYNTHETIC_FILE PROJECT."""
 
 import atexit
+import os
 import pathlib
 import shutil
 import subprocess
@@ -63,4 +64,5 @@ FULL, EMPTY, SMOKE, DESIGN, MOORED = (
     FOLDER / name for name in ("full.h5", "empty.h5", "smoke.h5", "design.h5", "moored.h5"))
 install()
 compute()
+os.environ["FLOES"] = str(FLOES)  # of floes_reader
 sys.path.insert(0, str(SITE))

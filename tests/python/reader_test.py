@@ -86,9 +86,6 @@ class Statistics(unittest.TestCase):
 class Program(unittest.TestCase):
     """What the program is asked for, and campaigns that Python starts."""
 
-    def setUp(self):
-        os.environ["FLOES"] = str(FLOES)
-
     def test_pairs_are_those_of_floes(self):
         expected = json.loads(summarize(SMOKE, "pairs", "json"))["pairs"]
         with floes_reader.open(SMOKE) as campaign:
@@ -133,9 +130,6 @@ class Program(unittest.TestCase):
 
 
 class Progress(unittest.TestCase):
-    def setUp(self):
-        os.environ["FLOES"] = str(FLOES)
-
     def compute(self, script, **options):
         """What floes_reader says of a program that is this shell script, and its error."""
         with tempfile.TemporaryDirectory() as folder:
@@ -178,12 +172,7 @@ class Progress(unittest.TestCase):
 class Tables(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.full, cls.smoke, cls.designed = (floes_reader.open(path) for path in (FULL, SMOKE, DESIGN))
-
-    @classmethod
-    def tearDownClass(cls):
-        for campaign in (cls.full, cls.smoke, cls.designed):
-            campaign.close()
+        cls.full, cls.smoke, cls.designed = (cls.enterClassContext(floes_reader.open(one)) for one in (FULL, SMOKE, DESIGN))
 
     def test_the_reader_knows_the_layout_of_floes(self):
         self.assertEqual(self.full.layout, floes_reader.LAYOUT)
@@ -331,8 +320,7 @@ class Tables(unittest.TestCase):
 class Page(unittest.TestCase):
     def test_blocks_print_what_the_page_shows(self):
         script = PROJECT / "docs/figures/python_page.py"
-        page = subprocess.run(["/usr/bin/python3", script, SMOKE], capture_output=True, text=True,
-                              env=os.environ | {"FLOES": str(FLOES)})
+        page = subprocess.run(["/usr/bin/python3", script, SMOKE], capture_output=True, text=True)
         self.assertEqual(page.returncode, 0, page.stdout + page.stderr)
 
 

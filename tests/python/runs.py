@@ -61,10 +61,8 @@ def lives(pid):
 
 class InAFolder(unittest.TestCase):
     def setUp(self):
-        os.environ["FLOES"] = str(FLOES)
-        made = tempfile.TemporaryDirectory(dir=FOLDER)
-        self.addCleanup(made.cleanup)
-        self.folder = pathlib.Path(made.name, "a folder with 'spaces'")
+        made = self.enterContext(tempfile.TemporaryDirectory(dir=FOLDER))
+        self.folder = pathlib.Path(made, "a folder with 'spaces'")
         self.folder.mkdir()
 
     def started(self, name, **options):

@@ -6,11 +6,10 @@
 
 #include <cmath>
 
-#include "campaign_file/publish.hpp"
 #include "replay/replay_member.hpp"
 #include "shapes/moorings.hpp"
+#include "support/published.hpp"
 #include "support/refusal.hpp"
-#include "support/synthetic.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -59,7 +58,7 @@ class AskedOfAFile : public testing::Test {
         records[2].result.motion.sway_mooring = block(3, 4, -400);
         records[2].result.history.surge = block(6, 6.5, 50);
         records[3].result.motion.surge_mooring = records[3].result.history.surge = block(0, 0.9, 9000);
-        publish(file_, campaign, records, std::vector<Session>{synthetic::session()});
+        synthetic::publish(file_, campaign, records);
     }
 
     std::vector<double> values(const Asked& asked) const {

@@ -21,8 +21,7 @@ FLOES, CONFIG, PAGE = sys.argv[1:4]
 class Recording(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        folder = pathlib.Path(cls.folder.name)
+        folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         cls.campaign, cls.path = folder / "short.h5", folder / "recording.h5"
         subprocess.run([FLOES, "run", CONFIG, "-o", cls.campaign, "--set", "campaign.arrangements=1", "--set",
                         "analysis.window_s=6.0"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -30,10 +29,6 @@ class Recording(unittest.TestCase):
                              capture_output=True, text=True)
         if run.returncode != 0 or run.stdout.strip() != str(cls.path):
             sys.exit(f"floes replay says: {run.stdout} {run.stderr}")
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
 
     def test_has_the_load_of_the_campaign_file(self):
         with h5py.File(self.campaign) as campaign, h5py.File(self.path) as recording:

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "campaign/campaign.hpp"
-#include "core/error.hpp"
 #include "run/fakes.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace calibrate_campaign_test {
@@ -65,13 +65,8 @@ TEST(CalibrateCampaign, RefusesAModulusAboveTheCeilingNamingTheCase) {
     campaign.cases[2].scenario.ice.elastic_modulus = 1e12;
     std::ostringstream out;
     Progress progress(out, Progress::Style::plain);
-    try {
-        calibrate_campaign(campaign, {}, 2, progress);
-        FAIL() << "not refused";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(),
-                    HasSubstr("case open cannot be calibrated: An elastic modulus of 1e+06 MPa is above"));
-    }
+    EXPECT_THAT(refusal([&] { calibrate_campaign(campaign, {}, 2, progress); }),
+                HasSubstr("case open cannot be calibrated: An elastic modulus of 1e+06 MPa is above"));
 }
 
 TEST(CalibrateCampaign, TheJournalKeepsItForTheFileAndForLater) {

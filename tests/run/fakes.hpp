@@ -103,4 +103,10 @@ class Run {
     SilenceLimits patience;
 };
 
+/// The same in a folder of its own, into a.h5.
+class RunAside : public TemporaryFolder, public Run {
+  public:
+    explicit RunAside(Campaign what = synthetic::campaign()) : Run(*this / "a.h5", std::move(what)) {}
+};
+
 }  // namespace floes::fake

@@ -28,18 +28,15 @@ constexpr int enough_for_a_quarter = 27;
 
 // Its averaged maxima rise likewise.
 TEST(Precision, MayBeOfAnAveragedLoad) {
-    TemporaryFolder folder;
-    Campaign made = campaign(0.25);
-    made.stop.of = "mean_maximum_0.4s";
-    fake::Run run(folder / "a.h5", made);
+    fake::RunAside run(campaign(0.25));
+    run.campaign.stop.of = "mean_maximum_0.4s";
     EXPECT_EQ(run(fake::compute_out_of_order, Existing::refuse, 2), 0) << run.said;
     EXPECT_THAT(run.said, HasSubstr("precise enough after"));
 }
 
 TEST(Precision, EndsTheCampaignAfterTheSameArrangementOnAnyThreads) {
     for (const int threads : {1, 2, 5}) {
-        TemporaryFolder folder;
-        fake::Run run(folder / "a.h5", campaign(0.25));
+        fake::RunAside run(campaign(0.25));
         EXPECT_EQ(run(fake::compute_out_of_order, Existing::refuse, threads), 0) << run.said;
         EXPECT_THAT(run.said, HasSubstr("precise enough after 27 of at most 60 arrangements: half-width 23.5 %"));
         const CampaignTable table = read_campaign_file(run.file);
@@ -49,8 +46,7 @@ TEST(Precision, EndsTheCampaignAfterTheSameArrangementOnAnyThreads) {
 }
 
 TEST(Precision, GoesOnWhenMoreIsAsked) {
-    TemporaryFolder folder;
-    fake::Run run(folder / "a.h5", campaign(0.25));
+    fake::RunAside run(campaign(0.25));
     run(fake::compute);
     EXPECT_EQ(run(fake::wait_for_stop, Existing::resume), 0) << run.said;  // nothing is left to compute
     EXPECT_EQ(read_campaign_file(run.file).members.size(), 3u * enough_for_a_quarter);
@@ -64,8 +60,7 @@ TEST(Precision, GoesOnWhenMoreIsAsked) {
 }
 
 TEST(Precision, SaysWhatWasReachedWhenArrangementsRunOut) {
-    TemporaryFolder folder;
-    fake::Run run(folder / "a.h5", campaign(0.01));
+    fake::RunAside run(campaign(0.01));
     EXPECT_EQ(run(fake::compute), 0) << run.said;
     EXPECT_THAT(run.said,
                 HasSubstr("all 60 arrangements are done and the half-width is 15.1 %, target 1 %; to continue, raise"));
@@ -74,8 +69,7 @@ TEST(Precision, SaysWhatWasReachedWhenArrangementsRunOut) {
 }
 
 TEST(Precision, SaysThatItHadNotHeldLongEnough) {
-    TemporaryFolder folder;
-    fake::Run run(folder / "a.h5", campaign(0.25));
+    fake::RunAside run(campaign(0.25));
     run.campaign.arrangements = enough_for_a_quarter - 1;
     EXPECT_EQ(run(fake::compute), 0) << run.said;
     EXPECT_THAT(run.said, HasSubstr("target 25 %, but not met for stop.look_ahead = 2 arrangements in a row"));
@@ -100,8 +94,7 @@ Campaign load_campaign(double half_width) {
 TEST(Precision, OfADesignLoadEndsTheCampaignAfterTheSameArrangementOnAnyThreads) {
     std::optional<std::size_t> arrangements;
     for (const int threads : {1, 3}) {
-        TemporaryFolder folder;
-        fake::Run run(folder / "a.h5", load_campaign(0.6));
+        fake::RunAside run(load_campaign(0.6));
         EXPECT_EQ(run(compute_peaks, Existing::refuse, threads), 0) << run.said;
         EXPECT_THAT(run.said, HasSubstr("precise enough after "));
         const std::size_t members = read_campaign_file(run.file).members.size();
@@ -122,8 +115,7 @@ TEST(Precision, OfADesignLoadEndsTheCampaignAfterTheSameArrangementOnAnyThreads)
 }
 
 TEST(Precision, OfADesignLoadSaysWhatWasReachedWhenArrangementsRunOut) {
-    TemporaryFolder folder;
-    fake::Run run(folder / "a.h5", load_campaign(0.01));
+    fake::RunAside run(load_campaign(0.01));
     run.campaign.arrangements = 14;  // no end of a batch
     EXPECT_EQ(run(compute_peaks), 0) << run.said;
     EXPECT_THAT(run.said, HasSubstr("all 14 arrangements are done and the half-width is "));
@@ -135,18 +127,15 @@ TEST(Precision, OfADesignLoadSaysWhatWasReachedWhenArrangementsRunOut) {
 
 // Peaks that one member has are too few.
 TEST(Precision, OfADesignLoadSaysWhyItIsNotKnown) {
-    TemporaryFolder folder;
-    Campaign few = load_campaign(0.5);
-    few.arrangements = 12;
-    fake::Run run(folder / "a.h5", few);
+    fake::RunAside run(load_campaign(0.5));
+    run.campaign.arrangements = 12;
     EXPECT_EQ(run(fake::compute), 0) << run.said;
     EXPECT_THAT(run.said,
                 HasSubstr("all 12 arrangements are done and the half-width is not known, target 50 %: case soft: "));
 }
 
 TEST(Precision, RefusesARuleOfNoCase) {
-    TemporaryFolder folder;
-    fake::Run run(folder / "a.h5", campaign(0.25));
+    fake::RunAside run(campaign(0.25));
     run.campaign.stop.case_name = "E61";
     EXPECT_THROW(run(fake::compute), InputError);
     EXPECT_FALSE(std::filesystem::exists(run.file));

@@ -12,6 +12,7 @@
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "run/fakes.hpp"
+#include "support/refusal.hpp"
 
 namespace floes {
 namespace run_campaign_test {
@@ -33,8 +34,7 @@ int finished(const fake::Run& run) {
 }
 
 TEST(RunCampaign, ComputesEveryMemberOnceAndPublishes) {
-    const TemporaryFolder folder;
-    fake::Run run(folder / "a.h5");
+    fake::RunAside run;
     std::atomic<int> calls = 0;
     const MemberFunction counted = [&](const Campaign& campaign, int number, std::stop_token stop) {
         ++calls;
@@ -61,8 +61,7 @@ TEST(RunCampaign, GivesTheSameWhateverTheThreadsAndTheOrder) {
 }
 
 TEST(RunCampaign, SetsFailedMembersAsideAndGoesOn) {
-    const TemporaryFolder folder;
-    fake::Run run(folder / "a.h5");
+    fake::RunAside run;
     const MemberFunction broken = [](const Campaign& campaign, int number, std::stop_token stop) {
         if (number == 5) throw std::runtime_error("the ice melted");
         return fake::compute(campaign, number, std::move(stop));
@@ -79,10 +78,9 @@ TEST(RunCampaign, SetsFailedMembersAsideAndGoesOn) {
 }
 
 TEST(RunCampaign, StopsOnASignalPublishesAndCanBeResumed) {
-    const TemporaryFolder folder;
-    fake::Run whole(folder / "whole.h5");
+    fake::RunAside run;
+    fake::Run whole(run / "whole.h5");
     ASSERT_EQ(whole(fake::compute), 0);
-    fake::Run run(folder / "a.h5");
     EXPECT_EQ(run(stopping_at(6), Existing::resume), 85);
     EXPECT_THAT(run.said, HasSubstr("stopped by SIGTERM with"));
     EXPECT_THAT(run.said, HasSubstr("to resume: RESUME COMMAND"));
@@ -122,10 +120,9 @@ TEST(RunCampaign, StopsWhenTheTimeIsOverOrNoMemberCouldBeDoneInIt) {
 }
 
 TEST(RunCampaign, LosesNothingWhenItsHelperIsKilled) {
-    const TemporaryFolder folder;
-    fake::Run whole(folder / "whole.h5");
+    fake::RunAside run;
+    fake::Run whole(run / "whole.h5");
     ASSERT_EQ(whole(fake::compute), 0);
-    fake::Run run(folder / "a.h5");
     run.campaign.run.isolation = Isolation::process;
     const MemberFunction kills_its_helper = [](const Campaign& campaign, int number, std::stop_token stop) {
         if (number == 6) ::kill(::getppid(), SIGKILL);
@@ -143,8 +140,7 @@ TEST(RunCampaign, LosesNothingWhenItsHelperIsKilled) {
 }
 
 TEST(RunCampaign, ResumingAFinishedCampaignComputesNothing) {
-    const TemporaryFolder folder;
-    fake::Run run(folder / "a.h5");
+    fake::RunAside run;
     ASSERT_EQ(run(fake::compute), 0);
     std::filesystem::remove(run.file);  // the journal is the truth
     const MemberFunction never = [](const Campaign&, int number, std::stop_token) -> MemberResult {
@@ -209,17 +205,9 @@ TEST(RunCampaign, KeepsTheJournalOfMembersThatAreNotInTheFile) {
 }
 
 TEST(RunCampaign, NeverOverwritesUnasked) {
-    const TemporaryFolder folder;
-    fake::Run run(folder / "a.h5");
+    fake::RunAside run;
     ASSERT_EQ(run(fake::compute), 0);
-    const auto refused = [&] {
-        try {
-            run(fake::compute);
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("not refused");
-    };
+    const auto refused = [&] { return refusal([&] { run(fake::compute); }); };
     EXPECT_THAT(refused(), HasSubstr("a.h5 exists already: --resume continues it, --overwrite starts afresh"));
     std::filesystem::remove(run.file);
     EXPECT_THAT(refused(), HasSubstr("a.journal exists already"));
@@ -228,18 +216,10 @@ TEST(RunCampaign, NeverOverwritesUnasked) {
 }
 
 TEST(RunCampaign, RefusesToResumeAnotherCampaignWithItsJournalOrWithout) {
-    const TemporaryFolder folder;
-    fake::Run run(folder / "a.h5");
+    fake::RunAside run;
     ASSERT_EQ(run(fake::compute), 0);
-    run.campaign.cases[0].scenario.general.iterations = 20;
-    run.campaign.cases[1].scenario.general.iterations = 20;
-    run.campaign.cases[2].scenario.general.iterations = 20;
-    try {
-        run(fake::compute, Existing::resume);
-        FAIL() << "another campaign was resumed";
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("iterations"));
-    }
+    for (Case& one : run.campaign.cases) one.scenario.general.iterations = 20;
+    EXPECT_THAT(refusal([&] { run(fake::compute, Existing::resume); }), HasSubstr("iterations"));
     std::filesystem::remove(journal_path(run.file));
     EXPECT_THROW(run(fake::compute, Existing::resume), InputError);
     EXPECT_FALSE(std::filesystem::exists(journal_path(run.file)));

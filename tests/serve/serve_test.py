@@ -90,9 +90,7 @@ def evaluate_all(server, points, **config):
 
 class Serve(unittest.TestCase):
     def setUp(self):
-        kept = tempfile.TemporaryDirectory()
-        self.addCleanup(kept.cleanup)
-        self.folder = pathlib.Path(kept.name)
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def test_protocol(self):
         with Server(self.folder) as server:

@@ -23,6 +23,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
+double mean_of(const ModelAnswer& answer) {
+    if (const auto* error = std::get_if<ModelError>(&answer)) ADD_FAILURE() << error->what();
+    return std::holds_alternative<ModelValues>(answer) ? std::get<ModelValues>(answer).means.at(0) : 0;
+}
+
 /// The case "soft" of the synthetic campaign; 2 arrangements of which number k has the mean load 100 (k + 1) + 0.1,
 /// more in thicker ice.
 class Served {
@@ -70,11 +75,7 @@ class Served {
         return answers;
     }
 
-    double mean(const ModelQuestion& question) {
-        const ModelAnswer given = answer(question);
-        if (const auto* error = std::get_if<ModelError>(&given)) ADD_FAILURE() << error->what();
-        return std::holds_alternative<ModelValues>(given) ? std::get<ModelValues>(given).means.at(0) : 0;
-    }
+    double mean(const ModelQuestion& question) { return mean_of(answer(question)); }
 
     ModelError refusal(const ModelQuestion& question) { return std::get<ModelError>(answer(question)); }
 
@@ -101,9 +102,14 @@ class Served {
     std::atomic<bool> raised_ = false;
 };
 
+/// The same in a folder of its own.
+class ServedAside : public TemporaryFolder, public Served {
+  public:
+    ServedAside() : Served(*this / "kept") {}
+};
+
 TEST(ServedCampaign, AnswersWithMeansAndTheirStandardErrors) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     const auto values = std::get<ModelValues>(served.answer({{0.04}, 3}, {"mean_load", "mean_maximum_0.4s"}));
     EXPECT_DOUBLE_EQ(values.means.at(0), 200.1 + 10);                      // of 100.1, 200.1 and 300.1
     EXPECT_DOUBLE_EQ(values.standard_errors.at(0), 100 / std::sqrt(3.0));  // their sample deviation is 100
@@ -113,8 +119,7 @@ TEST(ServedCampaign, AnswersWithMeansAndTheirStandardErrors) {
 }
 
 TEST(ServedCampaign, TakesTheConfigurationsOwnWhereNothingElseIsAsked) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     EXPECT_DOUBLE_EQ(served.mean({{0.03}}), 150.1);
     EXPECT_EQ(served.computed, 2);
     EXPECT_DOUBLE_EQ(served.mean({{0.03}, {}, 9}), 152.1);  // two for the seed
@@ -124,8 +129,7 @@ TEST(ServedCampaign, TakesTheConfigurationsOwnWhereNothingElseIsAsked) {
 }
 
 TEST(ServedCampaign, ComputesNothingTwice) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     served.mean({{0.03}, 3});
     EXPECT_EQ(served.computed, 3);
     served.mean({{0.03}, 3});
@@ -137,14 +141,13 @@ TEST(ServedCampaign, ComputesNothingTwice) {
     served.mean({{0.04}, 2});
     EXPECT_EQ(served.computed, 7);
 
-    Served again(folder / "kept");  // another day
+    Served again(served / "kept");  // another day
     EXPECT_DOUBLE_EQ(again.mean({{0.03}, 4}), 250.1);
     EXPECT_EQ(again.computed, 0);
 }
 
 TEST(ServedCampaign, GoesOnWithWhatIsKeptOfMore) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     served.mean({{0.03}, 4});
     const std::filesystem::path file = served.campaign.file_of(served.campaign.at({{0.03}}));
     std::filesystem::remove(file);  // as if the run had been stopped before it was written
@@ -155,30 +158,23 @@ TEST(ServedCampaign, GoesOnWithWhatIsKeptOfMore) {
 
 // As a full disk leaves it.
 TEST(ServedCampaign, BeginsAPointAnewWhoseJournalIsEmpty) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     const std::filesystem::path file = served.campaign.file_of(served.campaign.at({{0.03}}));
     std::ofstream(std::filesystem::path(file).replace_extension(".journal")).close();
     EXPECT_DOUBLE_EQ(served.mean({{0.03}, 2}), 150.1);
 }
 
 TEST(ServedCampaign, KeepsEachPointInAFile) {
-    const TemporaryFolder folder;
-    const Served served(folder / "kept");
+    const ServedAside served;
     const auto file = [&](const ModelQuestion& of) { return served.campaign.file_of(served.campaign.at(of)); };
     EXPECT_EQ(file({{0.03}, 2}), file({{0.03}, 9}));
-    EXPECT_NE(file({{0.03}}), file({{
-                                        0.03,
-                                    },
-                                    {},
-                                    8}));
+    EXPECT_NE(file({{0.03}}), file({{0.03}, {}, 8}));
     EXPECT_NE(file({{0.03}}), file({{0.030000000000000002}}));
     EXPECT_THAT(file({{0.03}}).filename().string(), testing::StartsWith("synthetic-"));
 }
 
 TEST(ServedCampaign, SaysWhichMembersFailed) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     served.failing = 1;
     const ModelError error = served.refusal({{0.03}, 3});
     EXPECT_EQ(error.kind(), ModelError::Kind::invalid_output);
@@ -189,8 +185,7 @@ TEST(ServedCampaign, SaysWhichMembersFailed) {
 }
 
 TEST(ServedCampaign, SaysWhatTheConfigurationRefuses) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     const ModelError error = served.refusal({{-0.03}});
     EXPECT_EQ(error.kind(), ModelError::Kind::invalid_input);
     EXPECT_THAT(error.what(), HasSubstr("ice.thickness_m = -0.03"));
@@ -199,8 +194,7 @@ TEST(ServedCampaign, SaysWhatTheConfigurationRefuses) {
 }
 
 TEST(ServedCampaign, SaysWhatIsWrongWithAFile) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     served.mean({{0.03}});
     std::filesystem::resize_file(served.campaign.file_of(served.campaign.at({{0.03}})), 100);
     EXPECT_EQ(served.refusal({{0.03}}).kind(), ModelError::Kind::invalid_output);
@@ -208,8 +202,7 @@ TEST(ServedCampaign, SaysWhatIsWrongWithAFile) {
 }
 
 TEST(ServedCampaign, IsUnavailableWhereASignalStopsIt) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     {
         const StopSignals signals;  // of the server
         std::raise(SIGTERM);
@@ -217,11 +210,6 @@ TEST(ServedCampaign, IsUnavailableWhereASignalStopsIt) {
         EXPECT_EQ(signals.received(), SIGTERM);
     }
     EXPECT_DOUBLE_EQ(served.mean({{0.03}}), 150.1);
-}
-
-double mean_of(const ModelAnswer& answer) {
-    if (const auto* error = std::get_if<ModelError>(&answer)) ADD_FAILURE() << error->what();
-    return std::holds_alternative<ModelValues>(answer) ? std::get<ModelValues>(answer).means.at(0) : 0;
 }
 
 TEST(ServedCampaign, AnswersManyAtOnceAsOneByOne) {
@@ -238,16 +226,14 @@ TEST(ServedCampaign, AnswersManyAtOnceAsOneByOne) {
 }
 
 TEST(ServedCampaign, GivesACoreOfOnePointToAnother) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     served.meeting = 2;  // cores, and a point has one member
     const StopSignals signals;
     for (const ModelAnswer& answer : served.answer_at_once({{{0.03}, 1}, {{0.04}, 1}})) EXPECT_GT(mean_of(answer), 0);
 }
 
 TEST(ServedCampaign, ComputesNothingTwiceAtOnce) {
-    const TemporaryFolder folder;
-    Served served(folder / "kept");
+    ServedAside served;
     const StopSignals signals;
     const std::vector<ModelAnswer> answers =
         served.answer_at_once({{{0.03}, 4}, {{0.03}, 2}, {{0.03}, 4}, {{0.03}, 3}, {{0.03}, 1}});
@@ -259,9 +245,8 @@ TEST(ServedCampaign, ComputesNothingTwiceAtOnce) {
 }
 
 TEST(ServedCampaign, KeepsAllThatASignalStops) {
-    const TemporaryFolder folder;
     const std::vector<ModelQuestion> questions{{{0.03}, 3}, {{0.04}, 3}, {{0.05}, 3}, {{0.045}, 3}};
-    Served served(folder / "kept");
+    ServedAside served;
     {
         const StopSignals signals;
         served.stopped_by_a_member = true;

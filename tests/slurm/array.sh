@@ -15,10 +15,6 @@ ask_to_stop() {
     timeout 3 scancel --batch --signal=USR1 "${job}_$1" 2> /dev/null || true
 }
 
-is_over() {
-    [ -z "$(squeue -h -j "$1" 2> /dev/null)" ]
-}
-
 other=$(submit --exclusive --nodelist=n2 --time=30 --wrap "sleep 600")  # has one node for a while
 "$PROGRAM" array campaign.toml --for slurm --parts 16 --cores 1 2> array.log
 job=$(submit campaign.slurm.sh)

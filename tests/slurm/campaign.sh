@@ -10,14 +10,8 @@ same whole.h5 campaign.h5
 export HELD_FLOES=$FLOES HELD_JOURNAL=$FOLDER/cancelled.journal
 job=$(FLOES=$FLOES_HOME/tests/slurm/held_floes submit --nodes=2 --time=5 "$FLOES_HOME/slurm/campaign.sbatch" \
     campaign.toml -o cancelled.h5)
-are_asleep() {
-    [ "$(grep -cs "held: asleep" "floes-$job.log")" = 2 ]
-}
-is_over() {
-    [ -z "$(squeue -h -j "$job" 2> /dev/null)" ]
-}
-until_true 60 are_asleep || fail "job $job has no member after a minute"
+until_true 60 are_asleep "$job" || fail "job $job has no member after a minute"
 scancel "$job"
-until_true 30 is_over || fail "job $job is still in the queue"
+until_true 30 is_over "$job" || fail "job $job is still in the queue"
 ends "$job" CANCELLED 1
 said "floes-$job.log" "cancelled; the same sbatch command resumes"

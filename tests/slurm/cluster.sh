@@ -130,3 +130,12 @@ has_state() {
 ends() {
     until_true "$3" has_state "$1" "$2" || fail "job $1 is $(state_of "$1") instead of $2 after $3 s"
 }
+
+is_over() {
+    [ -z "$(squeue -h -j "$1" 2> /dev/null)" ]
+}
+
+# are_asleep JOB: both of its ranks, of held_floes.
+are_asleep() {
+    [ "$(grep -cs "held: asleep" "floes-$1.log")" = 2 ]
+}

@@ -19,10 +19,6 @@ lose_node() {
     kill -KILL "${pids[@]}" 2> /dev/null || true
 }
 
-are_asleep() {
-    [ "$(grep -cs "held: asleep" "floes-$1.log")" = 2 ]
-}
-
 has_said() {
     grep -qF -- "$2" "$1"
 }

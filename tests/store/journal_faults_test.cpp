@@ -171,6 +171,7 @@ TEST(JournalFaults, SaysWhenItsFolderIsGone) {
     EXPECT_THROW(journal.sync(), RunError);
 }
 
+// A limit on the size of files stands for a full disk: the write that does not fit is undone.
 TEST(JournalFaults, StaysWholeWhenTheDiskIsFull) {
     const SmallJournal small;
     Journal journal = open_journal(small.path, "", Existing::resume);

@@ -194,7 +194,5 @@ TEST(Journal, OfAnotherCampaignIsRefusedWithTheDifferenceNamed) {
     EXPECT_EQ(open_journal(path, campaign, Existing::resume).members().notes().size(), 1u);
 }
 
-// A limit on the size of files stands for a full disk: the write that does not fit is undone.
-
 }  // namespace journal_test
 }  // namespace floes

@@ -27,6 +27,7 @@ class FakeLink final : public Link {
     using Look = std::function<void(const std::vector<std::byte>&)>;
 
     FakeLink(int rank, int size) : rank_(rank), size_(size) {}
+    void play(int rank, int size) { rank_ = rank, size_ = size; }
 
     void deliver(int from, Tag tag, std::vector<std::byte> bytes = {}) {
         script_.push_back({true, {from, tag, std::move(bytes)}, {}});

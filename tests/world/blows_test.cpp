@@ -122,9 +122,7 @@ Blow blow(const Scene& scene, double time_step, double share) {
     box.corners = corners_of(scene.half_extent.x(), scene.half_extent.z());
     box.half_thickness = scene.half_extent.y();
     const BodyId body = world.add_element(box);
-    BodyState state = world.state(body);
-    state.velocity = Vec3(speed, 0, 0);
-    world.place(body, state);
+    set_moving(world, body, Vec3(speed, 0, 0));
     Blow found;
     for (double force = 0; force > 0 || found.impulse == 0; found.impulse += force * time_step) {
         world.step();
@@ -166,9 +164,7 @@ TEST_P(Blows, OfPrismsDoLikewise) {
         const double gap = share * GetParam().time_step * speed;
         const ElementDefinition prism = hexagon_at(Vec3(-0.12 - gap, 0, 0), pi / 6);
         const BodyId body = world.add_element(prism);
-        BodyState state = world.state(body);
-        state.velocity = Vec3(speed, 0, 0);
-        world.place(body, state);
+        set_moving(world, body, Vec3(speed, 0, 0));
         for (double time = 0; time < 0.4; time += GetParam().time_step) world.step();
         EXPECT_LT(world.state(body).velocity.norm(), 1e-9);
         const double depth = speed * std::sqrt(prism.mass / (strength * element_thickness * 2 * std::sqrt(3.0)));
@@ -186,12 +182,8 @@ TEST_P(Blows, OfTwoAreByTheirMotionTowardsEachOther) {
         const double apart = element_side / std::sqrt(2.0) + share * time_step * speed;
         const BodyId a = world.add_element(element_at(Vec3(-apart, 0, 0), turned(0.25 * pi, Vec3::UnitY())));
         const BodyId b = world.add_element(element_at(Vec3(element_side / 2, 0, 0)));
-        BodyState state = world.state(a);
-        state.velocity = Vec3(0.75 * speed, 0, 0);
-        world.place(a, state);
-        state = world.state(b);
-        state.velocity = Vec3(-0.25 * speed, 0, 0);
-        world.place(b, state);
+        set_moving(world, a, Vec3(0.75 * speed, 0, 0));
+        set_moving(world, b, Vec3(-0.25 * speed, 0, 0));
         double impulse = 0;
         for (double time = 0; time < 0.4; time += time_step) {
             world.step();
@@ -216,9 +208,7 @@ std::vector<BodyId> flush_floe(World& world, int across, double x, double veloci
     for (int i = 0; i < across; ++i) {
         const Vec3 at(x, 0, element_side * i);
         floe.push_back(world.add_element(element_at(at, Quat::Identity(), piece)));
-        BodyState state = world.state(floe.back());
-        state.velocity = Vec3(velocity, 0, 0);
-        world.place(floe.back(), state);
+        set_moving(world, floe.back(), Vec3(velocity, 0, 0));
         if (i == 0) continue;
         world.add_joint({.a = floe[floe.size() - 2],
                          .b = floe.back(),

@@ -12,16 +12,6 @@
 namespace floes::test {
 namespace carried_water_test {
 
-WorldDefinition weightless_direct(int lanes = 0) {
-    WorldDefinition definition;
-    definition.solver = SolverKind::direct;
-    definition.lanes = lanes;
-    definition.gravity = 0;
-    definition.contact.friction = Friction::cone;
-    definition.contact.split_impulse = false;
-    return definition;
-}
-
 /// Water that lies off the middle, different in every direction.
 constexpr CarriedWater lopsided{
     .in_plane = 0.4, .yaw = 0.003, .normal = 5.0, .x = 0.11, .z = -0.07, .xx = 0.02, .xz = 0.002, .zz = 0.015};
@@ -52,7 +42,7 @@ Momenta momenta(const BodyState& state, const CarriedWater& water) {
 }
 
 TEST(CarriedWater, AddsItsMassByDirection) {
-    World world(weightless_direct());
+    World world(weightless(SolverKind::direct));
     const CarriedWater water{.in_plane = 0.4, .yaw = 0.003, .normal = 5.0, .xx = 0.02, .zz = 0.015};
     const Quat turn = turned(0.7, Vec3(1, 2, -1));
     const BodyId element = world.add_element(element_at(Vec3::Zero(), turn));
@@ -71,7 +61,7 @@ TEST(CarriedWater, AddsItsMassByDirection) {
 
 // A force beside the centre of the water turns the body, as it would one whose mass lies there.
 TEST(CarriedWater, LiesWhereItsFirstMomentsSay) {
-    World world(weightless_direct());
+    World world(weightless(SolverKind::direct));
     const BodyId element = world.add_element(element_at(Vec3::Zero()));
     const double heavy = 1e6;
     world.set_water(element, {.normal = heavy, .x = heavy * 0.03, .xx = heavy * 0.03 * 0.03});
@@ -85,15 +75,12 @@ TEST(CarriedWater, LiesWhereItsFirstMomentsSay) {
 
 /// What a body adrift has lost of its momenta and its energy after half a second of tumbling, as shares.
 Momenta lost(double time_step) {
-    WorldDefinition definition = weightless_direct();
+    WorldDefinition definition = weightless(SolverKind::direct);
     definition.time_step = time_step;
     World world(definition);
     const BodyId element = world.add_element(element_at({0.1, 0.2, -0.3}));
     world.set_water(element, lopsided);
-    BodyState state = world.state(element);
-    state.velocity = {0.3, -0.2, 0.1};
-    state.angular_velocity = {0.9, 0.5, -0.7};
-    world.place(element, state);
+    const BodyState state = set_moving(world, element, {0.3, -0.2, 0.1}, {0.9, 0.5, -0.7});
     const Momenta before = momenta(state, lopsided);
     for (int i = 0; i < static_cast<int>(std::lround(0.5 / time_step)); ++i) world.step();
     const Momenta after = momenta(world.state(element), lopsided);
@@ -117,25 +104,21 @@ JointSpring stiff() {
     return {.force = {1e6, 1e5, 1e6}, .moment = {1e3, 1e4, 1e3}, .damping_ratio = 1};
 }
 
-// Two elements held together move as one body with the water of both.
 // A piece that falls and spins turns by radians a step, where a step that looks ahead gains energy without end.
 TEST(CarriedWater, DoesNotRunAwayWithABodyThatSpinsFast) {
-    World world(weightless_direct());
+    World world(weightless(SolverKind::direct));
     const BodyId element = world.add_element(element_at(Vec3::Zero()));
     world.set_water(element, lopsided);
-    BodyState state = world.state(element);
-    state.velocity = Vec3(1, 2, -0.5);
-    state.angular_velocity = Vec3(40, -20, 30);
-    world.place(element, state);
-    const double before = momenta(state, lopsided).energy;
+    const double before = momenta(set_moving(world, element, {1, 2, -0.5}, {40, -20, 30}), lopsided).energy;
     for (int step = 0; step < 1000; ++step) {
         world.step();
         ASSERT_LT(momenta(world.state(element), lopsided).energy, 1.1 * before) << step;
     }
 }
 
+// Two elements held together move as one body with the water of both.
 TEST(CarriedWater, OfAPieceIsThatOfItsElements) {
-    World world(weightless_direct());
+    World world(weightless(SolverKind::direct));
     const BodyId a = world.add_element(element_at({-0.1, 0, 0}, Quat::Identity(), 0));
     const BodyId b = world.add_element(element_at({0.1, 0, 0}, Quat::Identity(), 0));
     world.add_joint({.a = a, .b = b, .spring = stiff()});
@@ -161,16 +144,14 @@ TEST(CarriedWater, OfAPieceIsThatOfItsElements) {
 
 // An impact feels the water: the impulse that stops a body and its water is their momentum.
 TEST(CarriedWater, IsStoppedByContacts) {
-    WorldDefinition definition = weightless_direct();
+    WorldDefinition definition = weightless(SolverKind::direct);
     definition.contact.erp = 0;
     definition.iterations = 500;
     World world(definition);
     const BodyId element = world.add_element(element_at({0, 0.05, 0}));
     world.add_fixed_box({.half_extents = {1, 0.01, 1}, .pose = {.position = {0, 0, 0}}});
     world.set_water(element, {.normal = 5.0});
-    BodyState state = world.state(element);
-    state.velocity = {0, -0.5, 0};
-    world.place(element, state);
+    set_moving(world, element, {0, -0.5, 0});
     double impulse = 0;
     for (int i = 0; i < 10; ++i) {
         world.step();
@@ -183,9 +164,7 @@ TEST(CarriedWater, IsStoppedByContacts) {
 TEST(CarriedWater, HasTheSameBitsAtEveryWidth) {
     std::vector<LanesScene> scenes;
     for (const int width : lane_widths()) {
-        WorldDefinition definition = weightless_direct(width);
-        definition.gravity = 9.81;
-        LanesScene& scene = scenes.emplace_back(definition);
+        LanesScene& scene = scenes.emplace_back(solved_by(SolverKind::direct, width));
         for (const BodyId element : scene.elements) scene.world.set_water(element, lopsided);
         for (int i = 0; i < 40; ++i) {
             if (i == 20) scene.break_joints(7);
@@ -201,7 +180,7 @@ TEST(CarriedWater, HasTheSameBitsAtEveryWidth) {
 TEST(CarriedWater, IsTheSameInEveryUnitOfLength) {
     std::vector<BodyState> ends;
     for (const double unit : {1.0, 3.0}) {
-        WorldDefinition definition = weightless_direct();
+        WorldDefinition definition = weightless(SolverKind::direct);
         definition.length_unit = unit;
         World world(definition);
         const BodyId element = world.add_element(element_at(Vec3::Zero()));
@@ -218,13 +197,11 @@ TEST(CarriedWater, IsTheSameInEveryUnitOfLength) {
 
 TEST(CarriedWater, IsRefusedBySweepsAndWhereItCannotBe) {
     for (const SolverKind solver : {SolverKind::stock, SolverKind::lanes}) {
-        WorldDefinition definition;
-        definition.solver = solver;
-        World world(definition);
+        World world(solved_by(solver));
         const BodyId element = world.add_element(element_at(Vec3::Zero()));
         EXPECT_THROW(world.set_water(element, {.normal = 1}), InputError);
     }
-    World world(weightless_direct());
+    World world(weightless(SolverKind::direct));
     const BodyId element = world.add_element(element_at(Vec3::Zero()));
     EXPECT_THROW(world.set_water(element, {.normal = -1}), InputError);
     EXPECT_THROW(world.set_water(element, {.yaw = NAN}), InputError);

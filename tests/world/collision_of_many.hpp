@@ -25,10 +25,8 @@ inline void expect_a_collision_that_never_gains_energy(const WorldDefinition& de
     for (int i = 0; i < 12; ++i) {
         const Vec3 at(0.23 * (i % 4 - 1.5), 0.004 * (i % 3), 0.23 * (i / 4 - 1));
         bodies.push_back(world.add_element(element_at(at, turned(0.1 * i, Vec3::UnitY()))));
-        BodyState state = world.state(bodies.back());
-        state.velocity = -0.8 * at + 0.1 * Vec3(std::sin(i), 0.2 * std::cos(3 * i), std::cos(2 * i));
-        state.angular_velocity = 0.5 * Vec3(0, std::sin(5 * i), 0);
-        world.place(bodies.back(), state);
+        const Vec3 velocity = -0.8 * at + 0.1 * Vec3(std::sin(i), 0.2 * std::cos(3 * i), std::cos(2 * i));
+        set_moving(world, bodies.back(), velocity, 0.5 * Vec3(0, std::sin(5 * i), 0));
     }
     const auto energy = [&] {
         double sum = 0;

@@ -133,9 +133,7 @@ TEST(Cone, FrictionOpposesTheVelocityOfABlockThatIsPushedSideways) {
         world.add_fixed_box({Vec3(5, 0.5, 5), {Vec3(0, -0.5, 0), Quat::Identity()}});
         const Vec3 start(0, element_thickness / 2 - 1e-4, 0);
         const BodyId body = world.add_element(element_at(start, turn));
-        BodyState sliding = world.state(body);
-        sliding.velocity = turn * Vec3(0.1, 0, 0);
-        world.place(body, sliding);
+        set_moving(world, body, turn * Vec3(0.1, 0, 0));
         for (int step = 0; step < 20; ++step) {
             world.apply(body, {turn * Vec3(0, 0, 0.1), Vec3::Zero()});
             world.step();

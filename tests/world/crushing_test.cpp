@@ -54,9 +54,7 @@ Impact impact(const Scene& scene, WorldDefinition definition, double duration) {
     const double gap = 0.3 * speed * definition.time_step;
     box.pose.position += gap * normal;
     const BodyId body = world.add_element(box);
-    BodyState state = world.state(body);
-    state.velocity = Vec3(speed, 0, 0);
-    world.place(body, state);
+    const BodyState state = set_moving(world, body, Vec3(speed, 0, 0));
     Impact found;
     double impulse = 0;
     for (double time = 0; time < duration; time += definition.time_step) {

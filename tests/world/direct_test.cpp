@@ -14,21 +14,6 @@
 namespace floes::test {
 namespace direct_test {
 
-WorldDefinition direct_world(int lanes = 0) {
-    WorldDefinition definition;
-    definition.solver = SolverKind::direct;
-    definition.lanes = lanes;
-    definition.contact.friction = Friction::cone;
-    definition.contact.split_impulse = false;
-    return definition;
-}
-
-WorldDefinition weightless_direct() {
-    WorldDefinition definition = direct_world();
-    definition.gravity = 0;
-    return definition;
-}
-
 /// As stiff as ice of 5 GPa in elements of 0.2 m, 0.033 m thick.
 JointSpring stiff_ice(double damping_ratio = 0) {
     constexpr double modulus = 5e9;
@@ -57,10 +42,10 @@ double largest_difference(const LanesScene& a, const LanesScene& b) {
 // The same joints and contacts, by 20,000 sweeps: what differs is that the direct solver takes the floe's shape from
 // before it was strained.
 TEST(Direct, IsWhereSweepsConvergeTo) {
-    WorldDefinition swept = direct_world();
+    WorldDefinition swept = solved_by(SolverKind::direct);
     swept.solver = SolverKind::lanes;
     swept.iterations = 20000;
-    WorldDefinition direct = direct_world();
+    WorldDefinition direct = solved_by(SolverKind::direct);
     direct.iterations = 500;
     LanesScene a(direct, 4);
     LanesScene b(swept, 4);
@@ -82,7 +67,7 @@ TEST(Direct, IsWhereSweepsConvergeTo) {
 
 // Sweeps end by themselves: the same forces as by many of them, to what the tolerance leaves.
 TEST(Direct, SweepsEndWhereTheyChangeNothing) {
-    WorldDefinition exact = direct_world();
+    WorldDefinition exact = solved_by(SolverKind::direct);
     exact.iterations = 500;
     WorldDefinition loose = exact;
     loose.tolerance = 1e-6;
@@ -106,7 +91,7 @@ TEST(Direct, SweepsEndWhereTheyChangeNothing) {
 }
 
 TEST(Direct, AStepWithoutContactsTakesNoSweeps) {
-    World world(direct_world());
+    World world(solved_by(SolverKind::direct));
     world.add_element(element_at({0, 0, 0}));
     world.step();
     EXPECT_EQ(world.sweeps(), 0);
@@ -117,7 +102,7 @@ class EveryDirectWidth : public testing::TestWithParam<NormalLaw> {};
 TEST_P(EveryDirectWidth, GivesTheSameBits) {
     std::vector<LanesScene> scenes;
     for (const int width : lane_widths()) {
-        WorldDefinition definition = direct_world(width);
+        WorldDefinition definition = solved_by(SolverKind::direct, width);
         definition.contact.normal = GetParam();
         definition.tolerance = 1e-3;
         definition.contact.crushing_pressure = 145.6e3;
@@ -221,7 +206,7 @@ struct LoneFloe {
 };
 
 TEST(Direct, AFreeFloeNeverGainsEnergy) {
-    LoneFloe floe(3, stiff_ice(), weightless_direct());
+    LoneFloe floe(3, stiff_ice(), weightless(SolverKind::direct));
     floe.stir(0.02, 0.5);
     floe.world.step();
     double before = floe.energy();
@@ -239,7 +224,7 @@ TEST(Direct, AFreeFloeKeepsItsMomenta) {
     for (auto* part : {&soft.force, &soft.moment}) {
         for (double& stiffness : *part) stiffness /= 80;  // 60 MPa
     }
-    WorldDefinition definition = weightless_direct();
+    WorldDefinition definition = weightless(SolverKind::direct);
     definition.time_step = 0.001;
     LoneFloe floe(3, soft, definition);
     floe.stir(0.05, 0.3);
@@ -251,7 +236,7 @@ TEST(Direct, AFreeFloeKeepsItsMomenta) {
 }
 
 TEST(Direct, ReactionsOfALoadedBeamAreThoseOfStatics) {
-    World world(weightless_direct());
+    World world(weightless(SolverKind::direct));
     BodyId last = world.add_fixed_box({.half_extents = Vec3(0.1, 0.0165, 0.1), .pose = {.position = {-5, 0, 0}}});
     std::vector<JointId> joints;
     std::vector<BodyId> elements;
@@ -282,7 +267,7 @@ TEST(Direct, ReactionsOfALoadedBeamAreThoseOfStatics) {
 
 // Between its neighbours, and they between a wall and a push: every contact carries all of it.
 TEST(Direct, AFloePressedAgainstTheWallPassesThePushOn) {
-    WorldDefinition definition = weightless_direct();
+    WorldDefinition definition = weightless(SolverKind::direct);
     definition.iterations = 60;
     definition.contact.internal_edges = false;
     LanesScene scene(definition, 3);
@@ -309,18 +294,18 @@ TEST(Direct, AFloePressedAgainstTheWallPassesThePushOn) {
 }
 
 TEST(Direct, RefusesWhatItCannotDo) {
-    WorldDefinition definition = direct_world();
+    WorldDefinition definition = solved_by(SolverKind::direct);
     definition.contact.friction = Friction::one_direction;
     EXPECT_THROW(World{definition}, InputError);
-    definition = direct_world();
+    definition = solved_by(SolverKind::direct);
     definition.contact.split_impulse = true;
     EXPECT_THROW(World{definition}, InputError);
-    WorldDefinition lanes = direct_world();
+    WorldDefinition lanes = solved_by(SolverKind::direct);
     lanes.solver = SolverKind::lanes;
     EXPECT_THROW(LoneFloe(2, stiff_ice(), lanes), InputError);
     JointSpring loose = stiff_ice();
     loose.moment[0] = 0;
-    EXPECT_THROW(LoneFloe(2, loose, direct_world()), InputError);
+    EXPECT_THROW(LoneFloe(2, loose, solved_by(SolverKind::direct)), InputError);
 }
 
 }  // namespace direct_test

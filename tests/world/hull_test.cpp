@@ -17,8 +17,14 @@ constexpr double time_step = 0.02;
 /// of a step and ice at its beginning.
 constexpr double touching = 0.5 + element_side / 2 + speed * time_step;
 
-/// Distance from the axis at which an element that is held against the moving structure by 5 N comes to rest.
-double standoff(const std::vector<ConvexSolid>& solids, Vec3& load, int& solid) {
+struct Rest {
+    double at;  ///< distance from the axis
+    Vec3 load;  ///< on the structure
+    int solid;  ///< that is touched
+};
+
+/// Of an element that is held against the moving structure by 5 N.
+Rest rest(const std::vector<ConvexSolid>& solids) {
     World world(weightless());
     const BodyId structure = world.add_structure(solids, {Vec3::Zero()});
     const BodyId body = world.add_element(element_at({0.65, 0, 0.03}));
@@ -32,18 +38,15 @@ double standoff(const std::vector<ConvexSolid>& solids, Vec3& load, int& solid) 
         if (step >= count) sum += world.contact_force(structure);
     }
     world.read_contacts(contacts, structure);
-    solid = contacts.empty() ? -1 : contacts.front().solid;
-    load = sum / count;
-    return world.state(body).position.x() - world.state(structure).position.x();
+    return {world.state(body).position.x() - world.state(structure).position.x(), sum / count,
+            contacts.empty() ? -1 : contacts.front().solid};
 }
 
 // The face lies exactly where it is drawn: the core is smaller by the margin that Bullet adds.
 TEST(WorldHull, ABlockCarriesTheForceAtItsFace) {
     const std::vector<ConvexSolid> hull{ConvexSolid(block({-2, -1, -1}, {-1, 1, 1}), 0),
                                         ConvexSolid(block({-1, -1, -1}, {0.5, 1, 1}), 1)};
-    Vec3 load;
-    int solid = -1;
-    const double at = standoff(hull, load, solid);
+    const auto [at, load, solid] = rest(hull);
     EXPECT_NEAR(load.x(), -5, 1e-3);
     EXPECT_NEAR(load.z(), 0, 1e-3);
     EXPECT_NEAR(at, touching, 2e-4);
@@ -54,9 +57,7 @@ TEST(WorldHull, ABlockCarriesTheForceAtItsFace) {
 TEST(WorldHull, ALegStandsWhereItIsPlaced) {
     const std::vector<ConvexSolid> legs{ConvexSolid(Frustum{-1, 0.3, 1, 0.3}, Vec3(-0.8, 0, 0.7), 0),
                                         ConvexSolid(Frustum{-1, 0.3, 1, 0.3}, Vec3(0.2, 0, 0.03), 1)};
-    Vec3 load;
-    int solid = -1;
-    const double at = standoff(legs, load, solid);
+    const auto [at, load, solid] = rest(legs);
     EXPECT_NEAR(load.x(), -5, 1e-3);
     EXPECT_NEAR(at, touching, 2e-4);
     EXPECT_EQ(solid, 1);
@@ -69,9 +70,7 @@ TEST(WorldHull, AManySidedPrismIsNearlyRound) {
         for (const double y : {-1.0, 1.0})
             corners.emplace_back(0.5 * std::cos(side * std::acos(-1.0) / 32), y,
                                  0.03 + 0.5 * std::sin(side * std::acos(-1.0) / 32));
-    Vec3 load;
-    int solid = -1;
-    const double at = standoff({ConvexSolid(convex_hull(corners))}, load, solid);
+    const auto [at, load, solid] = rest({ConvexSolid(convex_hull(corners))});
     EXPECT_NEAR(load.x(), -5, 1e-3);
     EXPECT_NEAR(at, touching, 2e-3);
 }

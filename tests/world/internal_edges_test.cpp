@@ -41,9 +41,7 @@ double slides_on(bool internal_edges, NormalLaw law, int joints, int removed = 0
     const double corner = element_side / std::sqrt(2.0);
     const Vec3 at(element_side / 2 + corner - 0.002, 0, -0.01);
     const BodyId body = world.add_element(element_at(at, turned(std::acos(0.0) / 2, Vec3::UnitY())));
-    BodyState state = world.state(body);
-    state.velocity = Vec3(0, 0, speed);
-    world.place(body, state);
+    set_moving(world, body, Vec3(0, 0, speed));
     for (int step = 0; step < 30; ++step) world.step();
     return world.state(body).velocity.z() / speed;
 }
@@ -64,9 +62,7 @@ Vec3 force_of_a_waist(const std::vector<ConvexSolid>& solids) {
     World world(with(false, NormalLaw::crushing));
     const BodyId structure = world.add_structure(solids, {Vec3::Zero()});
     const BodyId body = world.add_element(element_at({0.614 + element_side / 2, 0.002 - element_thickness / 2, 0}));
-    BodyState state = world.state(body);
-    state.velocity = Vec3(-0.05, 0, 0);
-    world.place(body, state);
+    set_moving(world, body, Vec3(-0.05, 0, 0));
     Vec3 most = Vec3::Zero();
     for (int step = 0; step < 20; ++step) {
         world.step();

@@ -10,13 +10,6 @@
 namespace floes::test {
 namespace lanes_equivalence_test {
 
-WorldDefinition solved_by(SolverKind solver, int lanes = 0) {
-    WorldDefinition definition;
-    definition.solver = solver;
-    definition.lanes = lanes;
-    return definition;
-}
-
 /// Largest difference over largest value.
 class Deviation {
   public:

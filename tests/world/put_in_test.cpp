@@ -10,17 +10,6 @@ namespace put_in_test {
 
 constexpr int steps = 40;
 
-WorldDefinition definition_of(SolverKind solver) {
-    WorldDefinition definition;
-    definition.gravity = 0;
-    definition.solver = solver;
-    if (solver == SolverKind::direct) {
-        definition.contact.friction = Friction::cone;
-        definition.contact.split_impulse = false;
-    }
-    return definition;
-}
-
 JointDefinition joint_of(BodyId a, BodyId b, double x) {
     return {.a = a, .b = b, .pivot = {x + 0.1, 0, 0}, .cfm = 0.016};
 }
@@ -35,8 +24,8 @@ void throw_at_origin(World& world, BodyId a, BodyId b, double x) {
 class PutIn : public ::testing::TestWithParam<SolverKind> {};
 
 TEST_P(PutIn, GivesTheBitsOfAWorldThatHadNothingElse) {
-    World fresh(definition_of(GetParam()));
-    World used(definition_of(GetParam()));
+    World fresh(test::weightless(GetParam()));
+    World used(test::weightless(GetParam()));
     for (World* world : {&fresh, &used}) {
         const BodyId a = world->add_element(test::element_at({-0.5, 0, 0.03}, Quat::Identity(), 0));
         const BodyId b = world->add_element(test::element_at({-0.3, 0, 0.03}, Quat::Identity(), 0));
@@ -91,8 +80,8 @@ ElementDefinition hexagon_at(const Vec3& position, double stretched) {
 }
 
 TEST(PutInPrism, GivesTheBitsOfAWorldThatHadNothingElse) {
-    World fresh(definition_of(SolverKind::direct));
-    World used(definition_of(SolverKind::direct));
+    World fresh(test::weightless(SolverKind::direct));
+    World used(test::weightless(SolverKind::direct));
     const BodyId struck(0), striker(1);
     used.add_element(hexagon_at({0.02, 0, 0}, 1.6));
     used.add_element(hexagon_at({-0.5, 0, 0.03}, 1));
@@ -117,7 +106,7 @@ TEST(PutInPrism, GivesTheBitsOfAWorldThatHadNothingElse) {
 }
 
 TEST_P(PutIn, WhatIsOutTouchesNothing) {
-    World world(definition_of(GetParam()));
+    World world(test::weightless(GetParam()));
     const BodyId striker = world.add_element(test::element_at({-0.4, 0, 0}));
     const BodyId struck = world.add_element(test::element_at({0, 0, 0}));
     world.take_out(struck);
@@ -129,7 +118,7 @@ TEST_P(PutIn, WhatIsOutTouchesNothing) {
 INSTANTIATE_TEST_SUITE_P(World, PutIn, ::testing::Values(SolverKind::lanes, SolverKind::direct));
 
 TEST(TakeOut, TheStockSolverCannot) {
-    World world(definition_of(SolverKind::stock));
+    World world(test::weightless(SolverKind::stock));
     const BodyId body = world.add_element(test::element_at({0, 0, 0}));
     EXPECT_THROW(world.take_out(body), InputError);
     EXPECT_THROW(world.put_in(body, test::element_at({0, 0, 0})), InputError);

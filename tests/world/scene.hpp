@@ -15,20 +15,32 @@ inline constexpr double element_thickness = 0.033;
 inline constexpr double element_mass = 930.0 * element_side * element_side * element_thickness;
 
 inline WorldDefinition weightless() {
-    WorldDefinition definition;
-    definition.gravity = 0;
-    return definition;
+    return {.gravity = 0};
 }
 
 /// With what the solver asks of contacts.
-inline WorldDefinition weightless(SolverKind solver) {
-    WorldDefinition definition = weightless();
-    definition.solver = solver;
+inline WorldDefinition solved_by(SolverKind solver, int lanes = 0) {
+    WorldDefinition definition{.solver = solver, .lanes = lanes};
     if (solver == SolverKind::direct) {
         definition.contact.friction = Friction::cone;
         definition.contact.split_impulse = false;
     }
     return definition;
+}
+
+inline WorldDefinition weightless(SolverKind solver) {
+    WorldDefinition definition = solved_by(solver);
+    definition.gravity = 0;
+    return definition;
+}
+
+/// Of a body that lies where it is.
+inline BodyState set_moving(World& world, BodyId body, const Vec3& velocity, const Vec3& turning = Vec3::Zero()) {
+    BodyState state = world.state(body);
+    state.velocity = velocity;
+    state.angular_velocity = turning;
+    world.place(body, state);
+    return state;
 }
 
 inline ElementDefinition element_at(const Vec3& position, const Quat& orientation = Quat::Identity(),

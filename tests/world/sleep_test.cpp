@@ -8,19 +8,12 @@
 namespace floes {
 namespace sleep_test {
 
-World lanes_world(double gravity) {
-    WorldDefinition definition;
-    definition.gravity = gravity;
-    definition.solver = SolverKind::lanes;
-    return World(definition);
-}
-
 void join(World& world, BodyId a, BodyId b, const Vec3& pivot) {
     world.add_joint({.a = a, .b = b, .pivot = pivot, .cfm = 0.016});
 }
 
 TEST(Sleep, NeitherWeightNorForceNorJointsMoveASleeper) {
-    World world = lanes_world(9.81);
+    World world(test::solved_by(SolverKind::lanes));
     const BodyId a = world.add_element(test::element_at({0, 0, 0}, test::turned(0.3, {1, 2, 3}), 0));
     const BodyId b = world.add_element(test::element_at({0.2, 0.001, 0}, test::turned(0.2, {1, 2, 3}), 0));
     join(world, a, b, {0.1, 0, 0});
@@ -37,8 +30,8 @@ TEST(Sleep, NeitherWeightNorForceNorJointsMoveASleeper) {
 }
 
 TEST(Sleep, AWokenBodyMovesAsIfItHadNotSlept) {
-    World slept = lanes_world(9.81);
-    World waked = lanes_world(9.81);
+    World slept(test::solved_by(SolverKind::lanes));
+    World waked(test::solved_by(SolverKind::lanes));
     for (World* world : {&slept, &waked}) {
         for (const double x : {0.0, 0.2, 5.0}) world->add_element(test::element_at({x, 0, 0}, Quat::Identity(), 0));
         join(*world, BodyId(0), BodyId(1), {0.1, 0, 0});
@@ -60,7 +53,7 @@ TEST(Sleep, AWokenBodyMovesAsIfItHadNotSlept) {
 }
 
 TEST(Sleep, AMovingElementLandsOnASleeperAndIsReported) {
-    World world = lanes_world(9.81);
+    World world(test::solved_by(SolverKind::lanes));
     const BodyId below = world.add_element(test::element_at({0, 0, 0}));
     const BodyId aside = world.add_element(test::element_at({0.201, 0, 0}));  // at rest beside it, nearly touching
     const BodyId above = world.add_element(test::element_at({0, 0.05, 0}));

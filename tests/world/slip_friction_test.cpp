@@ -27,9 +27,7 @@ WorldDefinition with(const SlipFriction& slip, double gravity, double time_step 
 
 BodyId slides_at(World& world, double speed) {
     const BodyId body = world.add_element(element_at({0, element_thickness / 2 - 1e-4, 0}));
-    BodyState sliding = world.state(body);
-    sliding.velocity.x() = speed;
-    world.place(body, sliding);
+    set_moving(world, body, Vec3(speed, 0, 0));
     return body;
 }
 

@@ -14,13 +14,14 @@ namespace structure_test {
 
 constexpr double speed = 0.07;
 constexpr double time_step = 0.02;
+const std::vector<ConvexSolid> drum{Frustum{-0.5, 0.6, 0.5, 0.6}};
+const std::vector<ConvexSolid> cone{Frustum{-0.443, 0.171, 0.122, 0.736}};
 
 // An upright drum runs into an element that is held against it by 5 N: in the mean over steps the load on the drum is
 // the 5 N, for the element moves at the drum's steady speed.
 TEST(WorldStructure, CarriesTheAppliedForce) {
     World world(weightless());
-    const BodyId structure =
-        world.add_structure(std::vector<ConvexSolid>{Frustum{-0.5, 0.6, 0.5, 0.6}}, {Vec3(2, 0, 0)});
+    const BodyId structure = world.add_structure(drum, {Vec3(2, 0, 0)});
     const BodyId body = world.add_element(element_at({2.75, 0, 0}));
     Vec3 sum = Vec3::Zero();
     const int count = 1000;
@@ -38,8 +39,7 @@ TEST(WorldStructure, CarriesTheAppliedForce) {
 
 TEST(WorldStructure, MovesAsItIsTold) {
     World world(weightless());
-    const BodyId structure =
-        world.add_structure(std::vector<ConvexSolid>{Frustum{-0.5, 0.6, 0.5, 0.6}}, {Vec3(2, 0, 0)});
+    const BodyId structure = world.add_structure(drum, {Vec3(2, 0, 0)});
     for (int step = 0; step < 10; ++step) {
         world.move_structure({{2 + speed * time_step * (step + 1), 0, 0}});
         world.step();
@@ -55,10 +55,7 @@ TEST(WorldStructure, MovesAsItIsTold) {
 TEST(WorldStructure, WallThatTurnsRubs) {
     for (const SolverKind solver : {SolverKind::stock, SolverKind::lanes}) {
         for (const double turning : {0.02, -0.02}) {
-            WorldDefinition definition = weightless();
-            definition.solver = solver;
-            World world(definition);
-            const std::vector<ConvexSolid> drum{Frustum{-0.5, 0.6, 0.5, 0.6}};
+            World world(weightless(solver));
             const BodyId structure = world.add_structure(drum, {Vec3::Zero()});
             const BodyId body = world.add_element(element_at({0.7, 0, 0}));
             for (int step = 1; step <= 5; ++step) {
@@ -80,7 +77,6 @@ Vec3 force_on_cone(double azimuth, double turn, double structure_friction) {
     WorldDefinition definition = weightless();
     definition.contact.ice_structure_friction = structure_friction;
     World world(definition);
-    const std::vector<ConvexSolid> cone{Frustum{-0.443, 0.171, 0.122, 0.736}};
     const BodyId structure = world.add_structure(cone, {Vec3::Zero()});
     const Vec3 outward(std::cos(azimuth), 0, std::sin(azimuth));
     const double reach = turn == 0 ? element_side / 2 : element_side / std::sqrt(2.0);
@@ -121,8 +117,6 @@ TEST(WorldStructure, RubsWithItsCoefficient) {
 // upper edge, where the wall has come out by as much, on a 45° cone.
 TEST(WorldStructure, HasItsWallWhereTheProfileSays) {
     const double half = element_thickness / 2;
-    const std::vector<ConvexSolid> drum{Frustum{-0.5, 0.6, 0.5, 0.6}};
-    const std::vector<ConvexSolid> cone{Frustum{-0.443, 0.171, 0.122, 0.736}};
     for (const bool is_cone : {false, true}) {
         for (const double gap : {2e-4, -2e-4}) {
             World world(weightless());
