@@ -7,7 +7,7 @@ class Floes(CMakePackage):
     # Not in Spack's own repository and without an address to fetch it from: docs/start.md says how to build with it.
     license("BSD-3-Clause")
 
-    version("3.0.0")
+    version("4.0.0")
 
     generator("ninja")
 

@@ -22,7 +22,7 @@ from .stored import CampaignError, LAYOUT, NewerLayoutWarning
 __all__ = ["Campaign", "CampaignError", "LAYOUT", "NewerLayoutWarning", "Progress", "Refused", "Run", "open", "run",
            "start"]
 
-__version__ = "3.0.0"  # of floes
+__version__ = "4.0.0"  # of floes
 
 
 def open(path: str | os.PathLike) -> Campaign:
