@@ -45,8 +45,8 @@ class Campaign:
             return f"<campaign {self.title}, closed>"
         status = self._members.status
         done, failed = ((status == word).sum() for word in ("done", "failed"))
-        return (f"<campaign {self.title}: {len(status)} members in {len(self._cases)} cases, "
-                f"{done} done, {failed} failed>")
+        cases = f"{len(self._cases)} case" + ("s" if len(self._cases) != 1 else "")
+        return f"<campaign {self.title}: {len(status)} members in {cases}, {done} done, {failed} failed>"
 
     def _repr_html_(self) -> str:
         """What a notebook shows of it: how many members there are, and a line for each case."""
