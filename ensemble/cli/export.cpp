@@ -181,10 +181,12 @@ int make_fmu(const ExportOptions& options) {
 /// it is of another load.
 bool is_completed(const WrittenLoad& made) {
     if (made.completed.empty() || !std::filesystem::exists(made.path)) return false;
-    if (read_bytes(made.path).find(made.completed) == std::string::npos)
+    const std::string there = read_bytes(made.path);
+    if (std::ranges::any_of(made.completed,
+                            [&](const std::string& one) { return there.find(one) == std::string::npos; }))
         throw InputError(
-            fmt::format("{} is there, and is not of a load in these axes and of this name; move it away, or "
-                        "give another name.",
+            fmt::format("{} is there, and is not of a load in these axes, of this name and for this version; "
+                        "move it away, or give another name.",
                         made.path));
     note("{} is there and stays as it is.", made.path);
     return true;

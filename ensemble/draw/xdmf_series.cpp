@@ -370,13 +370,6 @@ void write_xdmf_series(const std::filesystem::path& path, const Recording& recor
 
 namespace {
 
-std::filesystem::path numbers_beside(const std::filesystem::path& path) {
-    if (path.extension() != ".xdmf2")
-        throw InputError(
-            fmt::format("A series for ParaView is named NAME.xdmf2; '{}' does not end in .xdmf2.", path.string()));
-    return path.string() + ".h5";
-}
-
 /// Where the state for ParaView lies. Throws InputError for a file there that is none.
 std::filesystem::path state_beside(std::filesystem::path path) {
     path.replace_extension(".py");
@@ -384,11 +377,18 @@ std::filesystem::path state_beside(std::filesystem::path path) {
     std::string first;
     std::ifstream there(path);
     if (there.is_open() && std::getline(there, first) && first != known)
-        throw InputError(
-            fmt::format("{} is there and is no state for ParaView, which would be written beside {}; give "
-                        "another name.",
-                        path.string(), path.replace_extension(".xdmf2").string()));
+        throw InputError(fmt::format(
+            "{} is there and is no state for ParaView, which would be written in its place; give another name.",
+            path.string()));
     return path;
+}
+
+std::filesystem::path numbers_beside(const std::filesystem::path& path) {
+    if (path.extension() != ".xdmf2")
+        throw InputError(
+            fmt::format("A series for ParaView is named NAME.xdmf2; '{}' does not end in .xdmf2.", path.string()));
+    state_beside(path);  // before anything is written
+    return path.string() + ".h5";
 }
 
 /// The whole of an array as a dataset, compressed.
@@ -425,9 +425,7 @@ XdmfSeries::XdmfSeries(const std::filesystem::path& path, const RecordingSubject
       breaks_(breaks),
       sheets_(ice_sheets_part(subject.channel())),
       hull_(subject.scenario.structure.shape.mesh(96)),
-      state_{.file = path.filename().string()} {
-    state_beside(path);
-}
+      state_{.file = path.filename().string()} {}
 
 void XdmfSeries::add(const Frame& frame) {
     // First what every frame has: ParaView takes its times from the first part.

@@ -42,7 +42,7 @@ struct LoadToWrite {
 struct WrittenLoad {
     std::string path;
     std::string text;
-    std::string completed = {};  ///< its reader completes the file: one that has this is left as it is
+    std::vector<std::string> completed = {};  ///< its reader completes the file: one that has all this is left as it is
 };
 
 struct LoadFormat {

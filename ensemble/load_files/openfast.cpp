@@ -79,6 +79,10 @@ std::string unused(const Version& version) {
                                  "area_Y", "area_ratio_Y", "headLossCoeff_Y", "rho_Y"});
 }
 
+std::string title(const Version& version) {
+    return fmt::format("------- STRUCTURAL CONTROL (StC) INPUT FILE, {} -------\n", version.words);
+}
+
 std::string prescribed(const LoadToWrite& load, const std::string& series) {
     return section("PRESCRIBED TIME SERIES") +
            (load.axes == LoadAxes::earth ? line("1", "PrescribedForcesCoordSys", "- global")
@@ -87,7 +91,7 @@ std::string prescribed(const LoadToWrite& load, const std::string& series) {
 }
 
 std::string input_file(const LoadToWrite& load, const std::string& series, const Version& version) {
-    std::string text = fmt::format("------- STRUCTURAL CONTROL (StC) INPUT FILE, {} -------\n", version.words);
+    std::string text = title(version);
     text += fmt::format("Load of ice on the platform, by {}; the series says more. ServoDyn: NumSStC, SStCfiles\n",
                         load.origin.program);
     text += section("SIMULATION CONTROL") + line("False", "Echo");
@@ -111,7 +115,7 @@ std::vector<WrittenLoad> files_for(const LoadToWrite& load, const std::string& p
     text += fmt::format("# For {}: StC_DOF_MODE {}.\n", version.words, version.mode);
     text += "# Time  FX  FY  FZ  MX  MY  MZ\n# (s)  (N)  (N)  (N)  (N m)  (N m)  (N m)\n";
     return {{path, text + rows(load.series, "  ")},
-            {beside(path, "_StC.dat"), input_file(load, name, version), prescribed(load, name)}};
+            {beside(path, "_StC.dat"), input_file(load, name, version), {title(version), prescribed(load, name)}}};
 }
 
 }  // namespace

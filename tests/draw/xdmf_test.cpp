@@ -263,6 +263,7 @@ TEST(Xdmf, SaysWhyASeriesCannotBeWritten) {
     EXPECT_THAT(refusal([&] { XdmfSeries(folder / "mine.xdmf2", subject, {}); }),
                 HasSubstr("is no state for ParaView"));
     EXPECT_EQ(file_text(folder / "mine.py"), "import numpy\n");
+    EXPECT_FALSE(std::filesystem::exists(folder / "mine.xdmf2.h5"));
 }
 
 }  // namespace xdmf_test

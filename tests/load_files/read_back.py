@@ -129,6 +129,7 @@ def test_openfast(folder, file):
     control.write_text(control.read_text().replace("0   StC_P_Z", "-5   StC_P_Z"))
     check("stays as it is" in export(*ask)[1] and "-5   StC_P_Z" in control.read_text(), "the place is lost")
     refused("is not of a load in these axes", *ask, "--axes", "hull")
+    refused("and for this version", *ask[:-3], "openfast4", *ask[-2:])
 
 
 def test_refusals(folder, file):
