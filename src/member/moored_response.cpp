@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <vector>
 
 #include "statistics/load_statistics.hpp"
 
@@ -28,29 +27,28 @@ double share_at_limit(const Vec3& limits, const std::array<std::span<const doubl
 }  // namespace
 
 MooredResponse moored_response(const Scenario& scenario, const MotionHistory& motion) {
-    const auto in_window = [first = static_cast<std::size_t>(scenario.first_window_step())](
-                               const std::vector<double>& history) { return std::span(history).subspan(first); };
     const double step = scenario.general.time_step;
     MooredResponse response{
-        .surge_offset = swing_of(in_window(motion.surge_offset)),
-        .sway_offset = swing_of(in_window(motion.sway_offset)),
-        .yaw = swing_of(in_window(motion.yaw)),
-        .surge_mooring = swing_of(in_window(motion.surge_mooring)),
-        .sway_mooring = swing_of(in_window(motion.sway_mooring)),
-        .mean_maximum = load_statistics(in_window(motion.surge_mooring), step, scenario.analysis.segments).mean_maximum,
-        .rms_velocity = rms_rate(in_window(motion.surge_offset), step)};
+        .surge_offset = swing_of(in_window(scenario, motion.surge_offset)),
+        .sway_offset = swing_of(in_window(scenario, motion.sway_offset)),
+        .yaw = swing_of(in_window(scenario, motion.yaw)),
+        .surge_mooring = swing_of(in_window(scenario, motion.surge_mooring)),
+        .sway_mooring = swing_of(in_window(scenario, motion.sway_mooring)),
+        .mean_maximum =
+            load_statistics(in_window(scenario, motion.surge_mooring), step, scenario.analysis.segments).mean_maximum,
+        .rms_velocity = rms_rate(in_window(scenario, motion.surge_offset), step)};
     if (scenario.moorings.floats()) {
-        response.heave = swing_of(in_window(motion.heave));
-        response.pitch = swing_of(in_window(motion.pitch));
-        response.roll = swing_of(in_window(motion.roll));
+        response.heave = swing_of(in_window(scenario, motion.heave));
+        response.pitch = swing_of(in_window(scenario, motion.pitch));
+        response.roll = swing_of(in_window(scenario, motion.roll));
     }
     if (scenario.moorings.thrusters.any()) {
-        response.surge_thrust = swing_of(in_window(motion.surge_thrust));
-        response.sway_thrust = swing_of(in_window(motion.sway_thrust));
-        response.yaw_thrust = swing_of(in_window(motion.yaw_thrust));
-        response.thrust_at_limit = share_at_limit(
-            scenario.moorings.thrusters.limit,
-            {in_window(motion.surge_thrust), in_window(motion.sway_thrust), in_window(motion.yaw_thrust)});
+        const std::array thrust{in_window(scenario, motion.surge_thrust), in_window(scenario, motion.sway_thrust),
+                                in_window(scenario, motion.yaw_thrust)};
+        response.surge_thrust = swing_of(thrust[0]);
+        response.sway_thrust = swing_of(thrust[1]);
+        response.yaw_thrust = swing_of(thrust[2]);
+        response.thrust_at_limit = share_at_limit(scenario.moorings.thrusters.limit, thrust);
     }
     return response;
 }
