@@ -492,14 +492,17 @@ Odd light_structure(const Case& one) {
     constexpr double many = 100;
     const Scenario& scenario = one.scenario;
     if (!scenario.moorings.give_way()) return {};
+    const double struck = struck_over_floe(scenario);
+    if (struck >= many) return {};
     const double ratio = structure_over_floe(scenario);
-    if (ratio >= many) return {};
+    const std::string worst =
+        struck < 0.99 * ratio ? fmt::format(", or {:.2g} % where it turns it most", 100 / struck) : "";
     return {
         fmt::format(
             "{} and the water that moves with it are {:.3g} times the heaviest floe: a floe that strikes it pushes it "
-            "{:.2g} % too hard, as docs/moorings.md says",
-            given(scenario, "moorings.mass_t"), ratio, 100 / ratio),
-        -ratio};
+            "{:.2g} % too hard{}, as docs/moorings.md says",
+            given(scenario, "moorings.mass_t"), ratio, 100 / ratio, worst),
+        -struck};
 }
 
 Odd other_mass(const Case& one) {

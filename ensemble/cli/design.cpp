@@ -21,6 +21,13 @@ namespace floes {
 
 namespace {
 
+/// The likeliest first, each once.
+void put_in_order(std::vector<double>& per_year) {
+    std::ranges::sort(per_year, std::ranges::greater{});
+    const auto again = std::ranges::unique(per_year);
+    per_year.erase(again.begin(), again.end());
+}
+
 Option add_per_year(Verb& verb, std::vector<double>& per_year) {
     return verb.option("--per-year", per_year, "Probabilities of exceedance in a year, comma-separated")
         .comma_separated()
@@ -167,7 +174,7 @@ int tell(const ContourOptions& options, const std::string& program) {
             fmt::format("{} would have cases of a configuration; say which with --config", options.output));
     ContourRequest request = options.request;
     request.state = options.exposure_h * unit::hour;
-    std::ranges::sort(request.per_year, std::ranges::greater{});
+    put_in_order(request.per_year);
     const ContourInputs inputs = read_contour_inputs(read_text(options.ice), options.ice);
     const std::vector<ContourOf> contours = find_contours(inputs, request);
     const std::vector<Section> sections = contour_sections(inputs, request, contours);
@@ -330,7 +337,7 @@ int answer_of_year(const DesignOptions& options) {
     const std::vector<Regime> regimes =
         table ? read_regime_table(text, options.regimes) : read_regimes(text, options.regimes);
     YearRequest request{options.request, options.per_year};
-    std::ranges::sort(request.per_year, std::ranges::greater{});
+    put_in_order(request.per_year);
     Evidence evidence = read_evidence(CampaignFile(given.path()), options.automatic_window());
     const Year year = find_year({given.path(), evidence.campaign, evidence.table}, regimes, request);
     std::vector<Section> sections = year_sections(evidence, year, request);

@@ -328,6 +328,11 @@ int write_array(const ArrayOptions& options) {
     const Campaign campaign = load_campaign(options.config, options.overrides);
     const fs::path output =
         options.output.empty() ? fs::path(fs::path(options.config).stem().string() + ".h5") : fs::path(options.output);
+    if (const fs::path ending = output.extension(); ending != ".h5" && ending != ".hdf5" && ending != ".nc")
+        throw InputError(
+            fmt::format("{} is to be the campaign file that the parts are merged into; give it a name that "
+                        "ends with .h5, .hdf5 or .nc.",
+                        output.string()));  // the folder is made on the machine that computes them
     const Division division = divide(options, campaign, cores_of(options));
     const std::string script = fmt::format("{}.{}.sh", output.stem().string(), options.system);
     write_new(script, script_of(options, division, output, script));

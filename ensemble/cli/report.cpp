@@ -9,6 +9,7 @@
 
 #include "cli/commands.hpp"
 #include "draw/picture.hpp"
+#include "findings/page_one.hpp"
 #include "page/page.hpp"
 #include "replay/replay_member.hpp"
 #include "run/calibrate.hpp"
@@ -121,7 +122,7 @@ void report(const ReportOptions& options) {
     const bool follows_cfm = first.joint.model == JointModel::cfm;  // else there is no curve: E is what it says
     if (!options.skip_plate_tests && follows_cfm) data.evidence.plate_tests = measure_curve(curve_plans(first));
     if (options.pictures != "none") add_moments(file, options.pictures == "all", data);
-    data.command = fmt::format("./floes run {} -o {}", shell_word(data.evidence.summary.title + ".toml"),
+    data.command = fmt::format("floes run {} -o {}", configuration_word(data.evidence.summary.title),
                                shell_word(data.evidence.summary.title + ".h5"));
     write_page(output, report_page(std::move(data)));
     std::printf("%s\n", output.string().c_str());

@@ -507,7 +507,7 @@ Results find_control(const Evidence& evidence) {
         bool first = true;
         for (std::size_t k = 0; k < evidence.sample.cases.size(); ++k) {
             const Scenario& scenario = campaign.cases.at(k).scenario;
-            if (scenario.arrangement.given()) continue;
+            if (scenario.arrangement.given() || scenario.path.any()) continue;
             const auto [place, added] = populations.try_emplace(
                 {geometry_key(scenario), scenario.field.endless(), scenario.structure.shape.waterline_radius()});
             if (added) place->second = drawn(scenario, campaign.seed, campaign.arrangements);

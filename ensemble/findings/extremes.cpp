@@ -62,9 +62,11 @@ void add_fit(const Summary& summary, const CaseExtremes& extremes, const FittedE
 Results fit_results(const Summary& summary, const std::vector<CaseExtremes>& all) {
     Results results = empty_fits();
     for (const CaseExtremes& extremes : all) {
-        results.add_heading(fmt::format(
-            "{}, {} maxima{}", summary.label_of(extremes.case_index), extremes.maxima,
-            extremes.gumbel.fit.valid() ? "" : fmt::format(": too few to fit ({} or more)", fewest_maxima)));
+        results.add_heading(fmt::format("{}, {} maxima{}", summary.label_of(extremes.case_index), extremes.maxima,
+                                        extremes.gumbel.fit.valid() ? ""
+                                        : extremes.maxima >= fewest_maxima
+                                            ? ": all equal, or nearly, which no distribution fits"
+                                            : fmt::format(": too few to fit ({} or more)", fewest_maxima)));
         for (const FittedExtreme* fitted : fits_of(extremes)) add_fit(summary, extremes, *fitted, results);
     }
     return results;
@@ -124,7 +126,10 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
     const auto fitted =
         std::ranges::find_if(extremes, [](const CaseExtremes& of_case) { return of_case.gumbel.fit.valid(); });
     if (fitted == extremes.end()) {
-        section.before = fmt::format("Too few segment maxima to fit in every case; {} would do.\n", fewest_maxima);
+        const bool few =
+            std::ranges::all_of(extremes, [](const CaseExtremes& one) { return one.maxima < fewest_maxima; });
+        section.before = few ? fmt::format("Too few segment maxima to fit in every case; {} would do.\n", fewest_maxima)
+                             : fmt::format("No case has {} segment maxima that differ enough to fit.\n", fewest_maxima);
         section.results.front().view = Results::View::none;
         return section;
     }

@@ -114,6 +114,7 @@ std::string moored_refusal(const Analysis& analysis, double step, double first_l
     const Oscillator hull = request.model();
     const double to_full = request.time_factor();
     if (std::string words = period_refusal(analysis, step, hull.period(), to_full); !words.empty()) return words;
+    if (first_load >= analysis.steady_start + analysis.window - step / 2) return "no ice ever loads the hull";
     const double run_up = analysis.steady_start - first_load;
     const double left = std::exp(-hull.decay_rate() * std::max(run_up, 0.0));
     if (left > most_left)

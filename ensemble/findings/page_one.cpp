@@ -337,7 +337,7 @@ Next next_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, c
                                       Costs(evidence).words(static_cast<double>(wanted - there) *
                                                             static_cast<double>(evidence.summary.cases.size()))),
                           fmt::format("floes run {} -o {} --set campaign.arrangements={} --resume",
-                                      shell_word(evidence.summary.title + ".toml"), file, wanted));
+                                      configuration_word(evidence.summary.title), file, wanted));
     for (const CaseFigure& one : figures)
         if (!one.later.empty())
             next.emplace_back(fmt::format("{}, measured from where it is steady", one.about.words),
@@ -346,6 +346,12 @@ Next next_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, c
 }
 
 }  // namespace
+
+std::string configuration_word(const std::string& title) {
+    std::error_code none;
+    const std::string name = title + ".toml";
+    return std::filesystem::exists(name, none) ? shell_word(name) : "CONFIG.toml";
+}
 
 PageOne find_page_one(Evidence& evidence) {
     const std::vector<CaseFigure> figures = figures_of(evidence);

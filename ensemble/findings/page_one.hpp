@@ -21,6 +21,10 @@ struct PageOne {
     std::vector<std::pair<std::string, std::string>> next{};
 };
 
+/// What a command calls the configuration of a campaign with this title: TITLE.toml where that is in this folder, else
+/// CONFIG.toml, since no file says which it was.
+std::string configuration_word(const std::string& title);
+
 /// Figures are the design values of the structure, mean load and broken floes: of structures that give way mooring
 /// force, offset, tension of lines over their break load and yaw; of others the largest averaged load. Design values
 /// are those of Evidence::design_request. Reads the file of structures that give way.

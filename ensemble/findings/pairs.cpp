@@ -299,7 +299,8 @@ std::string left_out_text(const Summary& summary, const std::vector<PairRow>& ro
     if (left_out == 0) return "";
     return fmt::format(
         "{} not compared: a pair needs two arrangements that are done in both cases and begin with the same floes, and "
-        "{} fewer (campaign.common_arrangements = false, or different field geometries).",
+        "{} fewer: members are missing or set aside, or the floes differ (campaign.common_arrangements = false, or "
+        "other fields).",
         left_out == all ? (all == 1 ? "The pair is" : "Pairs are") : fmt::format("{} of {} pairs are", left_out, all),
         left_out == 1 ? "it has" : "they have");
 }

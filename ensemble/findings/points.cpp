@@ -607,17 +607,17 @@ Results find_scatter(const Evidence& evidence, const SteadyReport& steady) {
         const Quantity& asked = column.quantity;
         std::vector<std::vector<double>> values;
         double time = 0;
-        bool known = true;
         for (const Members& members : cases) {
-            std::vector<double>& own = values.emplace_back(sample.values(members, asked));
+            std::vector<double> own = sample.values(members, asked);
             const double mean = mean_of(own);
             for (double& value : own) value /= mean;
+            if (!finite(own)) continue;  // as of a case that ice never loads
             for (const std::size_t member : members)
                 time += variance_of_time(sample, asked, member, effective) / (mean * mean);
-            known = known && finite(own);
+            values.push_back(std::move(own));
         }
-        const ArrangementShare found = arrangement_share(known ? values : std::vector<std::vector<double>>{});
-        const double runs = static_cast<double>(cases.size() * cases.front().size());
+        const ArrangementShare found = arrangement_share(values);
+        const double runs = static_cast<double>(values.size() * cases.front().size());
         scatter.add({Named{std::string{asked.key.view()}, std::string{asked.label.view()}}, found.cases,
                      found.arrangements, found.sd, within(found.share, found.interval),
                      time / runs / (found.sd * found.sd)});
@@ -631,8 +631,14 @@ Section scatter_section(Results scatter) {
                     "Where scatter comes from: unknown; it takes two cases over the same arrangements, three of them "
                     "done.\n",
                 .results = {std::move(scatter)}};
-    return {.title = fmt::format("Where the scatter of single runs comes from, {:g} cases x {:g} arrangements",
-                                 scatter.number(0, "cases"), scatter.number(0, "arrangements")),
+    double cases = 0;
+    double arrangements = 0;  // of the row that has most: others leave out what a case has not
+    for (std::size_t row = 0; row < scatter.rows.size(); ++row) {
+        cases = std::max(cases, scatter.number(row, "cases"));
+        arrangements = std::max(arrangements, scatter.number(row, "arrangements"));
+    }
+    return {.title = fmt::format("Where the scatter of single runs comes from, {:g} cases x {:g} arrangements", cases,
+                                 arrangements),
             .results = {std::move(scatter)},
             .after =
                 "\nArrangement: share of the variance of single runs that cases over the same arrangement have in "

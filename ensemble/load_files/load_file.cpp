@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "core/text.hpp"
+
 namespace floes {
 
 namespace {
@@ -104,6 +106,8 @@ std::vector<std::string> legend(const LoadToWrite& load, bool held, std::string_
     lines.push_back(fmt::format("Impulse of all, N s: X {:.9g}, Y {:.9g}, Z {:.9g}{}.", sums[0], sums[1], sums[2],
                                 load.series.moment.empty() ? "" : fmt::format("; about Z {:.9g} N m s", sums[3])));
     lines.push_back(moment_words(load, held));
+    // Names come from other people, and a line of its own would be read as values, or as a program.
+    for (std::string& line : lines) line = in_one_line(std::move(line));
     return lines;
 }
 

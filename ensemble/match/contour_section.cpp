@@ -60,9 +60,14 @@ void refuse_stranger(const std::string& key, const std::string& where) {
     Scenario scratch;
     const Keys keys = describe(scratch);
     const Key* known = find_key(keys, full_path(key));
-    if (known == nullptr || !std::holds_alternative<NumberField>(known->field))
+    if (known == nullptr)
         throw InputError(fmt::format("{}: {} is not a key of a case that takes a number; did you mean {}?", where, key,
                                      nearest_path(keys, key)));
+    if (!std::holds_alternative<NumberField>(known->field))
+        throw InputError(
+            fmt::format("{}: {} takes whole numbers or words, and a contour is of keys that take any "
+                        "number, as ice.thickness_m",
+                        where, key));
 }
 
 /// The text of an entry that must be there.

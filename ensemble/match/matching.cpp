@@ -314,9 +314,37 @@ Matching match(const MatchData& data, const std::vector<EmulatedTarget>& targets
     return found;
 }
 
+namespace {
+
+/// As an axis takes it: a whole number, or one of six digits.
+double taken(bool whole, double number) {
+    return whole ? std::round(number) : std::stod(fmt::format("{:.6g}", number));
+}
+
+Value value_of(const DesignAxis& axis, double number) {
+    Value value;
+    const double given = taken(axis.whole, number);
+    if (axis.whole) {
+        value.data = std::llround(given);
+    } else {
+        value.data = given;
+    }
+    return value;
+}
+
+/// The points as the next wave has them, of which some may be the same.
+Eigen::MatrixXd taken(const std::vector<RangedAxis>& axes, Eigen::MatrixXd points) {
+    for (std::size_t k = 0; k < axes.size(); ++k)
+        for (double& x : points.col(static_cast<Eigen::Index>(k)))
+            x = axes[k].coordinate(taken(axes[k].whole, axes[k].value(x)));
+    return points;
+}
+
+}  // namespace
+
 Eigen::MatrixXd next_points(const Matching& matching, const MatchData& data, int count) {
-    const Eigen::MatrixXd& candidates = matching.points_left;
-    if (candidates.rows() == 0) return candidates;
+    if (matching.points_left.rows() == 0) return matching.points_left;
+    const Eigen::MatrixXd candidates = taken(data.axes, matching.points_left);
     Eigen::VectorXd nearest = Eigen::VectorXd::Constant(candidates.rows(), std::numeric_limits<double>::infinity());
     const auto keep_away_from = [&](const Eigen::RowVectorXd& point) {
         nearest = nearest.cwiseMin((candidates.rowwise() - point).rowwise().squaredNorm());
@@ -335,21 +363,6 @@ Eigen::MatrixXd next_points(const Matching& matching, const MatchData& data, int
     }
     return candidates(chosen, Eigen::all);
 }
-
-namespace {
-
-/// A number of six digits, as an axis takes it.
-Value value_of(const DesignAxis& axis, double number) {
-    Value value;
-    if (axis.whole) {
-        value.data = static_cast<std::int64_t>(std::llround(number));
-    } else {
-        value.data = std::stod(fmt::format("{:.6g}", number));
-    }
-    return value;
-}
-
-}  // namespace
 
 Campaign next_wave(const MatchWave& wave, const std::vector<RangedAxis>& axes, const Eigen::MatrixXd& coordinates,
                    const std::string& name, std::uint64_t seed) {

@@ -18,6 +18,7 @@
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/conditions.hpp"
+#include "findings/page_one.hpp"
 #include "findings/summary.hpp"
 #include "keys/meant.hpp"
 
@@ -634,7 +635,7 @@ Section year_next(const Evidence& evidence, const Year& year, const std::string&
                 "computed again. Give every --set of the first run as well.\n",
                 source.words(), percent_of(rarest.uncertainty[widest]), per_year_text(rarest.per_year),
                 file.empty() ? "the command of each part, with"
-                             : fmt::format("{} run {} -o {}", program, shell_word(name + ".toml"), file),
+                             : fmt::format("{} run {} -o {}", program, configuration_word(name), file),
                 arrangements)};
 }
 

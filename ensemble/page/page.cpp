@@ -242,9 +242,9 @@ std::string failed(const CampaignStatus& status) {
 std::string next_step(const CampaignStatus& status, const std::string& file) {
     if (status.at_work) return "";
     const std::string word = shell_word(file);
-    const std::string command = total_of(status).missing > 0 ? fmt::format("./floes run {} -o {} --resume",
-                                                                           shell_word(status.title + ".toml"), word)
-                                                             : fmt::format("./floes report {}", word);
+    const std::string command = total_of(status).missing > 0
+                                    ? fmt::format("floes run {} -o {} --resume", configuration_word(status.title), word)
+                                    : fmt::format("floes report {}", word);
     return fmt::format("<pre>{}</pre>\n", markup_escaped(command));
 }
 
@@ -264,8 +264,8 @@ std::string status_page(const CampaignSnapshot& snapshot, const std::filesystem:
                        : fmt::format("As of {}.", now);
     const std::string refresh =
         status.at_work ? fmt::format("<meta http-equiv=\"refresh\" content=\"{}\">\n", status_page_seconds) : "";
-    const std::string drawn = fmt::format("<p>To see what is computed: <code>./floes show {}</code></p>\n",
-                                          markup_escaped(shell_word(status.title + ".toml")));
+    const std::string drawn = fmt::format("<p>To see what is computed: <code>floes show {}</code></p>\n",
+                                          markup_escaped(configuration_word(status.title)));
     return html_page(counts_sentence(status), refresh,
                      fmt::format("<h1>{}</h1>\n<p>{}</p>\n", markup_escaped(counts_sentence(status)),
                                  markup_escaped(work_sentence(status))) +

@@ -3,6 +3,7 @@
 import atexit
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -107,9 +108,12 @@ class Run:
         if status < 0:
             name = signal.Signals(-status).name
             raise CampaignError(f"The run was ended by {name}; resume=True goes on with {self.path}.")
-        if status not in (0, 1) or not self.path.exists():
-            last = (self.messages or ["it said nothing"])[-1]
-            raise CampaignError(f"floes run ended with status {status}: {last}")
+        # Status 1 is of members that were set aside, and of a run that could not go on, which says so: an older campaign
+        # may then stand in its place.
+        errors = [line for line in self.messages if re.match("floes: (?!member|rank)", line)] if status == 1 else []
+        if errors or status not in (0, 1) or not self.path.exists():
+            last = (errors or self.messages or ["it said nothing"])[-1]
+            raise CampaignError(f"floes run ended with status {status}: {last.removeprefix('floes: ')}")
         return self.campaign
 
     def stop(self) -> None:

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -168,6 +169,7 @@ std::uint64_t geometry_key(const Scenario& scenario) {
 }
 
 double coverage_ahead(const Scenario& scenario, const FloeSet& floes) {
+    if (scenario.path.any()) return std::numeric_limits<double>::quiet_NaN();
     Walls path = field_walls(scenario);
     const double half_width = std::min(scenario.field.half_width, scenario.structure.shape.waterline_radius());
     path.low_z = -half_width;

@@ -45,7 +45,7 @@ LaidField lay_field(const Scenario& scenario, std::uint64_t seed, std::uint32_t 
 std::uint64_t geometry_key(const Scenario& scenario);
 
 /// Share of the structure's path that ice covers: |z| at most its radius at the waterline and within the field, along
-/// the whole field. NaN if the structure does not reach the water.
+/// the whole field. NaN if the structure does not reach the water or has another path than straight ahead.
 double coverage_ahead(const Scenario& scenario, const FloeSet& floes);
 
 }  // namespace floes

@@ -145,7 +145,7 @@ void EndlessSheet::throw_points() {
 void EndlessSheet::join(const Laid& cell, std::vector<CutJoint>& joints) const {
     for (const Laid& other : edge_) {
         std::optional<CutJoint> joint =
-            joint_between(cell.corners, cell.centre, other.corners, other.centre, sheet_.shape.element);
+            joint_between(cell.corners, cell.centre, other.corners, other.centre, std::min(cell.side, other.side));
         if (!joint) continue;
         joint->a = cell.number;
         joint->b = other.number;
@@ -168,7 +168,7 @@ FieldPart EndlessSheet::next() {
         floe.shape.pattern = 0;
         const CutElement cut = floe.shape.cut().elements.front();
         const Corner centre = cut.centre + Corner{floe.pose.x, floe.pose.z};
-        const Laid cell{laid_++, centre, from_axes(cut.corners, centre, cut.axis)};
+        const Laid cell{laid_++, centre, from_axes(cut.corners, centre, cut.axis), floe.shape.element};
         join(cell, part.joints);
         edge_.push_back(cell);
     }

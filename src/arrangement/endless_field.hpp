@@ -62,6 +62,7 @@ class EndlessSheet {
         int number;
         Corner centre;    ///< m, in the field
         Outline corners;  ///< likewise
+        double side;      ///< of a square of its area, m
     };
 
     void throw_points();

@@ -42,7 +42,14 @@ bool is_utf16(std::string_view text) {
 std::string in_a_file_name(std::string name) {
     std::ranges::replace_if(
         name, [](unsigned char c) { return c == '/' || c < 32; }, '_');
-    return name;
+    constexpr std::size_t longest = 200;  // of the 255 bytes of a file's name, which has endings, too
+    return std::string{beginning(name, longest)};
+}
+
+std::string in_one_line(std::string text) {
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < 32 || c == 127; }, ' ');
+    return text;
 }
 
 std::string_view beginning(std::string_view text, std::size_t most) {

@@ -25,8 +25,11 @@ std::string markup_escaped(std::string_view text);
 /// The first bytes of a text, `most` or so many fewer that no letter is cut apart.
 std::string_view beginning(std::string_view text, std::size_t most);
 
-/// A name that people gave, as part of a file's name: without "/" and control characters.
+/// A name that people gave, as part of a file's name: without "/" and control characters, and not too long for one.
 std::string in_a_file_name(std::string name);
+
+/// Blanks for control characters, so that it stays in its line.
+std::string in_one_line(std::string text);
 
 /// Without outer blanks.
 std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");

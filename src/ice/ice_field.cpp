@@ -131,9 +131,10 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
                      .piece = static_cast<int>(first),
                      .crushing_pressure = pressure});
         if (stress_)
-            stress_->put_element(first + index, elements_[first + index].body, one.axis,
-                                 {from_axes(one.corners, {}, one.axis), one.area,
-                                  cut->squares ? square_patch : cell_patch, material.ice.poisson_ratio, crushing});
+            stress_->put_element(
+                first + index, elements_[first + index].body, one.axis,
+                {from_axes(one.corners, {}, one.axis), one.area, cut->squares ? square_patch : cell_patch,
+                 material.ice.poisson_ratio, crushing, least_joint(shape.element)});
     }
     sheet.strength = floes::strength_of(floe, *cut);
     PlacedIce ice(floe);
@@ -574,7 +575,8 @@ std::optional<FailureMode> IceField::failing(World& world, Joint& joint) {
     const double smooth = fibre_tension(smoothed(load), strength.section).stress / strength.section.flexural_strength;
     const double energy = strength.crack_energy * fibre_tension(load, strength.section).facing;
     const double over = cracking(used.share, smooth, strength.stiffness, now.angle, energy, strength.length_over_span);
-    if (!(over > 1)) return std::nullopt;
+    // A bend that has not the energy leaves what else fails the joint.
+    if (!(over > 1)) return failure(without_bending(load.reaction), strength.thresholds);
     for (const int end : {joint.a, joint.b})
         floes_[static_cast<std::size_t>(elements_[static_cast<std::size_t>(end)].floe)].cracked = true;
     joint.crack.emplace(cohesive_law(strength.stiffness, now.angle / over, energy));

@@ -53,9 +53,24 @@ End end_along(const PressedElement& element, unsigned joined, std::size_t own, c
     return end.goes_on < 1 ? end : End{};
 }
 
-FreeEdge nearest_free_edge(const PressedElement& element, const Corner& at) {
+/// Bits of the edges beyond which ice goes on: where a joint holds it, and where the edge was too short for one.
+unsigned held_edges(const PressedElement& element) {
     unsigned joined = 0;
-    for (const ElementJoint& joint : element.joints) joined |= joint.live ? joint.edge : 0U;
+    unsigned broken = 0;
+    for (const ElementJoint& joint : element.joints) (joint.live ? joined : broken) |= joint.edge;
+    unsigned held = joined;
+    const std::size_t count = element.corners.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t next = (k + 1) % count;
+        const std::size_t last = (k + count - 1) % count;
+        if ((joined >> last & joined >> next & ~(broken >> k) & 1U) == 0) continue;
+        if (edge_length(element.corners, k) <= element.least_joint) held |= 1U << k;
+    }
+    return held;
+}
+
+FreeEdge nearest_free_edge(const PressedElement& element, const Corner& at) {
+    const unsigned joined = held_edges(element);
     FreeEdge nearest;
     std::size_t own = 0;
     for (std::size_t k = 0; k < element.corners.size(); ++k) {

@@ -83,6 +83,7 @@ struct PressedElement {
     FeltPatches patch = cell_patch;
     double poisson_ratio = 0;
     double crushing_pressure = 0;  ///< above 0: a force crushes a circle of this pressure
+    double least_joint = 0;        ///< an edge up to this long between two joints that hold has ice beyond it
     std::vector<ElementJoint> joints{};
 };
 

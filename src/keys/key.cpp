@@ -245,6 +245,10 @@ Key late_key(Key key) {
 }
 
 Key only_with(std::string_view setting, std::function<bool()> in_force, Key key) {
+    if (key.in_force) {  // what was said first is what it wants nearest
+        key.in_force = [outer = std::move(in_force), inner = std::move(key.in_force)] { return outer() && inner(); };
+        return key;
+    }
     key.only_with = setting;
     key.in_force = std::move(in_force);
     return key;

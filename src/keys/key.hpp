@@ -139,7 +139,8 @@ Key text_key(std::string_view path, std::string& field, std::string_view source,
 /// A key that came after the first campaigns: scenarios in which it has the value of before keep their digest.
 Key late_key(Key key);
 
-/// A key that has an effect only with another setting, `in_force` of which tells whether it holds.
+/// A key that has an effect only with another setting, `in_force` of which tells whether it holds. Of two settings both
+/// have to hold, and the key names the first.
 Key only_with(std::string_view setting, std::function<bool()> in_force, Key key);
 
 /// A key that sets several fields at once, each of which has a key of its own. It is read before those, wherever it

@@ -78,16 +78,19 @@ void check_floating(const Scenario& scenario, Contradictions& found) {
                "<ice.density_kg_m3> is not below <water.density_kg_m3>, so the ice sinks; lower the ice's density");
         return;
     }
-    // An element heaves as a spring of stiffness ρ_w g L_e² under a mass ρ_i T_e L_e²; explicit forces need ω Δt < 2.
+    // An element heaves as a spring of stiffness ρ_w g L_e² under a mass ρ_i T_e L_e²; explicit forces need ω Δt < 2
+    // (√(1 + ζ²) - ζ), where damping ζ of the critical is explicit, too.
     const double heave =
         std::sqrt(scenario.water.density * scenario.general.gravity / (scenario.ice.density * scenario.floe.thickness));
-    if (heave * scenario.general.time_step >= 2) {
+    const double damping = scenario.water.heave_damping_from == WaterFrom::share ? scenario.water.heave_damping : 0;
+    const double most = 2 * (std::hypot(1, damping) - damping);
+    if (heave * scenario.general.time_step >= most) {
         refuse(scenario, found,
                {"general.time_step_s", "ice.thickness_m", "ice.density_kg_m3", "water.density_kg_m3",
                 "general.gravity_m_s2"},
                "<general.time_step_s> is too long for <ice.thickness_m>: floating ice heaves at {:.4g} rad/s there and "
                "diverges; take a step below {:.4g}",
-               heave, 2 / heave);
+               heave, most / heave);
     }
 }
 

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/vector.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
@@ -186,6 +187,16 @@ void check_thrusters(const Scenario& scenario, Contradictions& found) {
     }
 }
 
+double heaviest_floe(const Scenario& scenario) {
+    const FloeSet floes = floes_of(scenario);
+    double heaviest = 0;
+    for (std::size_t i = 0; i < floes.size(); ++i) {
+        const FloeShape& shape = floes.shape(i);
+        heaviest = std::max(heaviest, shape.area() * shape.thickness * floes.material(i).ice.density);
+    }
+    return heaviest;
+}
+
 /// The load of a step moves the structure in the next: right while the ice that it strikes is light beside it.
 void check_mass(const Scenario& scenario, Contradictions& found) {
     constexpr double least = 10;
@@ -302,14 +313,33 @@ void check_inertia(const Scenario& scenario, Contradictions& found) {
 }  // namespace
 
 double structure_over_floe(const Scenario& scenario) {
-    const FloeSet floes = floes_of(scenario);
-    double heaviest = 0;
-    for (std::size_t i = 0; i < floes.size(); ++i) {
-        const FloeShape& shape = floes.shape(i);
-        heaviest = std::max(heaviest, shape.area() * shape.thickness * floes.material(i).ice.density);
-    }
     const Mat6 inertia = scenario.moorings.inertia();
-    return std::min(inertia(0, 0), inertia(1, 1)) / heaviest;
+    return std::min(inertia(0, 0), inertia(1, 1)) / heaviest_floe(scenario);
+}
+
+double struck_over_floe(const Scenario& scenario) {
+    const Shape& shape = scenario.structure.shape;
+    const std::vector<int> free = scenario.moorings.directions();
+    const Eigen::MatrixXd inertia = scenario.moorings.inertia()(free, free);
+    const Eigen::LLT<Eigen::MatrixXd> solver(inertia);
+    double most = 0;  // of what a blow of 1 N s moves its own place by, m/s
+    const auto strike = [&](const Vec2& at, const Vec2& along) {
+        Vec6 blow = Vec6::Zero();
+        blow.head<3>() << along.x(), along.y(), at.y() * along.x() - at.x() * along.y();
+        const Eigen::VectorXd given = blow(free);
+        most = std::max(most, given.dot(solver.solve(given)));
+    };
+    for (const std::vector<Vec2>& outline : shape.waterlines()) {
+        for (std::size_t k = 0; k < outline.size(); ++k) {
+            const Vec2& next = outline[(k + 1) % outline.size()];
+            const Vec2 edge = next - outline[k];
+            const Vec2 normal = Vec2(-edge.y(), edge.x()).normalized();
+            // A round wall is met on the normal through its axis.
+            const double half = shape.is_of_revolution() ? 0.5 : 0.0;
+            if (edge.norm() > 0) strike(outline[k] + half * edge, normal), strike(next - half * edge, normal);
+        }
+    }
+    return 1 / (most * heaviest_floe(scenario));
 }
 
 void check_hanging(const HangingLine& line, const std::string& name, Contradictions& found) {
@@ -406,7 +436,7 @@ void check_shape(const Scenario& scenario, Contradictions& found) {
 void check_tow(const Scenario& scenario, Contradictions& found) {
     const Structure& structure = scenario.structure;
     const double radius = structure.shape.waterline_radius();
-    const double ahead = structure.shape.waterline_ahead();
+    const double ahead = structure.shape.waterline_ahead(scenario.first_yaw());
     const double duration = scenario.analysis.steady_start + scenario.analysis.window;
     // Ice that nothing holds drifts with the current while the structure comes.
     const double drift = scenario.field.far_end == FarEnd::open ? scenario.water.current_velocity().x() : 0;

@@ -55,18 +55,21 @@ struct HullReach {
     double ahead = 0;
     double astern = 0;
     double aside = 0;
-    double around = 0;  ///< in any direction
+    double around = 0;       ///< in any direction
+    double first_ahead = 0;  ///< along the tow, turned as it begins
 
     double breadth() const { return 2 * aside; }
     double length() const { return ahead + astern; }
 };
 
-HullReach reach_of_hull(const Shape& shape) {
+/// `yaw`: with which it begins.
+HullReach reach_of_hull(const Shape& shape, double yaw) {
     const double around = shape.largest_radius();
-    if (shape.is_of_revolution()) return {around, around, around, around};
+    if (shape.is_of_revolution()) return {around, around, around, around, around};
     HullReach reach{.around = around};
     for (const ConvexSolid& solid : shape.solids()) {
         for (const Vec3& corner : solid.corners(round_sides)) {
+            reach.first_ahead = std::max(reach.first_ahead, std::cos(yaw) * corner.x() + std::sin(yaw) * corner.z());
             reach.ahead = std::max(reach.ahead, corner.x());
             reach.astern = std::max(reach.astern, -corner.x());
             reach.aside = std::max(reach.aside, std::abs(corner.z()));
@@ -150,7 +153,7 @@ class Layout {
     explicit Layout(Unlaid& one)
         : one_(one),
           scenario_(*one.scenario),
-          hull_(reach_of_hull(scenario_.structure.shape)),
+          hull_(reach_of_hull(scenario_.structure.shape, scenario_.first_yaw())),
           floes_(measures_of_floes(scenario_)),
           swing_(slowest_swing(scenario_)) {
         const Analysis& analysis = scenario_.analysis;
@@ -163,9 +166,10 @@ class Layout {
     bool possible() const { return std::isfinite(aside_) && std::isfinite(back_) && std::isfinite(path_time_); }
 
     void lay_places() {
-        const double before = rounded_up(hull_.ahead + floes_before * floes_.side);
-        const std::string gap = fmt::format(
-            "the bow, {:.4g} m ahead of the axis, is half a floe of {:.4g} m before the ice", hull_.ahead, floes_.side);
+        const double before = rounded_up(hull_.first_ahead + floes_before * floes_.side);
+        const std::string gap =
+            fmt::format("the bow, {:.4g} m ahead of the axis, is half a floe of {:.4g} m before the ice",
+                        hull_.first_ahead, floes_.side);
         Field& field = scenario_.field;
         Structure& structure = scenario_.structure;
         const bool start_is_open = is_open(LaidKey::start);
@@ -318,7 +322,7 @@ class Layout {
 
     void lay_steady_start() {
         if (!is_open(LaidKey::steady_start)) return;
-        const double before = std::max(0.0, scenario_.field.begin - scenario_.structure.start - hull_.ahead);
+        const double before = std::max(0.0, scenario_.field.begin - scenario_.structure.start - hull_.first_ahead);
         const double way = before + hull_.length() + floes_of_entry * floes_.side;
         const double by_way = time_of(way);
         std::string reason =

@@ -62,6 +62,10 @@ std::vector<PathPlace> Scenario::places() const {
     return path.any() ? places_of(path, general.time_step, step_count()) : std::vector<PathPlace>{};
 }
 
+double Scenario::first_yaw() const {
+    return path.any() ? places_of(path, general.time_step, 0).front().pose.yaw : 0;
+}
+
 double Scenario::reach() const {
     double farthest = 0;
     for (const PathPlace& place : places()) farthest = std::max(farthest, place.pose.x);

@@ -447,6 +447,7 @@ struct Scenario {
     /// where it is as broad as the channel.
     std::optional<BankGap> gap() const;
     std::vector<PathPlace> places() const;  ///< of a path, places_of() it; empty without one
+    double first_yaw() const;               ///< of the structure, rad; 0 without a path
     double reach() const;                   ///< m, how far ahead of its start it comes, without its moorings
     double towed() const;                   ///< m, how far the structure goes in a run, along its path
     Material material() const { return {ice, joint, {}}; }  ///< of floes that have no other

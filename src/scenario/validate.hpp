@@ -25,6 +25,10 @@ std::vector<Contradiction> find_contradictions(const Scenario& scenario);
 /// Mass of a moored structure, with the water that moves with it, over that of the heaviest floe.
 double structure_over_floe(const Scenario& scenario);
 
+/// The same of the mass with which it answers the worst blow on its waterline, along the normal there: less than its
+/// own where it turns, 1/m = Jᵀ M⁻¹ J over its free motions.
+double struck_over_floe(const Scenario& scenario);
+
 inline void refuse(Contradictions& found, std::vector<std::string> keys, std::string sentence) {
     found.push_back({std::move(keys), std::move(sentence)});
 }

@@ -351,10 +351,14 @@ bool are_apart(const Box2& a, const Box2& b, double gap) {
 
 }  // namespace
 
+double least_joint(double side) {
+    return least_joint_share * side;
+}
+
 std::optional<CutJoint> joint_between(Corners a, const Corner& centre_a, Corners b, const Corner& centre_b,
                                       double side) {
     const Shared common = shared(a, b, exact_of(side));
-    if (!(common.length > least_joint_share * side)) return {};
+    if (!(common.length > least_joint(side))) return {};
     const double span = dot(common.normal, centre_b - centre_a);
     const double shift = dot(common.normal, 0.5 * (centre_a + centre_b) - common.middle);
     return CutJoint{.normal = common.normal,

@@ -71,6 +71,9 @@ inline constexpr double least_element_share = 0.3;
 /// rounded. `pattern`: which draw of the points from which they come.
 CutFloe cut_into_cells(Corners outline, double side, std::uint32_t pattern = 0);
 
+/// Where elements of this side share an edge that is not longer, there is no joint, m.
+double least_joint(double side);
+
 /// The joint from a to b of elements of this side, m, whose convex outlines share an edge; none where that is too short
 /// to carry one. Outlines and centroids in common axes; it has no numbers of elements yet.
 std::optional<CutJoint> joint_between(Corners a, const Corner& centre_a, Corners b, const Corner& centre_b,

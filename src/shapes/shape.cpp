@@ -297,11 +297,12 @@ double Shape::waterline_radius() const {
     return half_breadth;
 }
 
-double Shape::waterline_ahead() const {
+double Shape::waterline_ahead(double yaw) const {
     if (is_of_revolution()) return in_force().waterline_radius();
     double ahead = 0;
     for (const std::vector<Vec2>& outline : waterlines())
-        for (const Vec2& point : outline) ahead = std::max(ahead, point.x());
+        for (const Vec2& point : outline)
+            ahead = std::max(ahead, std::cos(yaw) * point.x() + std::sin(yaw) * point.y());
     return ahead;
 }
 

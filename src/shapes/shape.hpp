@@ -161,7 +161,8 @@ class Shape {
     /// Radius of the circle that it cuts out of the water, m; at a flat ring the larger. Of a hull that is none of
     /// revolution half its breadth there. 0 if it does not span the waterline.
     double waterline_radius() const;
-    double waterline_ahead() const;               ///< from the axis to where the waterline ends ahead, m
+    /// From the axis to where the waterline ends ahead, m, of the body turned by `yaw` about +y, rad.
+    double waterline_ahead(double yaw = 0) const;
     double largest_radius() const;                ///< m, from the axis
     double bottom() const;                        ///< height of the keel, m, below 0
     double top() const;                           ///< height of the upper end, m

@@ -16,8 +16,9 @@
 // The bearing of a turret resists turning by a moment of constant size, which stops the hull and never turns it.
 //
 // What the splitting from the ice costs: a floe of mass m that strikes the structure, mass M, is stopped as by one that
-// does not give way, so the impulse is 1 + m/M times too large (checks ask for M >= 10 m of the heaviest floe). A floe
-// that is pushed along does not feel it.
+// does not give way, so the impulse is 1 + m/M times too large (checks ask for M >= 10 m of the heaviest floe). Where
+// the blow turns it, M is the mass with which it answers there, 1/M = Jᵀ M⁻¹ J: less, and warnings say so. A floe that
+// is pushed along does not feel it.
 
 #include <cstddef>
 #include <limits>

@@ -111,7 +111,8 @@ SolverState LaneSystem::state(std::size_t body) const {
     return state;
 }
 
-void LaneSystem::take_over(LaneSystem&& other) {
+void LaneSystem::take_over(LaneSystem&& other, std::span<const std::size_t> joints) {
+    FLOES_EXPECTS(joints.size() == joint_count());
     contact_rows_ = std::move(other.contact_rows_);
     direct_contacts_ = std::move(other.direct_contacts_);
     for (std::size_t i = 0; i < other.body_count(); ++i) {
@@ -123,6 +124,13 @@ void LaneSystem::take_over(LaneSystem&& other) {
         for (int field = 0; field < force_field::count; ++field) {
             if (field != force_field::weight) to[field] = from[field];
         }
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (joints[i] >= other.joint_count()) continue;
+        const auto [force, moment] = other.reaction(joints[i]);
+        double* to = reaction_.data() + place(slot_of_joint_[i], reaction_field::count, 0, width());
+        put(to, width(), reaction_field::force, force);
+        put(to, width(), reaction_field::moment, moment);
     }
 }
 

@@ -58,9 +58,9 @@ class LaneSystem {
     /// The state of all bodies as they are now.
     const BodyMotion* motions() const { return motion_.data(); }
 
-    /// Takes over the motions and the forces added so far from a system of the first of these bodies, and its memory
-    /// for contacts.
-    void take_over(LaneSystem&& other);
+    /// Takes over the motions and the forces added so far from a system of the first of these bodies, its memory for
+    /// contacts, and the reactions of joints. `joints`: which of its joints each of these is; any other number is none.
+    void take_over(LaneSystem&& other, std::span<const std::size_t> joints);
 
     /// From the coming step on. Throws RunError where joints are not solved directly.
     void set_water(std::size_t body, const CarriedWater& water);

@@ -45,8 +45,9 @@ std::array<double, 3> moments(double t, double a, double b) {
 }
 
 /// The weight's t for a squared radius of gyration over the side's square: 1/12 of an even load has 0, 1/28 has 1.
+/// Below 0 the ends carry more than the middle, which down to -1 still carries something.
 double weight_for(double gyration) {
-    return std::clamp((1.0 / 3 - 4 * gyration) / (1.0 / 3 - 1.0 / 7), 0.0, 1.0);
+    return std::clamp((1.0 / 3 - 4 * gyration) / (1.0 / 3 - 1.0 / 7), -1.0, 1.0);
 }
 
 }  // namespace

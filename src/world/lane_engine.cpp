@@ -310,6 +310,7 @@ void LaneEngine::add_joint(const JointDefinition& joint) {
 void LaneEngine::put_in(JointId joint, const JointDefinition& definition) {
     joints_[joint.index()] = joint_of(definition);
     removed_[joint.index()] = false;
+    if (in_system(joint)) joint_in_system_[joint.index()] = not_in_system;  // until it is laid out anew
     hold_edges(joints_[joint.index()], true);
     stale_ = true;
 }
@@ -423,16 +424,19 @@ void LaneEngine::lay_out() {
         bodies.back().is_prism = body.parts.is_prism;
     }
     std::vector<SolverJoint> awake;
-    joint_in_system_.assign(joints_.size(), not_in_system);
+    std::vector<std::size_t> last;  // where they were in the system before
+    joint_in_system_.resize(joints_.size(), not_in_system);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const std::size_t before = std::exchange(joint_in_system_[i], not_in_system);
         if (bodies_[joints_[i].a].asleep && bodies_[joints_[i].b].asleep) continue;
         joint_in_system_[i] = awake.size();
         awake.push_back(joints_[i]);
+        last.push_back(before);
     }
     std::optional<LaneSystem> before = std::move(system_);
     system_.emplace(bodies, awake, width_, definition_.solver);
     const std::size_t known = before ? before->body_count() : 0;
-    if (before) system_->take_over(std::move(*before));
+    if (before) system_->take_over(std::move(*before), last);
     for (std::size_t i = known; i < bodies_.size(); ++i) system_->set_state(i, bodies_[i].start);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         if (removed_[i] && in_system(JointId(i))) system_->remove_joint(joint_in_system_[i]);

@@ -118,6 +118,9 @@ TEST(CoverageAhead, IsOfThePathAndOfNothingBesideIt) {
     EXPECT_NEAR(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, -radius, 0}})), 0.18 / path,
                 1e-12);
     EXPECT_EQ(coverage_ahead(scenario, floes_at(scenario, std::vector<PlanarPose>{{10, radius + 0.31, 0}})), 0);
+    Scenario turning = scenario;
+    turning.path.legs = {{0.1, 0.1, 10, 0}};
+    EXPECT_TRUE(std::isnan(coverage_ahead(turning, floes_at(turning, std::vector<PlanarPose>{{10, 0, 0}}))));
     // A structure wider than the field sweeps all of it.
     scenario.field.half_width = 0.9 * radius;
     scenario.field.floes = 20;

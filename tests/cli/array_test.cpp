@@ -69,6 +69,7 @@ TEST_F(Array, WritesWhatTheCommandLineSays) {
     EXPECT_THAT(text, HasSubstr("--part \"$part/10\" -o res/my\".part$part.h5\""));
     EXPECT_THAT(text, HasSubstr("--isolation process --threads 3 --set campaign.seed=5"));
     EXPECT_THAT(text, HasSubstr("floes merge res/my.part*.h5 -o res/my.h5"));
+    EXPECT_THROW(script("--for slurm -o res/my"), InputError) << "which floes merge would refuse at the end";
     for (const char* system : {"slurm", "gridengine", "pbs", "lsf", "flux", "hyperqueue", "parallel"})
         EXPECT_THAT(script(std::string("--parts 10 --for ") + system), Not(testing::ContainsRegex("@[A-Z_]+@")));
     EXPECT_THAT(script("--parts 1 --for pbs"), Not(HasSubstr("#PBS -J"))) << "an array has two tasks at least";

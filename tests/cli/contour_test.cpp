@@ -52,7 +52,7 @@ TEST_F(ContourVerb, WritesAPictureAndAPage) {
 }
 
 TEST_F(ContourVerb, WritesCasesThatAreACampaign) {
-    contour("--per-year 0.01 --points 8 --config " + path("my.toml") + " -o " + path("cases.toml"));
+    contour("--per-year 0.01,0.01 --points 8 --config " + path("my.toml") + " -o " + path("cases.toml"));
     const Campaign campaign = read_campaign({got("cases.toml"), "cases.toml", {}}, nullptr);
     EXPECT_EQ(campaign.arrangements, 7);
     ASSERT_FALSE(campaign.cases.empty());

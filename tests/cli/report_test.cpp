@@ -47,7 +47,7 @@ TEST_F(Report, TellsOfEveryCaseAndHowToRepeatIt) {
     run(file_.string() + " -o " + page_.string());
     const std::string page = file_text(page_);
     for (const Case& one : campaign.cases) EXPECT_THAT(page, HasSubstr("<td>" + one.name + "</td>"));
-    EXPECT_THAT(page, HasSubstr("./floes run synthetic.toml -o synthetic.h5"));
+    EXPECT_THAT(page, HasSubstr("floes run CONFIG.toml -o synthetic.h5"));
     EXPECT_THAT(page, HasSubstr("name = &quot;stiff&quot;"));  // the configuration
     EXPECT_THAT(without_pictures(page), Not(HasSubstr("nan")));
     EXPECT_THAT(page, HasSubstr("1 set aside as failed"));
@@ -168,7 +168,7 @@ TEST_F(Report, HasACommandThatAShellTakes) {
     campaign.name = "my channel";
     synthetic::publish(file_, campaign);
     run(file_.string() + " --pictures none -o " + page_.string());
-    EXPECT_THAT(file_text(page_), HasSubstr("./floes run 'my channel.toml' -o 'my channel.h5'"));
+    EXPECT_THAT(file_text(page_), HasSubstr("floes run CONFIG.toml -o 'my channel.h5'"));
 }
 
 }  // namespace report_test

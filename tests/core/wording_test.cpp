@@ -34,5 +34,16 @@ TEST(ShellWord, IsOneWordWhateverIsInIt) {
     EXPECT_EQ(shell_word(""), "''");
 }
 
+TEST(InAFileName, IsOnePartOfAPathAndNotTooLong) {
+    EXPECT_EQ(in_a_file_name("a/b\nc"), "a_b_c");
+    std::string name;
+    for (int k = 0; k < 100; ++k) name += "氷";
+    EXPECT_EQ(in_a_file_name(name), name.substr(0, 198));  // whole letters of three bytes
+}
+
+TEST(InOneLine, HasNoControlCharacters) {
+    EXPECT_EQ(in_one_line("a\nb\r\tc 氷"), "a b  c 氷");
+}
+
 }  // namespace wording_test
 }  // namespace floes

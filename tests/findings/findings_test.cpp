@@ -129,6 +129,8 @@ TEST(Extremes, PrintNoIntervalsAndNoFitThatSaysNothing) {
     EXPECT_THAT(text, HasSubstr("  GEV: no fit"));
     found.resize(1);
     found[0].gumbel.fit = {};
+    EXPECT_THAT(text_of(extremes_section(of.summary, found)), HasSubstr("No case has 10 segment maxima that differ"));
+    found[0].maxima = fewest_maxima - 1;
     EXPECT_THAT(text_of(extremes_section(of.summary, found)), HasSubstr("Too few segment maxima to fit"));
 }
 

@@ -118,7 +118,7 @@ TEST_F(MooredPageOne, RefusesEachFigureByItsOwnTrend) {
     // Three of the four that a design value needs; eight are a beginning. Runs took 13.5 s on average.
     EXPECT_EQ(why_at(page_, 0, "design_mooring_force"), "needs 5 more");
     EXPECT_EQ(page_.next.at(0).first, "8 arrangements, about 68 s of a core");
-    EXPECT_EQ(page_.next.at(0).second, "floes run synthetic.toml -o a.h5 --set campaign.arrangements=8 --resume");
+    EXPECT_EQ(page_.next.at(0).second, "floes run CONFIG.toml -o a.h5 --set campaign.arrangements=8 --resume");
     EXPECT_EQ(page_.next.at(1).second, "floes design a.h5 --of offset --window auto");
 }
 

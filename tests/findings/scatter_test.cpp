@@ -65,6 +65,18 @@ TEST(Scatter, IsOfWindowsWhereTheyAreShort) {
     EXPECT_TRUE(json_told.at("scatter").at(2).at("arrangement_share").is_null());
 }
 
+TEST(Scatter, LeavesOutACaseThatIceNeverLoads) {
+    Campaign three = synthetic::campaign(20);
+    three.cases.resize(3, three.cases.front());
+    CampaignTable table = table_of(0.1, 0.001);
+    table.cases.push_back(table.cases.back());
+    for (int arrangement = 0; arrangement < 20; ++arrangement)
+        table.members.push_back(example::done(2, arrangement, 0, 0.1, 2));
+    const Results found = find_scatter(evidence_of(three, table), {});
+    EXPECT_EQ(found.number(0, "cases"), 2);
+    EXPECT_GT(found.number(0, "arrangement_share"), 0.99);
+}
+
 TEST(Scatter, OfCasesThatShareNothingIsUnknown) {
     Campaign apart = campaign();
     apart.cases[1].scenario.field.floes = 5;

@@ -99,6 +99,29 @@ TEST(PrismStress, AtTheCornerOfAHexagonGoesOnByTheAngle) {
                 1, 1e-3);
 }
 
+/// Cells meet at corners that may be edges too short for a joint. Ice goes on beyond one of them until a joint beside
+/// it breaks, which frees both.
+TEST(PrismStress, AnEdgeTooShortForAJointIsNoRim) {
+    const double cut = least_joint(side) / std::numbers::sqrt2 - 1e-6;
+    PressedElement prism = element_of({{-0.1, -0.1}, {0.1, -0.1}, {0.1, 0.1 - cut}, {0.1 - cut, 0.1}, {-0.1, 0.1}});
+    prism.least_joint = least_joint(side);
+    for (const Corner& normal : {Corner{0, -1}, Corner{1, 0}, Corner{0, 1}, Corner{-1, 0}})
+        for (unsigned k = 0; k < prism.corners.size(); ++k)
+            if (dot(outward(prism.corners, k), normal) > 1 - 1e-9) prism.joints.push_back(face(normal, 1U << k));
+    ASSERT_EQ(prism.joints.size(), 4U);
+    const Press press{0.085, 0.08, load};
+    const double interior = interior_stress_per_decade(load, thickness, poisson);
+    const double felt = cell_patch.inside.radius(side, side / 2 - 0.015, side);
+    const LocalStress inside = contact_stress(prism, press, 1).value();
+    EXPECT_NEAR(inside.along, interior * std::log10(felt / contact), 1e-6 * inside.along);
+    EXPECT_EQ(inside.shear, 0);
+    PressedElement larger = prism;
+    larger.corners[2].z -= 1e-5;
+    EXPECT_NE(contact_stress(larger, press, 1).value().shear, 0) << "an edge that could have a joint and has none";
+    prism.joints[2].live = false;
+    EXPECT_NE(contact_stress(prism, press, 1).value().along, inside.along);
+}
+
 TEST(PrismStress, IsNeverMoreThanItsBound) {
     std::mt19937_64 random(37);
     std::uniform_real_distribution<double> place(-0.1, 0.1);

@@ -274,6 +274,17 @@ TEST(SubDyn, ReadsTheSeries) {
     EXPECT_THAT(files[1].text, HasSubstr("; they are zero here."));
 }
 
+TEST(Legend, StaysAComment) {
+    LoadToWrite made = load();
+    made.origin.campaign = "good\nimport os\r1,2,3";
+    for (const std::vector<WrittenLoad>& files : {csv_files(made, "ice.csv"), openfast_files(made, "ice.dat"),
+                                                  orcaflex_files(made, "ice.py"), subdyn_files(made, "ice.dat")})
+        for (const WrittenLoad& file : files) {
+            EXPECT_THAT(file.text, testing::Not(HasSubstr("\nimport os"))) << file.path;
+            EXPECT_THAT(file.text, testing::Not(HasSubstr("\r"))) << file.path;
+        }
+}
+
 TEST(Legend, SaysWhatALoadIs) {
     LoadToWrite made = load();
     made.tow_towards = 180;

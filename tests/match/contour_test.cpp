@@ -87,6 +87,8 @@ TEST(ContourInputs, RefuseWhatIsNoJointDistribution) {
               "a.csv:2: ice.thickness_cm is not a key of a case that takes a number; did you mean ice.thickness_m?");
     EXPECT_THAT(said(instead("ice.thickness_m", "ice.thickness_mm"), "a.toml"),
                 HasSubstr("a.toml:3: ice.thickness_mm is not a key of a case that takes a number"));
+    EXPECT_THAT(said(instead("ice.thickness_m", "field.floes"), "a.toml"),
+                HasSubstr("a.toml:3: field.floes takes whole numbers or words"));
     EXPECT_THAT(said(instead("hours_per_year = 600\n", ""), "a.toml"), HasSubstr("hours_per_year is missing"));
     EXPECT_THAT(said(instead("600", "9000"), "a.toml"),
                 HasSubstr("hours_per_year = 9000 must be above 0 and at most 8784"));

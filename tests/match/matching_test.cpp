@@ -371,5 +371,23 @@ TEST(NextPoints, AreLeftAndSpreadOut) {
     EXPECT_EQ(points, next_points(match(tank.data(), emulate(tank.data()), 2048, 1), tank.data(), 12));
 }
 
+/// Of axes of whole numbers as many as there are, none twice.
+TEST(NextPoints, DifferAsTheirAxesTakeThem) {
+    Tank tank(6);
+    tank.add(load, "mean_load", load(0.3, -0.2), 10);
+    MatchData data = tank.data();
+    data.axes = {{"field.floes", 20, 25, AxisScale::linear, true},
+                 {"general.iterations", 1, 4, AxisScale::linear, true}};
+    const Matching found = match(data, emulate(data), 2048, 1);
+    const Eigen::MatrixXd points = next_points(found, data, 40);
+    ASSERT_GE(points.rows(), 2);
+    EXPECT_LE(points.rows(), 24);
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+        const double floes = data.axes[0].value(points(k, 0));
+        EXPECT_NEAR(floes, std::round(floes), 1e-9);
+        for (Eigen::Index other = 0; other < k; ++other) EXPECT_NE(points.row(k), points.row(other));
+    }
+}
+
 }  // namespace matching_test
 }  // namespace floes

@@ -239,7 +239,7 @@ TEST(Year, SaysWhatItRestsOnAndWhatIsNext) {
     EXPECT_THAT(next, HasSubstr("-o my.h5 --set campaign.arrangements=120 --resume"));
     evidence.campaign.name = "my ice";
     EXPECT_THAT(year_next(evidence, year, "floes", "'my ice.h5'").before,
-                HasSubstr("floes run 'my ice.toml' -o 'my ice.h5' --set"));
+                HasSubstr("floes run CONFIG.toml -o 'my ice.h5' --set"));
     EXPECT_THAT(year_next(evidence, year, "floes", "").before,
                 HasSubstr("the command of each part, with --set campaign.arrangements=120 --resume"));
 }

@@ -64,7 +64,7 @@ TEST_F(StatusPage, SaysHowToContinueAKilledRun) {
         journal.append(synthetic::record(campaign_, 0));
     }
     EXPECT_THAT(page(), AllOf(Not(HasSubstr(refresh)), HasSubstr("was killed"),
-                              HasSubstr("<pre>./floes run synthetic.toml -o a.h5 --resume</pre>"),
+                              HasSubstr("<pre>floes run CONFIG.toml -o a.h5 --resume</pre>"),
                               HasSubstr("did not end properly")));
 }
 
@@ -75,7 +75,7 @@ TEST_F(StatusPage, OfAnEndedRunStaysAsItIs) {
         journal.end_session("complete");
     }
     EXPECT_THAT(page(), AllOf(Not(HasSubstr(refresh)), HasSubstr("<h2>The answer</h2>"), HasSubstr("complete"),
-                              HasSubstr("<pre>./floes report a.h5</pre>")));
+                              HasSubstr("<pre>floes report a.h5</pre>")));
 }
 
 TEST_F(StatusPage, IsMadeOfTheCampaignFileAlone) {

@@ -152,6 +152,16 @@ class Refusing(InAFolder):
         self.assertIn(f"build it in a terminal, which takes some minutes at first: {clone}/floes version", told.stdout)
         self.assertFalse((clone / "build/release").exists())
 
+    def test_an_older_campaign_is_not_the_result_of_a_run_that_broke_off(self):
+        old = self.folder / "old.h5"
+        shutil.copy(SMOKE, old)
+        broken = self.folder / "floes"
+        broken.write_text("#!/bin/sh\necho 'floes: old.h5 cannot be written (No space left on device).' >&2\nexit 1\n")
+        broken.chmod(0o755)
+        with unittest.mock.patch.dict(os.environ, {"FLOES": str(broken)}):
+            with self.assertRaisesRegex(floes_reader.CampaignError, "status 1: old.h5 cannot be written"):
+                floes_reader.run(CONFIGURATION, old, resume=True, set={"campaign.arrangements": 200})
+
     def test_a_program_that_is_none(self):
         with unittest.mock.patch.dict(os.environ, {"FLOES": "/none/floes"}):
             with self.assertRaisesRegex(floes_reader.CampaignError, "FLOES names /none/floes, which is no program"):

@@ -219,6 +219,35 @@ TEST(Motion, PathsAreRefusedWhereTheyCannotGo) {
                 HasSubstr("would turn the moorings with the heading"));
 }
 
+/// Wider than long, so that it reaches farther ahead where it begins across the tow.
+TEST(Motion, AHullThatBeginsTurnedMayNotBeginInTheIce) {
+    const auto begin = [](double yaw) {
+        return path_sentence({.table = {{0, 0, 0, yaw}, {270, 18, 0, yaw}}}, [](Scenario& s) {
+            s.structure.shape =
+                Shape(HullKind::barge, {.length = 0.4, .beam = 1, .draught = 0.2, .freeboard = 0.1, .stem = pi / 3});
+            s.structure.start = s.field.begin - 0.3;
+        });
+    };
+    EXPECT_EQ(begin(0), "consistent");
+    EXPECT_THAT(begin(pi / 2), HasSubstr("inside the ice that begins at field.begin_m"));
+}
+
+/// A blow at the end of a hull that may turn meets M/(1 + r²/k²), through the middle M.
+TEST(Motion, ABlowMeetsTheMassThatAnswersIt) {
+    constexpr double gyration = 0.3;
+    Scenario scenario;
+    scenario.structure.shape =
+        Shape(HullKind::barge, {.length = 1.6, .beam = 0.4, .draught = 0.2, .freeboard = 0.1, .stem = pi / 3});
+    scenario.moorings = {.mass = 500, .gyration = gyration, .surge = 600, .sway = 600, .yaw = 60};
+    const double whole = structure_over_floe(scenario);
+    EXPECT_NEAR(struck_over_floe(scenario), whole / (1 + 0.8 * 0.8 / (gyration * gyration)), 1e-9 * whole);
+    scenario.moorings.free = {true, true, false, false, false, false};
+    EXPECT_NEAR(struck_over_floe(scenario), whole, 1e-9 * whole);
+    scenario.moorings.free = {true, true, true, false, false, false};
+    scenario.structure.shape = Shape();
+    EXPECT_NEAR(struck_over_floe(scenario), whole, 1e-9 * whole) << "a round wall is met through its axis";
+}
+
 TEST(Motion, UnusedKeysAreInNoDigest) {
     Scenario scenario;
     const std::string before = canonical_text(scenario);

@@ -51,7 +51,15 @@ TEST(Validate, EveryContradictionIsOneSentence) {
         {[](Scenario& s) { s.floe.thickness = 0.001; },
          "general.time_step_s = 0.02 is too long for ice.thickness_m = 0.001: floating ice heaves at 102.7 rad/s there "
          "and "
-         "diverges; take a step below 0.01947"},
+         "diverges; take a step below 0.01677"},
+        {[](Scenario& s) {
+             s.floe.thickness = 0.0033;
+             s.water.heave_damping_from = WaterFrom::share;
+             s.water.heave_damping = 1;
+         },
+         "general.time_step_s = 0.02 is too long for ice.thickness_m = 0.0033: floating ice heaves at 56.54 rad/s "
+         "there "
+         "and diverges; take a step below 0.01465"},
         {[](Scenario& s) {
              s.contact = {.friction = Friction::cone};
              s.general.solver = SolverKind::stock;

@@ -52,6 +52,31 @@ TEST(Sleep, AWokenBodyMovesAsIfItHadNotSlept) {
     }
 }
 
+TEST(Sleep, WhoWakesDoesNotDisturbTheJointsOfOthers) {
+    World quiet(test::weightless(SolverKind::direct));
+    World waking(test::weightless(SolverKind::direct));
+    for (World* world : {&quiet, &waking}) {
+        for (const double x : {0.0, 0.2, 5.0})
+            world->add_element(test::element_at({x, 0, 0}, Quat::Identity(), x > 1 ? 2 : 0));
+        world->add_joint({.a = BodyId(0),
+                          .b = BodyId(1),
+                          .pivot = {0.1, 0, 0},
+                          .spring = JointSpring{{2e5, 2e3, 1e5}, {20, 20, 20}, 0.05}});
+        world->set_asleep(BodyId(2), true);
+    }
+    for (int i = 0; i < 40; ++i) {
+        if (i >= 20) waking.set_asleep(BodyId(2), i % 2 == 0);
+        for (World* world : {&quiet, &waking}) {
+            world->apply(BodyId(0), {{-10, 5, 3}, {0.1, 0.2, -0.3}});
+            world->apply(BodyId(1), {{10, -5, -3}, {-0.1, -0.2, 0.3}});
+            world->step();
+        }
+        for (const BodyId body : {BodyId(0), BodyId(1)})
+            EXPECT_TRUE(test::same_bits(quiet.state(body), waking.state(body))) << i;
+        EXPECT_EQ(quiet.reaction(JointId(0)).bending, waking.reaction(JointId(0)).bending) << i;
+    }
+}
+
 TEST(Sleep, AMovingElementLandsOnASleeperAndIsReported) {
     World world(test::solved_by(SolverKind::lanes));
     const BodyId below = world.add_element(test::element_at({0, 0, 0}));
