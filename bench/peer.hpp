@@ -38,15 +38,16 @@ PeerScene peer_scene(const Scene& scene);
 /// The default scenario's water.
 WaterModel peer_water(const Scenario& scenario);
 
-/// An engine with the scene in it. One step: structure moved, water on every element, 50 iterations. No joint breaks
-/// and no joint reaction is read.
+/// An engine with the scene in it. One step: structure moved, water on every element, iterations as the scenario has
+/// them. No joint breaks and no joint reaction is read.
 class Peer {
   public:
     virtual ~Peer() = default;
     virtual void step() = 0;
-    virtual int contacts() const = 0;  ///< points of the last step
+    virtual void set_iterations(int iterations) = 0;  ///< of the coming steps
+    virtual int contacts() const = 0;                 ///< points of the last step
     virtual double structure_x() const = 0;
-    virtual double fastest() const = 0;  ///< m/s, of all elements: says that the scene still stands
+    virtual std::vector<Vec3> velocities() const = 0;  ///< of the elements, m/s
 };
 
 /// Bullet as its users write it: btDiscreteDynamicsWorld, btFixedConstraint, a hull for the structure.

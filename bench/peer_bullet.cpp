@@ -84,10 +84,13 @@ class BulletPeer final : public Peer {
 
     double structure_x() const override { return x_; }
 
-    double fastest() const override {
-        double speed = 0;
-        for (const btRigidBody& body : bodies_) speed = std::max(speed, double{body.getLinearVelocity().length()});
-        return speed;
+    void set_iterations(int iterations) override { world_.getSolverInfo().m_numIterations = iterations; }
+
+    std::vector<Vec3> velocities() const override {
+        std::vector<Vec3> found;
+        for (std::size_t i = 0; i < scene_.elements.size(); ++i)
+            found.push_back(vector_of(bodies_[i].getLinearVelocity()));
+        return found;
     }
 
   private:

@@ -75,6 +75,7 @@ class OdePeer final : public Peer {
         }
         contacts_ = 0;
         dSpaceCollide(space_, this, &OdePeer::touch);
+        dRandSetSeed(1);  // QuickStep shuffles its rows
         dWorldQuickStep(world_, scene_.scenario.general.time_step);
         dJointGroupEmpty(contact_joints_);
         x_ = dBodyGetPosition(structure_)[0];
@@ -83,10 +84,12 @@ class OdePeer final : public Peer {
     int contacts() const override { return contacts_; }
     double structure_x() const override { return x_; }
 
-    double fastest() const override {
-        double speed = 0;
-        for (const dBodyID body : bodies_) speed = std::max(speed, vector_of(dBodyGetLinearVel(body)).norm());
-        return speed;
+    void set_iterations(int iterations) override { dWorldSetQuickStepNumIterations(world_, iterations); }
+
+    std::vector<Vec3> velocities() const override {
+        std::vector<Vec3> found;
+        for (const dBodyID body : bodies_) found.push_back(vector_of(dBodyGetLinearVel(body)));
+        return found;
     }
 
   private:
