@@ -158,9 +158,11 @@ void draw_forces(Canvas& canvas, const Stage& stage, const Frame& frame, const P
     const Vec3 middle = middle_of(stage, frame);
     draw(middle, frame.load, ink.faded(0.55), 7 * unit, true);
     draw(middle, frame.load, sum_white, 4 * unit, true);
-    draw(middle, {frame.load.x(), 0, 0}, surge_red, 4 * unit, true);
-    draw(middle, {0, frame.load.y(), 0}, heave_green, 4 * unit, true);
-    draw(middle, {0, 0, frame.load.z()}, sway_blue, 4 * unit, true);
+    const Mat3 axes(frame.structure.orientation());
+    const Vec3 own = frame.structure.in_own_axes(frame.load);
+    draw(middle, own.x() * axes.col(0), surge_red, 4 * unit, true);
+    draw(middle, own.y() * axes.col(1), heave_green, 4 * unit, true);
+    draw(middle, own.z() * axes.col(2), sway_blue, 4 * unit, true);
 }
 
 /// Bars for a length and, with `metres` a newton above 0, a force, both as at the structure, and which line is which,
@@ -513,9 +515,10 @@ void draw_words(Canvas& canvas, const Stage& stage, const Frame& frame, const Pi
         double value;
         Colour colour;
     };
-    const std::array<Line, 4> lines{{{"surge", -frame.load.x(), between(surge_red, bright, 0.35)},
-                                     {"sway", frame.load.z(), between(sway_blue, bright, 0.35)},
-                                     {"heave", frame.load.y(), between(heave_green, bright, 0.35)},
+    const Vec3 own = frame.structure.in_own_axes(frame.load);
+    const std::array<Line, 4> lines{{{"surge", -own.x(), between(surge_red, bright, 0.35)},
+                                     {"sway", own.z(), between(sway_blue, bright, 0.35)},
+                                     {"heave", own.y(), between(heave_green, bright, 0.35)},
                                      {"sum", frame.load.norm(), sum_white}}};
     const auto height = [&](std::size_t k) { return (28 + 21 * static_cast<double>(k)) * unit; };
     double widest = 68 * unit;

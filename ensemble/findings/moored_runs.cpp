@@ -55,7 +55,13 @@ bool has(const Case& one, const DesignOf& of) {
 }
 
 bool by_thrusters_alone(const Case& one) {
-    return one.scenario.moorings.give_way() && one.scenario.moorings.stiffness()(0, 0) == 0;
+    const Moorings& moorings = one.scenario.moorings;
+    const auto held_by_moorings = [&](Motion motion) {
+        const auto k = static_cast<int>(motion);
+        return moorings.is_free(motion) && moorings.stiffness()(k, k) != 0;
+    };
+    return moorings.give_way() && moorings.thrusters.any() && !held_by_moorings(Motion::surge) &&
+           !held_by_moorings(Motion::sway);
 }
 
 /// Its place along the arrays "responses/..." of members.

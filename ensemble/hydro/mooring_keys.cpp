@@ -243,7 +243,13 @@ std::string mooring_keys(const MooringKeysRequest& request, const std::string& b
     const Surroundings here = surroundings(request);
     const bool radiation = is_radiation(bytes);
     const bool has_lines = !radiation && is_mooring_file(bytes);
-    if (!radiation && !has_lines && is_hydrostatic(bytes)) return hydrostatic_text(request, here, bytes);
+    const bool is_stiffness = !radiation && !has_lines && is_hydrostatic(bytes);
+    if ((has_lines || is_stiffness) && !request.reference.empty())
+        throw InputError(
+            fmt::format("--reference-m moves matrices of added mass and damping, and {} has none; give points "
+                        "and stiffness from the axis at the calm water",
+                        request.file));
+    if (is_stiffness) return hydrostatic_text(request, here, bytes);
     std::string keys = has_lines ? moorings_text(request, here, bytes) : radiation_text(request, here, bytes);
     refuse_as_configuration(keys, request.file);
     return keys;

@@ -100,6 +100,14 @@ double period_of(const Scenario& scenario, Motion motion) {
     return longest;
 }
 
+/// Of the critical, of the motion by itself: what moorings.damping gives, and waves.
+double damping_ratio(const Scenario& scenario, Motion motion) {
+    const Moorings& moorings = scenario.moorings;
+    const auto k = static_cast<int>(motion);
+    const double critical = 2 * std::sqrt(moorings.held(scenario.water_stiffness())(k, k) * moorings.inertia()(k, k));
+    return moorings.damping + (critical > 0 ? moorings.radiation()(k, k) / critical : 0);
+}
+
 /// `values`: of the window.
 Response response(const std::vector<double>& values, const Scenario& scenario, double separation) {
     const Analysis& analysis = scenario.analysis;
@@ -122,10 +130,12 @@ double period_of(const Scenario& scenario, const DesignOf& of) {
 }
 
 double separation_of(const Scenario& scenario, const DesignOf& of) {
-    const double period = period_of(scenario, of);
-    const double damping = scenario.moorings.damping;
-    const double fade = damping > 0 ? period / (2 * std::numbers::pi * damping) : 0;
-    return std::max({scenario.analysis.peak_separation, period, fade});
+    double longest = std::max(scenario.analysis.peak_separation, period_of(scenario, of));
+    if (of.value == nullptr || !of.is_of(scenario)) return longest;
+    for (const Motion motion : of.motions)
+        if (const double ratio = damping_ratio(scenario, motion); ratio > 0)
+            longest = std::max(longest, period_of(scenario, motion) / (2 * std::numbers::pi * ratio));
+    return longest;
 }
 
 std::vector<Response> responses_of(const Scenario& scenario, const MotionHistory& motion) {

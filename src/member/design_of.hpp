@@ -59,8 +59,8 @@ const Response* response_of(const MemberOutputs& outputs, const DesignOf& of);
 double period_of(const Scenario& scenario, const DesignOf& of);
 
 /// s, between its peaks that count as two: not below analysis.peak_separation, the natural period, and the time in
-/// which the hull's own damping lets a swing fall to 1/e, since the swings of one event are one. Without damping of its
-/// own only the ice lets it fade.
+/// which the hull's own damping, that of waves included, lets a swing fall to 1/e, since the swings of one event are
+/// one. Without damping of its own only the ice lets it fade.
 double separation_of(const Scenario& scenario, const DesignOf& of);
 
 /// In the window, one of each of response_kinds(), not measured where the scenario has none of it; empty of structures

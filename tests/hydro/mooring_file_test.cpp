@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "hydro/mooring_keys.hpp"
 #include "support/file_bytes.hpp"
 #include "support/refusal.hpp"
 
@@ -82,6 +83,18 @@ std::string field(const std::string& name) {
 
 std::string changed(std::string text, const std::string& old, const std::string& fresh) {
     return text.replace(text.find(old), old.size(), fresh);
+}
+
+/// A place of the file's reference moves matrices alone.
+TEST(MooringFile, IsNotReadAboutAnotherPoint) {
+    MooringKeysRequest request;
+    request.file = "m.dat";
+    EXPECT_EQ(refusal_or("read", [&] { mooring_keys(request, types + points + lines + end); }), "read");
+    request.reference = {10, 0, -5};
+    EXPECT_EQ(
+        refusal_or("read", [&] { mooring_keys(request, types + points + lines + end); }),
+        "--reference-m moves matrices of added mass and damping, and m.dat has none; give points and stiffness from "
+        "the axis at the calm water");
 }
 
 TEST(MooringFile, TakesAFailureByTensionForABreakLoad) {

@@ -90,6 +90,16 @@ TEST_F(Responses, HavePeaksApartByPeriodAndFading) {
     scenario_.moorings.damping = 0.01;
     EXPECT_NEAR(separation_of(scenario_, *find_design_of("offset")), period / (2 * std::numbers::pi * 0.01), 1e-9);
     EXPECT_EQ(separation_of(scenario_, *find_design_of("load")), scenario_.analysis.peak_separation);
+    // The same by waves: 1 % of 2 √(k m) in surge and sway, the first two of either order.
+    Moorings& moorings = scenario_.moorings;
+    moorings.damping = 0;
+    moorings.radiation_damping.assign(6, std::vector<double>(6, 0.0));
+    const Mat6 inertia = moorings.inertia();
+    const Mat6 stiffness = moorings.held(scenario_.water_stiffness());
+    for (const int k : {0, 1})
+        moorings.radiation_damping[static_cast<std::size_t>(k)][static_cast<std::size_t>(k)] =
+            0.01 * 2 * std::sqrt(stiffness(k, k) * inertia(k, k));
+    EXPECT_NEAR(separation_of(scenario_, *find_design_of("offset")), period / (2 * std::numbers::pi * 0.01), 1e-9);
 }
 
 TEST_F(Responses, TravelAsArrays) {

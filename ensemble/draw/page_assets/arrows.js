@@ -123,11 +123,12 @@ function forceArrows(replay, frame, time, metres, {load, contacts, ice}) {
   if (load) {
     const {x: axisX, z: axisZ} = replay.structureAt(time);
     const axis = [axisX, top, axisZ];
-    const {x, y, z} = replay.loadAt(frame);
-    add(axis, [x, y, z], 'ink', 0.035 * radius);
-    add(axis, [x, 0, 0], 'surge', 0.025 * radius);
-    add(axis, [0, 0, z], 'sway', 0.025 * radius);
-    add(axis, [0, y, 0], 'heave', 0.025 * radius);
+    const {force, axes, surge, sway, heave} = replay.loadAt(frame);
+    const along = (direction, size) => direction.map(part => size * part);
+    add(axis, force, 'ink', 0.035 * radius);
+    add(axis, along(axes[0], -surge), 'surge', 0.025 * radius);
+    add(axis, along(axes[2], sway), 'sway', 0.025 * radius);
+    add(axis, along(axes[1], heave), 'heave', 0.025 * radius);
   }
   return arrows;
 }

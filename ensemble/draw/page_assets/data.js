@@ -109,9 +109,14 @@ class Replay {
     return time - this.times[before] <= this.times[after] - time ? before : after;
   }
 
+  // Force of the world, and its parts along the structure's axes: ahead, up and to starboard.
   loadAt(frame) {
-    const [x, y, z] = this.loads.subarray(3 * frame, 3 * frame + 3);
-    return {x, y, z, surge: -x, sway: z, heave: y, sum: Math.hypot(x, y, z)};
+    const force = [...this.loads.subarray(3 * frame, 3 * frame + 3)];
+    const {yaw, pitch, roll} = this.structureAt(this.times[frame]);
+    const turn = new THREE.Euler(roll, yaw, pitch, 'YZX');
+    const axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(axis => new THREE.Vector3(...axis).applyEuler(turn).toArray());
+    const [ahead, up, starboard] = axes.map(axis => axis.reduce((sum, part, i) => sum + part * force[i], 0));
+    return {force, axes, surge: -ahead, sway: starboard, heave: up, sum: Math.hypot(...force)};
   }
 
   // A load that few frames exceed, N: it sets how long arrows are.
