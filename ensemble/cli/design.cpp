@@ -259,7 +259,9 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
     const std::vector<MooredCase> found = find_moored(evidence, asked);
     const std::vector<CasePeaks> peaks = moored_peaks(evidence.sample, found);
     std::vector<CaseDesignLoad> designs = find_design_loads(evidence.sample, request, peaks);
-    for (CaseDesignLoad& one : designs) one.why = "its members keep no load histories (analysis.history_steps)";
+    for (CaseDesignLoad& one : designs)
+        if (!evidence.sample.done(one.case_index).empty())
+            one.why = "its members keep no load histories (analysis.history_steps)";
     for (const MooredCase& one : found) designs[one.case_index].why = one.refused;
     std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
     sections.push_back(moored_section(evidence.summary, found, asked));

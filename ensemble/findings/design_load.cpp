@@ -361,7 +361,7 @@ std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
                            load.arrangements, fewest_members);
     if (load.peaks >= fewest_peaks)
         return fmt::format("its {} peaks give no tail, or reach down to its mean; take fewer (--peaks).", load.peaks);
-    if (load.peaks == 0) return "its load never rises above its mean; does ice reach the structure in the window?";
+    if (load.peaks == 0) return "it never rises above its mean; does ice load the structure in the window?";
     const int more = more_arrangements(one);
     return fmt::format("too few peaks ({} of {}) to fit; {}.", load.peaks, fewest_peaks,
                        more > 0

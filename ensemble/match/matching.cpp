@@ -325,7 +325,7 @@ Value value_of(const DesignAxis& axis, double number) {
     Value value;
     const double given = taken(axis.whole, number);
     if (axis.whole) {
-        value.data = std::llround(given);
+        value.data = static_cast<std::int64_t>(given);
     } else {
         value.data = given;
     }
