@@ -113,7 +113,7 @@ class Run:
         errors = [line for line in self.messages if re.match("floes: (?!member|rank)", line)] if status == 1 else []
         if errors or status not in (0, 1) or not self.path.exists():
             last = (errors or self.messages or ["it said nothing"])[-1]
-            raise CampaignError(f"floes run ended with status {status}: {last.removeprefix('floes: ')}")
+            raise CampaignError(f"floes run ended with status {status}: {last}")
         return self.campaign
 
     def stop(self) -> None:

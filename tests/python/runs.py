@@ -159,7 +159,7 @@ class Refusing(InAFolder):
         broken.write_text("#!/bin/sh\necho 'floes: old.h5 cannot be written (No space left on device).' >&2\nexit 1\n")
         broken.chmod(0o755)
         with unittest.mock.patch.dict(os.environ, {"FLOES": str(broken)}):
-            with self.assertRaisesRegex(floes_reader.CampaignError, "status 1: old.h5 cannot be written"):
+            with self.assertRaisesRegex(floes_reader.CampaignError, "status 1: floes: old.h5 cannot be written"):
                 floes_reader.run(CONFIGURATION, old, resume=True, set={"campaign.arrangements": 200})
 
     def test_a_program_that_is_none(self):
