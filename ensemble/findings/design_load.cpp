@@ -362,11 +362,8 @@ std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
     if (load.peaks >= fewest_peaks)
         return fmt::format("its {} peaks give no tail, or reach down to its mean; take fewer (--peaks).", load.peaks);
     if (load.peaks == 0) return "it never rises above its mean; does ice load the structure in the window?";
-    const int more = more_arrangements(one);
-    return fmt::format("too few peaks ({} of {}) to fit; {}.", load.peaks, fewest_peaks,
-                       more > 0
-                           ? fmt::format("about {} arrangements would do", static_cast<int>(load.arrangements) + more)
-                           : std::string{"run more arrangements"});
+    return fmt::format("too few peaks ({} of {}) to fit; about {} arrangements would do.", load.peaks, fewest_peaks,
+                       static_cast<int>(load.arrangements) + more_arrangements(one));
 }
 
 int more_arrangements(const CaseDesignLoad& one) {

@@ -86,8 +86,9 @@ class Replay {
     this.pieces = new Int32Array(this.elements);
     this.begin = this.times[0];
     this.end = this.times[this.frames - 1];
-    this.sums = Array.from(this.times, (_, f) => this.loadAt(f).sum);
-    this.surges = Array.from(this.times, (_, f) => this.loadAt(f).surge);
+    const loads = Array.from(this.times, (_, f) => this.loadAt(f));
+    this.sums = loads.map(load => load.sum);
+    this.surges = loads.map(load => load.surge);
     this.unit = forceUnit(Math.max(...this.sums));
   }
 
