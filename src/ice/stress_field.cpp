@@ -163,9 +163,11 @@ StressField::StressField(std::size_t steps, std::size_t elements) : steps_(steps
 
 void StressField::put_element(std::size_t number, BodyId body, const Corner& axis, PressedElement element) {
     FLOES_EXPECTS(number <= elements_.size() && element.joints.empty());
+    const Within within{.area = element.area};
     Element made{.ice = std::move(element), .body = body, .axis = axis};
     if (number < elements_.size()) {
         elements_[number] = std::move(made);
+        within_[number] = within;
         for (Step& step : steps_) step.elements[number] = {};
         return;
     }
@@ -173,12 +175,14 @@ void StressField::put_element(std::size_t number, BodyId body, const Corner& axi
     element_of_body_.resize(std::max(element_of_body_.size(), body.index() + 1), none);
     element_of_body_[body.index()] = number;
     elements_.push_back(std::move(made));
+    within_.push_back(within);
 }
 
 void StressField::put_joint(std::size_t number, JointId id, std::size_t a, const ElementJoint& at_a, std::size_t b,
                             const ElementJoint& at_b) {
     FLOES_EXPECTS(number <= joints_.size());
-    const Joint joint{id, a, b, join(a, number, at_a), join(b, number, at_b)};
+    const Joint joint{id,         a,          b,          join(a, number, at_a), join(b, number, at_b), at_a.outward,
+                      at_a.pivot, at_b.pivot, at_a.length};
     if (number < joints_.size()) {
         joints_[number] = joint;
         live_[number] = true;
@@ -196,7 +200,7 @@ std::size_t StressField::join(std::size_t element, std::size_t joint, const Elem
     joined.ice.joints.push_back(at);
     joined.joints.push_back(joint);
     ++joined.live;
-    joined.most_stress = most_contact_stress(joined.ice);
+    within_[element].most_stress = most_contact_stress(joined.ice);
     return joined.joints.size() - 1;
 }
 
@@ -213,27 +217,26 @@ void StressField::remove_joint(std::size_t joint) {
 
 /// On the faces of its elements: of a the forces that b exerts, of b the same the other way round.
 void StressField::spread(const Joint& joint, const JointReaction& reaction) {
-    Element& a = elements_[joint.a];
-    Element& b = elements_[joint.b];
-    const ElementJoint& at_a = a.ice.joints[joint.on_a];
-    const ElementJoint& at_b = b.ice.joints[joint.on_b];
-    const Corner moment = by_axes(at_a.outward, reaction.bending, -reaction.torsion);
-    const Corner force = by_axes(at_a.outward, reaction.axial, reaction.shear_in_plane);
-    a.moment.add(moment, at_a.pivot);
-    a.force.add(force, at_a.pivot);
-    b.moment.add(-1.0 * moment, at_b.pivot);
-    b.force.add(-1.0 * force, at_b.pivot);
+    Within& a = within_[joint.a];
+    Within& b = within_[joint.b];
+    const Corner moment = by_axes(joint.outward, reaction.bending, -reaction.torsion);
+    const Corner force = by_axes(joint.outward, reaction.axial, reaction.shear_in_plane);
+    a.moment.add(moment, joint.pivot_a);
+    a.force.add(force, joint.pivot_a);
+    b.moment.add(-1.0 * moment, joint.pivot_b);
+    b.force.add(-1.0 * force, joint.pivot_b);
 }
 
 void StressField::read(const World& world) {
     last_ = (last_ + 1) % steps_.size();
     Step& step = steps_[last_];
-    for (std::size_t i = 0; i < joints_.size(); ++i)
-        if (live_[i]) step.reactions[i] = world.reaction(joints_[i].id);
-    average();
-    for (Element& element : elements_) element.moment = element.force = {};
-    for (std::size_t i = 0; i < joints_.size(); ++i)
-        if (live_[i]) spread(joints_[i], reactions_[i]);
+    for (Within& element : within_) element.moment = element.force = {};
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        if (!live_[i]) continue;
+        step.reactions[i] = world.reaction(joints_[i].id);
+        reactions_[i] = average(i);
+        spread(joints_[i], reactions_[i]);
+    }
     for (const std::size_t i : step.touched) step.elements[i] = {};
     step.touched.clear();
     step.touches.clear();
@@ -244,26 +247,25 @@ void StressField::read(const World& world) {
     }
 }
 
-void StressField::average() {
+/// Of the last steps.
+JointReaction StressField::average(std::size_t joint) const {
     const double share = 1.0 / static_cast<double>(steps_.size());
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-        JointReaction sum{};
-        for (const Step& step : steps_) {
-            const JointReaction& one = step.reactions[i];
-            sum.axial += one.axial;
-            sum.shear_vertical += one.shear_vertical;
-            sum.shear_in_plane += one.shear_in_plane;
-            sum.torsion += one.torsion;
-            sum.in_plane_bending += one.in_plane_bending;
-            sum.bending += one.bending;
-        }
-        reactions_[i] = {.axial = share * sum.axial,
-                         .shear_vertical = share * sum.shear_vertical,
-                         .shear_in_plane = share * sum.shear_in_plane,
-                         .torsion = share * sum.torsion,
-                         .in_plane_bending = share * sum.in_plane_bending,
-                         .bending = share * sum.bending};
+    JointReaction sum{};
+    for (const Step& step : steps_) {
+        const JointReaction& one = step.reactions[joint];
+        sum.axial += one.axial;
+        sum.shear_vertical += one.shear_vertical;
+        sum.shear_in_plane += one.shear_in_plane;
+        sum.torsion += one.torsion;
+        sum.in_plane_bending += one.in_plane_bending;
+        sum.bending += one.bending;
     }
+    return {.axial = share * sum.axial,
+            .shear_vertical = share * sum.shear_vertical,
+            .shear_in_plane = share * sum.shear_in_plane,
+            .torsion = share * sum.torsion,
+            .in_plane_bending = share * sum.in_plane_bending,
+            .bending = share * sum.bending};
 }
 
 void StressField::touch(Step& step, const World& world, BodyId body, const ContactForce& contact, bool on_a) const {
@@ -290,30 +292,29 @@ void StressField::touch(Step& step, const World& world, BodyId body, const Conta
 
 double StressField::across(std::size_t joint) const {
     const Joint& one = joints_[joint];
-    const Element& a = elements_[one.a];
-    const Element& b = elements_[one.b];
-    const ElementJoint& own = a.ice.joints[one.on_a];
-    const Corner t{-own.outward.z, own.outward.x};
-    return own.length / 2 * (a.moment.along(t) / a.ice.area + b.moment.along(t) / b.ice.area);
+    const Within& a = within_[one.a];
+    const Within& b = within_[one.b];
+    const Corner t{-one.outward.z, one.outward.x};
+    return one.length / 2 * (a.moment.along(t) / a.area + b.moment.along(t) / b.area);
 }
 
 double StressField::most_by_contacts(std::size_t joint) const {
+    const Joint& one = joints_[joint];
     double sum = 0;
     for (const Step& step : steps_) {
-        const auto most = [&](std::size_t i) { return elements_[i].most_stress * step.elements[i].largest_force; };
-        sum += std::max(most(joints_[joint].a), most(joints_[joint].b));
+        const auto most = [&](std::size_t i) { return within_[i].most_stress * step.elements[i].largest_force; };
+        sum += std::max(most(one.a), most(one.b));
     }
     return sum / static_cast<double>(steps_.size());
 }
 
 JointLoad StressField::load(std::size_t joint) const {
     const Joint& one = joints_[joint];
-    const ElementJoint& own = elements_[one.a].ice.joints[one.on_a];
-    const Corner t{-own.outward.z, own.outward.x};
+    const Corner t{-one.outward.z, one.outward.x};
     const double share = 1.0 / static_cast<double>(steps_.size());
     JointLoad load{.reaction = reactions_[joint], .across = across(joint)};
-    Tensor force_a = elements_[one.a].force;
-    Tensor force_b = elements_[one.b].force;
+    Tensor force_a = within_[one.a].force;
+    Tensor force_b = within_[one.b].force;
     for (const Step& step : steps_) {
         LocalStress sagging;
         LocalStress hogging;
@@ -333,15 +334,15 @@ JointLoad StressField::load(std::size_t joint) const {
         load.hogging.add(share, hogging);
     }
     load.pulled_across =
-        own.length / 2 * (force_a.along(t) / elements_[one.a].ice.area + force_b.along(t) / elements_[one.b].ice.area);
+        one.length / 2 * (force_a.along(t) / within_[one.a].area + force_b.along(t) / within_[one.b].area);
     return load;
 }
 
 void StressField::archive(StateArchive& state) {
-    auto& [elements, joints, live, reactions, element_of_body, steps, last, contacts] = *this;
+    auto& [elements, within, joints, live, reactions, element_of_body, steps, last, contacts] = *this;
     state.list(elements, Element{.ice = {}, .body = BodyId(0), .axis = {}});
-    state.list(joints, Joint{JointId(0), 0, 0, 0, 0});
-    state(live, reactions, element_of_body, steps, last);  // contacts are those of a step
+    state.list(joints, Joint{JointId(0), 0, 0, 0, 0, {}, {}, {}, 0});
+    state(within, live, reactions, element_of_body, steps, last);  // contacts are those of a step
 }
 
 }  // namespace floes

@@ -140,6 +140,10 @@ class StressField {
         JointId id;
         std::size_t a, b;
         std::size_t on_a, on_b;  ///< its number among the joints of either element
+        // Of these ElementJoint what every step reads, side by side:
+        Corner outward;  ///< of a
+        Corner pivot_a, pivot_b;
+        double length;
     };
     /// A symmetric tensor in the axes of a floe.
     struct Tensor {
@@ -158,8 +162,12 @@ class StressField {
         Corner axis;                        ///< own x axis in the axes of the floe
         std::vector<std::size_t> joints{};  ///< of all, by their numbers among the element's
         int live = 0;                       ///< of them
-        double most_stress = 0;             ///< by a force of 1 N, Pa
-        Tensor moment{}, force{};           ///< times the area, by its joints, N m² and N m
+    };
+    /// What every step reads of an element.
+    struct Within {
+        double area = 0;           ///< m²
+        double most_stress = 0;    ///< by a force of 1 N, Pa
+        Tensor moment{}, force{};  ///< times the area, by its joints, N m² and N m
     };
     /// A contact as an element feels it in the axes of its floe, and the next one of the same element.
     struct Touch {
@@ -181,10 +189,11 @@ class StressField {
     };
     void touch(Step& step, const World& world, BodyId body, const ContactForce& contact, bool on_a) const;
     std::size_t join(std::size_t element, std::size_t joint, const ElementJoint& at);
-    void average();
+    JointReaction average(std::size_t joint) const;
     void spread(const Joint& joint, const JointReaction& reaction);
 
     std::vector<Element> elements_;
+    std::vector<Within> within_;  ///< by element
     std::vector<Joint> joints_;
     std::vector<bool> live_;
     std::vector<JointReaction> reactions_;      ///< averaged
