@@ -219,14 +219,15 @@ std::vector<TimedMember> slowest(const Campaign& campaign, const MemberNotes& no
     return members;
 }
 
-/// The members that a heartbeat names and that have not ended since: it is some seconds older than the journal.
+/// The members that a heartbeat names and that are not done since: it is some seconds older than the journal. One that
+/// failed may be tried again from its first attempt (--retry-failed).
 std::vector<TimedMember> under_way(const Campaign& campaign, const Heartbeat& heartbeat, const MemberNotes& notes,
                                    const Matched& records) {
     std::vector<TimedMember> members;
     for (const Heartbeat::UnderWay& one : heartbeat.under_way) {
         if (one.number < 0 || one.number >= std::ssize(records)) continue;
         const auto record = records[static_cast<std::size_t>(one.number)];
-        if (record && notes[*record].attempt >= one.attempt) continue;
+        if (record && notes[*record].done()) continue;
         members.push_back(timed(campaign, one.number, one.attempt, one.seconds));
         members.back().time = one.time;
         members.back().end = one.end;

@@ -743,17 +743,20 @@ PlannedMembers expected_members(const Campaign& campaign) {
     return planned;
 }
 
-std::string stop_forecast(const Campaign& campaign, int done, double pace, int cores) {
+std::string stop_forecast(const Campaign& campaign, const CampaignPart& part, int done, double pace, int cores) {
     const int least = std::min(PrecisionStop(campaign).minimum() + campaign.stop.look_ahead, campaign.arrangements);
     const int cases = static_cast<int>(campaign.cases.size());
     double seconds = 0;  // of all members of an arrangement
     for (int number = 0; number < cases; ++number)
         seconds += pace > 0 ? pace * expected_cost(campaign, number) : expected_run_time(campaign, number);
-    const double left = std::max(0.0, least - static_cast<double>(done) / cases);
+    int own = 0;
+    for (int arrangement = 0; arrangement < least; ++arrangement) own += part.has(arrangement) ? 1 : 0;
+    const double left = std::max(0.0, own - static_cast<double>(done) / cases);
     const std::string most = campaign.arrangements > least ? fmt::format(", at most {}", campaign.arrangements) : "";
-    return fmt::format("until {} is known within {:g} %: at least {}{}; about {} on {} for {}", what_of(campaign.stop),
-                       100 * campaign.stop.half_width, counted(least, "arrangement"), most,
-                       duration_text(left * seconds / cores), counted(cores, "core"),
+    const std::string of_part = part.of > 1 ? fmt::format(" of all parts, {} of them of this one", own) : "";
+    return fmt::format("until {} is known within {:g} %: at least {}{}{}; about {} on {} for {}",
+                       what_of(campaign.stop), 100 * campaign.stop.half_width, counted(least, "arrangement"), most,
+                       of_part, duration_text(left * seconds / cores), counted(cores, "core"),
                        done > 0 ? "what is left of these" : "these");
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "run/inventory.hpp"
 
 namespace floes {
 
@@ -150,9 +151,9 @@ PlannedMembers expected_members(const Campaign& campaign);
 double core_memory(const Campaign& campaign);
 
 /// What a stop rule will take, a sentence: the arrangements before which it does not end, and how long their members
-/// that are not done take on so many cores. `done`: members that are; `pace`: s a unit of expected cost that they took;
-/// 0: not known.
-std::string stop_forecast(const Campaign& campaign, int done, double pace, int cores);
+/// that are not done take on so many cores; of a part, how many of them are its own, and how long those take. `done`:
+/// members that are; `pace`: s a unit of expected cost that they took; 0: not known.
+std::string stop_forecast(const Campaign& campaign, const CampaignPart& part, int done, double pace, int cores);
 
 /// The mean of these for the members of a case, s.
 double expected_run_time(const Campaign& campaign, int case_index);

@@ -718,7 +718,7 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     expect_to_see_pieces(groups, journal_path(options.places.campaign_file), system);
     progress.say(opening(campaign, options, link.size(), mustered.cores()));
     if (const Inventory& found = recorder.tally().found(); campaign.stop.active() && !found.precise())
-        progress.say(stop_forecast(campaign, found.done, found.pace, mustered.cores()));
+        progress.say(stop_forecast(campaign, options.places.part, found.done, found.pace, mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder.tally().found()));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
     if (recorder.journal().damaged_bytes() > 0) {
