@@ -122,10 +122,10 @@ void HeldNumbers::add(const Scenario& scenario) {
                 5 * scenario.structure.shape.piece_rows().size() + scenario.analysis.exceedance_levels.size() +
                 scenario.analysis.averaging.size();
     if (numbers_ > most_numbers)
-        throw InputError(fmt::format(
+        throw InputError(
             "{}: poses, outlines, profiles, levels and times of all cases are more than {} numbers, which cannot be "
             "held; take fewer cases or shorter lists",
-            file_, most_numbers));
+            file_, most_numbers);
 }
 
 namespace {

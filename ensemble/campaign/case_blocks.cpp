@@ -46,29 +46,29 @@ std::size_t values_of_a_case(const Design& design) {
 void refuse_stranger(const Block& block) {
     if (block.path == case_block || block.path == axis_block) return;
     const bool axis = edit_distance(block.path, axis_block) < edit_distance(block.path, case_block);
-    throw InputError(fmt::format("{}: [[{}]] is not a table of a configuration; did you mean [[{}]]?", block.where,
-                                 block.path, axis ? axis_block : case_block));
+    throw InputError("{}: [[{}]] is not a table of a configuration; did you mean [[{}]]?", block.where, block.path,
+                     axis ? axis_block : case_block);
 }
 
 /// The block's name, checked: present, plain, and none of those `taken`.
 std::string case_name(const Block& block, std::set<std::string>& taken) {
     const auto entry = std::ranges::find(block.entries, "name", &Entry::path);
     if (entry == block.entries.end()) {
-        throw InputError(fmt::format("{}: this [[case]] has no name; begin it with name = \"E60\"", block.where));
+        throw InputError("{}: this [[case]] has no name; begin it with name = \"E60\"", block.where);
     }
     std::string name;
     assign(text_key("name", name, "", "Name of the case."), *entry);
     const auto plain = [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-' || c == '+' || c == '.'; };
     if (name.size() > longest_name)
-        throw InputError(fmt::format("{}: name = {} is longer than the {} characters that the name of a case may have",
-                                     entry->where, to_text(entry->value), longest_name));
+        throw InputError("{}: name = {} is longer than the {} characters that the name of a case may have",
+                         entry->where, to_text(entry->value), longest_name);
     if (name.empty() || !std::ranges::all_of(name, plain)) {
-        throw InputError(fmt::format("{}: name = {} cannot name a case; allowed: letters, digits and any of _ - + .",
-                                     entry->where, text_literal(name)));
+        throw InputError("{}: name = {} cannot name a case; allowed: letters, digits and any of _ - + .", entry->where,
+                         text_literal(name));
     }
     if (!taken.insert(name).second) {
-        throw InputError(fmt::format("{}: name = {} names an earlier case too; give each case its own name",
-                                     entry->where, text_literal(name)));
+        throw InputError("{}: name = {} names an earlier case too; give each case its own name", entry->where,
+                         text_literal(name));
     }
     return name;
 }
@@ -97,8 +97,8 @@ std::vector<CaseBlock> given_cases(const Document& document, const std::string& 
 void refuse_axis(const Entry& entry, const Origins& axes) {
     const auto axis = axes.find(full_path(entry.path));
     if (axis == axes.end()) return;
-    throw InputError(fmt::format("{}: {} = {} is hidden by the axis of the design at {}; keep one of them", entry.where,
-                                 entry.path, to_text(entry.value), axis->second));
+    throw InputError("{}: {} = {} is hidden by the axis of the design at {}; keep one of them", entry.where, entry.path,
+                     to_text(entry.value), axis->second);
 }
 
 std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& design, const Origins& axes,
@@ -106,15 +106,14 @@ std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& des
     if (!design.active() || written_out(given)) return given;
     const auto all = static_cast<std::int64_t>(given.size()) * point_count(design);
     if (all > most_cases)
-        throw InputError(fmt::format("{}: {} at {} are {}; no more than {} are allowed", file,
-                                     counted(std::ssize(given), "case"), counted(point_count(design), "point"),
-                                     counted(all, "case"), most_cases));
+        throw InputError("{}: {} at {} are {}; no more than {} are allowed", file, counted(std::ssize(given), "case"),
+                         counted(point_count(design), "point"), counted(all, "case"), most_cases);
     const std::size_t values = static_cast<std::size_t>(all) * values_of_a_case(design);
     if (values > most_axis_values)
         throw InputError(
-            fmt::format("{}: {} of the design have {} values of its axes, more than the {} that can be "
-                        "held; take fewer points or fewer axes",
-                        file, counted(all, "case"), values, most_axis_values));
+            "{}: {} of the design have {} values of its axes, more than the {} that can be held; take fewer points or "
+            "fewer axes",
+            file, counted(all, "case"), values, most_axis_values);
     const std::vector<DesignPoint> points = design_points(design, seed);
     std::vector<CaseBlock> cases;
     for (const CaseBlock& one : given) {
@@ -124,9 +123,8 @@ std::vector<CaseBlock> at_points(std::vector<CaseBlock> given, const Design& des
             at_point.name = one.name.empty() ? points[p].name : one.name + "+" + points[p].name;
             if (at_point.name.size() > longest_name)
                 throw InputError(
-                    fmt::format("{}: the name of the point {} is longer than {} characters; give the "
-                                "[[case]] a shorter one",
-                                file, at_point.name, longest_name));
+                    "{}: the name of the point {} is longer than {} characters; give the [[case]] a shorter one", file,
+                    at_point.name, longest_name);
             at_point.base = one.name;
             at_point.point = static_cast<int>(p);
             for (std::size_t axis = 0; axis < design.axes.size(); ++axis) {
@@ -142,10 +140,10 @@ void refuse_members(std::size_t cases, int arrangements, const std::string& file
     const auto members = static_cast<std::int64_t>(cases) * arrangements;
     if (members > most_members)
         throw InputError(
-            fmt::format("{}: {} with {} make {} members, more than the {} that a campaign can hold; take fewer of "
-                        "either, or run several campaigns",
-                        file, counted(static_cast<std::int64_t>(cases), "case"), counted(arrangements, "arrangement"),
-                        members, most_members));
+            "{}: {} with {} make {} members, more than the {} that a campaign can hold; take fewer of either, or run "
+            "several campaigns",
+            file, counted(static_cast<std::int64_t>(cases), "case"), counted(arrangements, "arrangement"), members,
+            most_members);
 }
 
 void check_points(const Campaign& campaign, const std::string& file) {
@@ -156,24 +154,24 @@ void check_points(const Campaign& campaign, const std::string& file) {
     for (const Case& one : campaign.cases) {
         if (!campaign.design.active()) {
             if (one.point < 0 && one.base.empty()) continue;
-            throw InputError(fmt::format(
+            throw InputError(
                 "{}: the case {} is a point of a design, and there is no [design]; take its design.point away", file,
-                one.name));
+                one.name);
         }
         const char* what = !names.insert(one.name).second ? "has the name of another point; rename a [[case]]"
                            : one.point < 0                ? "has no design.point, and others have"
                            : one.point >= count           ? "has a design.point beyond the design's last"
                            : !points.emplace(one.base, one.point).second ? "has the design.point of an earlier case"
                                                                          : nullptr;
-        if (what != nullptr) throw InputError(fmt::format("{}: the case {} {}", file, one.name, what));
+        if (what != nullptr) throw InputError("{}: the case {} {}", file, one.name, what);
         bases.insert(one.base);
     }
     const std::size_t wanted = bases.size() * static_cast<std::size_t>(count);
     if (points.size() < wanted)
         throw InputError(
-            fmt::format("{}: {} of the {} points of the design have no case; take design.point away from the "
-                        "others too, and the design gives them all",
-                        file, wanted - points.size(), wanted));
+            "{}: {} of the {} points of the design have no case; take design.point away from the others too, and the "
+            "design gives them all",
+            file, wanted - points.size(), wanted);
 }
 
 }  // namespace floes

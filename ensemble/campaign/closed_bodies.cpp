@@ -30,10 +30,10 @@ std::map<std::pair<int, int>, std::size_t> edge_owners(const Surface& surface, c
         for (std::size_t e = 0; e < 3; ++e) {
             const std::pair<int, int> edge{surface.triangles[t][e], surface.triangles[t][(e + 1) % 3]};
             if (owner.try_emplace(edge, t).second) continue;
-            throw InputError(fmt::format(
+            throw InputError(
                 "{}: two triangles at {} have the same edge in the same direction, so the surface has no inside; let "
                 "the CAD program unite its bodies and orient its faces",
-                file, place_text(surface.corner(t, e))));
+                file, place_text(surface.corner(t, e)));
         }
     }
     std::size_t open = 0;
@@ -44,10 +44,10 @@ std::map<std::pair<int, int>, std::size_t> edge_owners(const Surface& surface, c
         at = &surface.points[static_cast<std::size_t>(edge.first)];
     }
     if (open > 0)
-        throw InputError(fmt::format(
+        throw InputError(
             "{}: the surface is open: {} edges have a triangle on one side only, one of them at {}; close it (a deck, "
             "a bottom, the middle plane of a half model), or let the CAD program sew it",
-            file, open, place_text(*at)));
+            file, open, place_text(*at));
     return owner;
 }
 
@@ -127,10 +127,8 @@ std::vector<TriangleNumbers> bodies_as_they_are(const Surface& surface, const st
 std::vector<Surface> bodies_of(const Surface& surface, const std::string& file) {
     const std::vector<TriangleNumbers> numbers = bodies_as_they_are(surface, file);
     if (numbers.size() > most_bodies)
-        throw InputError(
-            fmt::format("{}: the file has {} bodies, more than the {} pieces of a hull; leave out what no "
-                        "ice meets",
-                        file, numbers.size(), most_bodies));
+        throw InputError("{}: the file has {} bodies, more than the {} pieces of a hull; leave out what no ice meets",
+                         file, numbers.size(), most_bodies);
     std::vector<Surface> bodies;
     for (const TriangleNumbers& triangles : numbers) {
         Surface& body = bodies.emplace_back(part_of(surface, triangles));
@@ -302,9 +300,9 @@ void refuse_crossed(const std::vector<Surface>& bodies, const std::string& file)
         const double share = found.volume / volume_of(bodies[k]);
         if (!(share > most_crossed)) continue;
         throw InputError(
-            fmt::format("{}: the surface of {} crosses itself near {}, so that {:.3g} % of it would count twice or be "
-                        "missing; is a corner at the wrong place? Let the CAD program unite its bodies",
-                        file, body_name(bodies, k), place_text(found.at), 100 * share));
+            "{}: the surface of {} crosses itself near {}, so that {:.3g} % of it would count twice or be missing; is "
+            "a corner at the wrong place? Let the CAD program unite its bodies",
+            file, body_name(bodies, k), place_text(found.at), 100 * share);
     }
 }
 
@@ -322,16 +320,15 @@ void refuse_shared_space(const std::vector<Surface>& bodies, const std::string& 
             const std::string which = fmt::format("{}: {} and {}", file, body_name(bodies, i), body_name(bodies, k));
             if (share < 1 - most_crossed)
                 throw InputError(
-                    fmt::format("{} overlap near {}: {:.3g} % of the smaller would count twice; let the CAD "
-                                "program unite them",
-                                which, place_text(found.at), 100 * share));
+                    "{} overlap near {}: {:.3g} % of the smaller would count twice; let the CAD program unite them",
+                    which, place_text(found.at), 100 * share);
             if (larger - smaller < most_crossed * larger)
-                throw InputError(fmt::format("{} are the same body, near {}, which would count twice; leave one out",
-                                             which, place_text(found.at)));
-            throw InputError(fmt::format(
-                "{} lie one inside the other, near {}, as a hollow does; a hull is taken as solid, so leave "
-                "the inner one out",
-                which, place_text(found.at)));
+                throw InputError("{} are the same body, near {}, which would count twice; leave one out", which,
+                                 place_text(found.at));
+            throw InputError(
+                "{} lie one inside the other, near {}, as a hollow does; a hull is taken as solid, so leave the inner "
+                "one out",
+                which, place_text(found.at));
         }
     }
 }
@@ -341,7 +338,7 @@ void refuse_shared_space(const std::vector<Surface>& bodies, const std::string& 
 std::vector<Surface> closed_bodies(const Surface& surface, const std::string& file) {
     std::vector<Surface> bodies = sewn_bodies(surface, file);
     std::erase_if(bodies, [](const Surface& one) { return !(volume_of(one) > 0); });
-    if (bodies.empty()) throw InputError(fmt::format("{}: its surface encloses nothing; export a solid", file));
+    if (bodies.empty()) throw InputError("{}: its surface encloses nothing; export a solid", file);
     refuse_crossed(bodies, file);
     refuse_shared_space(bodies, file);
     return bodies;

@@ -195,8 +195,8 @@ struct AxisText {
             if (found == known.end()) {
                 const auto near = std::ranges::min_element(
                     known, {}, [&](const auto& one) { return edit_distance(one.first, entry.path); });
-                throw InputError(fmt::format("{}: {} = {} is not a key of an axis; did you mean {}?", entry.where,
-                                             entry.path, to_text(entry.value), near->first));
+                throw InputError("{}: {} = {} is not a key of an axis; did you mean {}?", entry.where, entry.path,
+                                 to_text(entry.value), near->first);
             }
             *found->second = entry;
         }
@@ -227,19 +227,18 @@ class AxisReader {
 
   private:
     InputError wrong(const std::string& where, const std::string& what) const {
-        return InputError(fmt::format("{}: the axis {} {}", where, axis_.key, what));
+        return InputError("{}: the axis {} {}", where, axis_.key, what);
     }
 
     const Key& find() {
         if (!text_.key)
-            throw InputError(
-                fmt::format("{}: this [[design.axis]] has no key; begin it with key = \"ice.thickness_m\"", where_));
+            throw InputError("{}: this [[design.axis]] has no key; begin it with key = \"ice.thickness_m\"", where_);
         std::string path;
         assign(text_key("key", path, "", ""), *text_.key);
         refuse_former(keys_, path, text_.key->where);
         if (const Key* key = find_key(keys_, full_path(path))) return *key;
-        throw InputError(fmt::format("{}: key = {} is not a key that a case takes; did you mean {}?", text_.key->where,
-                                     text_literal(path), text_literal(nearest_path(keys_, path))));
+        throw InputError("{}: key = {} is not a key that a case takes; did you mean {}?", text_.key->where,
+                         text_literal(path), text_literal(nearest_path(keys_, path)));
     }
 
     void read_range(const Key& key) {
@@ -329,7 +328,7 @@ class DesignCheck {
   private:
     InputError wrong(const std::string& key, const std::string& what) const {
         const auto set = origins_.find(key);
-        return InputError(fmt::format("{}: {}", set == origins_.end() ? file_ : set->second, what));
+        return InputError("{}: {}", set == origins_.end() ? file_ : set->second, what);
     }
 
     std::string method() const {
@@ -361,23 +360,20 @@ Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, cons
         if (block.path != axis_block) continue;
         if (!design.active())
             throw InputError(
-                fmt::format("{}: this [[design.axis]] has no design; write [design] with method = \"grid\", "
-                            "\"list\", \"latin_hypercube\" or \"sobol\"",
-                            block.where));
+                "{}: this [[design.axis]] has no design; write [design] with method = \"grid\", \"list\", "
+                "\"latin_hypercube\" or \"sobol\"",
+                block.where);
         design.axes.push_back(AxisReader(block, design).read());
         const std::string& key = design.axes.back().key;
         const auto [earlier, is_new] = places.emplace(key, block.where);
-        if (!is_new)
-            throw InputError(
-                fmt::format("{}: {} has an axis already, at {}; keep one", block.where, key, earlier->second));
+        if (!is_new) throw InputError("{}: {} has an axis already, at {}; keep one", block.where, key, earlier->second);
     }
     if (design.active()) {
         DesignCheck(design, origins, file).check();
     } else if (design.points != 0) {
         throw InputError(
-            fmt::format("{}: design.points is given and no design.method; write method = \"sobol\" or another in "
-                        "[design]",
-                        origins.at("design.points")));
+            "{}: design.points is given and no design.method; write method = \"sobol\" or another in [design]",
+            origins.at("design.points"));
     }
     return places;
 }

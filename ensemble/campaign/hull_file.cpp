@@ -258,8 +258,7 @@ void turn(std::vector<Surface>& bodies, const HullFile& file, const std::string&
     const Vec3 up = direction(file.up);
     const Vec3 ahead = direction(file.forward);
     if (up.dot(ahead) != 0)
-        throw InputError(
-            fmt::format("{}: hull.up and hull.forward are the same axis; they must be at right angles", name));
+        throw InputError("{}: hull.up and hull.forward are the same axis; they must be at right angles", name);
     const Vec3 aside = ahead.cross(up);
     Box3 box;
     for (Surface& body : bodies)
@@ -270,14 +269,14 @@ void turn(std::vector<Surface>& bodies, const HullFile& file, const std::string&
         }
     const double size = box.diagonal().norm();
     if (!(size > smallest_size && size < largest_size))
-        throw InputError(fmt::format(
+        throw InputError(
             "{}: the hull is {:.4g} m from corner to corner, which is none of a structure; is hull.unit right?", name,
-            size));
+            size);
     if (!(box.min().y() < 0 && box.max().y() > 0))
         throw InputError(
-            fmt::format("{}: the hull reaches from {:.4g} m to {:.4g} m above the waterline, so it does not stand in "
-                        "the water; set hull.waterline_m, hull.up or hull.unit",
-                        name, box.min().y(), box.max().y()));
+            "{}: the hull reaches from {:.4g} m to {:.4g} m above the waterline, so it does not stand in the water; "
+            "set hull.waterline_m, hull.up or hull.unit",
+            name, box.min().y(), box.max().y());
     const Vec2 middle = waterline_bounds(bodies).center();
     for (Surface& body : bodies)
         for (Vec3& point : body.points) point -= Vec3(middle.x(), 0, middle.y());
@@ -330,7 +329,7 @@ void take_hull(Structure& structure, const std::string& bytes, const std::string
     try {
         take_bodies(structure, bodies);
     } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", name, error.what()));
+        throw InputError("{}: {}", name, error.what());
     }
 }
 

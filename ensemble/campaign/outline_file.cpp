@@ -67,9 +67,9 @@ void refuse_other_systems(const Json& object, const std::string& file) {
     for (const char* member : {"crs", "coordRefSys"})
         if (const auto found = object.find(member); system.empty() && found != object.end() && !found->is_null())
             throw InputError(
-                fmt::format("{}: its reference system is not known, since {} has no name in it: {}; name it, as "
-                            "EPSG:32633, or, if its places are lengths, take it out of the file and give shapes.unit",
-                            file, member, beginning(found->dump(-1, ' ', true), 100)));
+                "{}: its reference system is not known, since {} has no name in it: {}; name it, as EPSG:32633, or, if "
+                "its places are lengths, take it out of the file and give shapes.unit",
+                file, member, beginning(found->dump(-1, ' ', true), 100));
     const auto number =
         std::ranges::find_if_not(system.rbegin(), system.rend(), [](unsigned char c) { return std::isdigit(c) != 0; });
     const std::string code(number.base(), system.end());
@@ -77,22 +77,20 @@ void refuse_other_systems(const Json& object, const std::string& file) {
     constexpr std::array mercator{"3857", "900913", "3785", "102100"};
     if (std::ranges::find(geographic, code) != geographic.end())
         throw InputError(
-            fmt::format("{}: its reference system {} is in degrees of longitude and latitude; project it "
-                        "to lengths first, such as the UTM zone of the picture",
-                        file, system));
+            "{}: its reference system {} is in degrees of longitude and latitude; project it to lengths first, such as "
+            "the UTM zone of the picture",
+            file, system);
     if (std::ranges::find(mercator, code) != mercator.end())
         throw InputError(
-            fmt::format("{}: its reference system {} is the Mercator projection of web maps, in which "
-                        "lengths are too long by one over the cosine of the latitude; project it to true "
-                        "lengths first, such as the UTM zone of the picture",
-                        file, system));
+            "{}: its reference system {} is the Mercator projection of web maps, in which lengths are too long by one "
+            "over the cosine of the latitude; project it to true lengths first, such as the UTM zone of the picture",
+            file, system);
     if (!system.empty() && !is_in_metres(code))
         throw InputError(
-            fmt::format("{}: its reference system {} is none that is known here to have lengths in metres, which UTM "
-                        "zones (EPSG:326.., 327.., 258.., 269..) and polar maps (EPSG:3413, 3995, 3996, 3031) have; "
-                        "project it to one of these, or, if its places are lengths, take the system out of the file "
-                        "and give shapes.unit",
-                        file, system));
+            "{}: its reference system {} is none that is known here to have lengths in metres, which UTM zones "
+            "(EPSG:326.., 327.., 258.., 269..) and polar maps (EPSG:3413, 3995, 3996, 3031) have; project it to one of "
+            "these, or, if its places are lengths, take the system out of the file and give shapes.unit",
+            file, system);
 }
 
 class Reader {
@@ -102,7 +100,7 @@ class Reader {
     void take(const Json& object, const std::string& where, const std::string& name, int depth) {
         const std::string type = type_of(object, where);
         refuse_other_systems(object, where);
-        if (depth > deepest) throw InputError(fmt::format("{}: collections lie {} deep; flatten them", where, depth));
+        if (depth > deepest) throw InputError("{}: collections lie {} deep; flatten them", where, depth);
         if (type == "FeatureCollection") {
             take_each(object, "features", "feature", where, name, depth);
         } else if (type == "GeometryCollection") {
@@ -110,7 +108,7 @@ class Reader {
         } else if (type == "Feature") {
             const auto geometry = object.find("geometry");
             if (geometry == object.end() || geometry->is_null())
-                throw InputError(fmt::format("{}: this feature has no geometry; leave it out", where));
+                throw InputError("{}: this feature has no geometry; leave it out", where);
             take(*geometry, where, name_of(object), depth + 1);
         } else if (type == "Polygon") {
             take_polygon(coordinates(object, where), where, name);
@@ -120,7 +118,7 @@ class Reader {
                 take_polygon(polygons[k], fmt::format("{}, polygon {}", where, k + 1),
                              name.empty() || polygons.size() == 1 ? name : fmt::format("{} part {}", name, k + 1));
         } else {
-            throw InputError(fmt::format("{}: a {} encloses no ice; floes are read from {}", where, type, kinds));
+            throw InputError("{}: a {} encloses no ice; floes are read from {}", where, type, kinds);
         }
     }
 
@@ -130,7 +128,7 @@ class Reader {
     static std::string type_of(const Json& object, const std::string& where) {
         const auto type = object.is_object() ? object.find("type") : object.end();
         if (!object.is_object() || type == object.end() || !type->is_string())
-            throw InputError(fmt::format("{}: this is no GeoJSON, which has a \"type\"; allowed: {}", where, kinds));
+            throw InputError("{}: this is no GeoJSON, which has a \"type\"; allowed: {}", where, kinds);
         return type->get<std::string>();
     }
 
@@ -138,7 +136,7 @@ class Reader {
                    const std::string& name, int depth) {
         const auto list = object.find(member);
         if (list == object.end() || !list->is_array())
-            throw InputError(fmt::format("{}: this collection has no list of {}", where, member));
+            throw InputError("{}: this collection has no list of {}", where, member);
         for (std::size_t k = 0; k < list->size(); ++k)
             take((*list)[k], fmt::format("{}, {} {}", where, each, k + 1), name, depth + 1);
     }
@@ -160,47 +158,44 @@ class Reader {
     static const Json& coordinates(const Json& object, const std::string& where) {
         const auto found = object.find("coordinates");
         if (found == object.end() || !found->is_array() || found->empty())
-            throw InputError(fmt::format("{}: it has no coordinates", where));
+            throw InputError("{}: it has no coordinates", where);
         return *found;
     }
 
     static Corner corner_of(const Json& position, const std::string& where, std::size_t number) {
         if (!position.is_array() || position.size() < 2 || !position[0].is_number() || !position[1].is_number())
-            throw InputError(fmt::format("{}: place {} of the ring is none; write [x, y]", where, number));
+            throw InputError("{}: place {} of the ring is none; write [x, y]", where, number);
         return {position[0].get<double>(), 0.0 - position[1].get<double>()};
     }
 
     Outline ring_of(const Json& ring, const std::string& where) {
         if (!ring.is_array() || ring.size() < 4)
-            throw InputError(
-                fmt::format("{}: a ring has at least 4 places, the last being the first again; this one "
-                            "has {}",
-                            where, ring.is_array() ? ring.size() : 0));
+            throw InputError("{}: a ring has at least 4 places, the last being the first again; this one has {}", where,
+                             ring.is_array() ? ring.size() : 0);
         Outline corners;
         for (const Json& position : ring) {
             corners.push_back(corner_of(position, where, corners.size() + 1));
             if (++corners_ > most_file_corners)
-                throw InputError(fmt::format("{}: the file has more than {} corners; simplify its outlines", file_,
-                                             most_file_corners));
+                throw InputError("{}: the file has more than {} corners; simplify its outlines", file_,
+                                 most_file_corners);
         }
         if (corners.front() != corners.back())
-            throw InputError(fmt::format(
-                "{}: the ring is not closed: it begins at ({:.9g}, {:.9g}) and ends at "
-                "({:.9g}, {:.9g}); let it end where it begins",
-                where, corners.front().x, 0.0 - corners.front().z, corners.back().x, 0.0 - corners.back().z));
+            throw InputError(
+                "{}: the ring is not closed: it begins at ({:.9g}, {:.9g}) and ends at ({:.9g}, {:.9g}); let it end "
+                "where it begins",
+                where, corners.front().x, 0.0 - corners.front().z, corners.back().x, 0.0 - corners.back().z);
         corners.pop_back();
         return corners;
     }
 
     void take_polygon(const Json& rings, const std::string& where, const std::string& name) {
-        if (!rings.is_array() || rings.empty()) throw InputError(fmt::format("{}: it has no coordinates", where));
+        if (!rings.is_array() || rings.empty()) throw InputError("{}: it has no coordinates", where);
         TracedFloe floe{name, where, ring_of(rings[0], where), {}};
         for (std::size_t k = 1; k < rings.size(); ++k)
             floe.holes.push_back(ring_of(rings[k], fmt::format("{}, hole {}", where, k)));
         floes_.push_back(std::move(floe));
         if (floes_.size() > most_outlines)
-            throw InputError(
-                fmt::format("{}: the file has more than {} outlines; take a part of it", file_, most_outlines));
+            throw InputError("{}: the file has more than {} outlines; take a part of it", file_, most_outlines);
     }
 
     std::string file_;
@@ -215,7 +210,7 @@ class Reader {
 std::vector<TracedFloe> read_geojson(const std::string& text, const std::string& file) {
     // What lies deeper would take a hundred bytes of memory for each bracket.
     const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
-        if (depth > deepest_value) throw InputError(fmt::format("{}: this is no GeoJSON: it is too deep", file));
+        if (depth > deepest_value) throw InputError("{}: this is no GeoJSON: it is too deep", file);
         return true;
     };
     Json object;
@@ -223,8 +218,7 @@ std::vector<TracedFloe> read_geojson(const std::string& text, const std::string&
         object = Json::parse(text, shallow);
     } catch (const Json::exception& error) {
         const std::string_view what = error.what();
-        throw InputError(
-            fmt::format("{}: this is no JSON: {}", file, beginning(what.substr(what.find("] ") + 2), 160)));
+        throw InputError("{}: this is no JSON: {}", file, beginning(what.substr(what.find("] ") + 2), 160));
     }
     Reader reader(file);
     reader.take(object, file, "", 0);
@@ -234,7 +228,7 @@ std::vector<TracedFloe> read_geojson(const std::string& text, const std::string&
 double finite_number(const std::string& cell, const std::string& where) {
     const std::optional<double> number = number_in(cell);
     if (!number || !std::isfinite(*number))
-        throw InputError(fmt::format("{}: {:?} is not a finite number", where, beginning(cell, 40)));
+        throw InputError("{}: {:?} is not a finite number", where, beginning(cell, 40));
     return *number;
 }
 
@@ -244,23 +238,21 @@ void refuse_open_end(const std::vector<TracedFloe>& floes) {
         return one.ring.size() > 3 && one.ring.front() == one.ring.back();
     };
     if (floes.size() < 2 || std::ranges::find_if_not(floes, is_closed) != floes.end() - 1) return;
-    throw InputError(fmt::format(
-        "{}: floe {} does not end at the corner with which it begins, as all others do; was the file cut off? "
-        "Close it too, or none",
-        floes.back().where, floes.back().name));
+    throw InputError(
+        "{}: floe {} does not end at the corner with which it begins, as all others do; was the file cut off? Close it "
+        "too, or none",
+        floes.back().where, floes.back().name);
 }
 
 /// Floes of a CSV text: the header floe,x,y, and a line for each corner; lines of a floe follow one another. Throws
 /// InputError, beginning with file and line.
 std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::string& file) {
     const std::vector<CsvLine> lines = csv_lines(text, file);
-    if (lines.empty())
-        throw InputError(fmt::format("{}: the file is empty; write floe,x,y and a line for each corner", file));
+    if (lines.empty()) throw InputError("{}: the file is empty; write floe,x,y and a line for each corner", file);
     if (lines.front().cells != std::vector<std::string>{"floe", "x", "y"})
         throw InputError(
-            fmt::format("{}:{}: {:?} is not the header of a file of outlines; write floe,x,y and below it a line for "
-                        "each corner",
-                        file, lines.front().number, beginning(joined(lines.front()), 60)));
+            "{}:{}: {:?} is not the header of a file of outlines; write floe,x,y and below it a line for each corner",
+            file, lines.front().number, beginning(joined(lines.front()), 60));
     std::vector<TracedFloe> floes;
     std::set<std::string> names;
     std::size_t corners = 0;
@@ -268,24 +260,22 @@ std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::str
         const std::string where = fmt::format("{}:{}", file, line.number);
         const std::vector<std::string>& cells = line.cells;
         if (cells.size() != 3 || cells[0].empty())
-            throw InputError(fmt::format("{}: {:?} is not a corner; write the floe's name, x and y", where,
-                                         beginning(joined(line), 60)));
+            throw InputError("{}: {:?} is not a corner; write the floe's name, x and y", where,
+                             beginning(joined(line), 60));
         const Corner corner{finite_number(cells[1], where), 0.0 - finite_number(cells[2], where)};
         if (floes.empty() || floes.back().name != cells[0]) {
             const std::string& name = cells[0];
             if (!names.insert(name).second)
                 throw InputError(
-                    fmt::format("{}: floe {} comes again after another one; keep the corners of a floe "
-                                "together, and give each floe a name of its own",
-                                where, name));
+                    "{}: floe {} comes again after another one; keep the corners of a floe together, and give each "
+                    "floe a name of its own",
+                    where, name);
             if (floes.size() == most_outlines)
-                throw InputError(
-                    fmt::format("{}: the file has more than {} outlines; take a part of it", where, most_outlines));
+                throw InputError("{}: the file has more than {} outlines; take a part of it", where, most_outlines);
             floes.push_back({name, where, {}, {}});
         }
         if (++corners > most_file_corners)
-            throw InputError(
-                fmt::format("{}: the file has more than {} corners; simplify its outlines", where, most_file_corners));
+            throw InputError("{}: the file has more than {} corners; simplify its outlines", where, most_file_corners);
         floes.back().ring.push_back(corner);
     }
     refuse_open_end(floes);
@@ -303,17 +293,13 @@ bool ends_with(std::string file, const std::string& ending) {
 std::vector<TracedFloe> floes_of(const std::string& text, const std::string& file) {
     const bool csv = ends_with(file, ".csv");
     if (!csv && !ends_with(file, ".geojson") && !ends_with(file, ".json"))
-        throw InputError(
-            fmt::format("{}: outlines are read from .geojson, .json and .csv files; export one of these", file));
+        throw InputError("{}: outlines are read from .geojson, .json and .csv files; export one of these", file);
     if (text.size() > longest_outline_file)
-        throw InputError(
-            fmt::format("{}: this file has {} bytes, more than {}; simplify its outlines, or take a part "
-                        "of it",
-                        file, text.size(), longest_outline_file));
-    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-        throw InputError(fmt::format("{}: the file is empty", file));
+        throw InputError("{}: this file has {} bytes, more than {}; simplify its outlines, or take a part of it", file,
+                         text.size(), longest_outline_file);
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw InputError("{}: the file is empty", file);
     std::vector<TracedFloe> floes = csv ? read_outline_csv(text, file) : read_geojson(text, file);
-    if (floes.empty()) throw InputError(fmt::format("{}: the file has no outlines", file));
+    if (floes.empty()) throw InputError("{}: the file has no outlines", file);
     return floes;
 }
 
@@ -323,9 +309,9 @@ Outline ring_of(const Outline& corners, const std::string& where) {
     ring.erase(std::ranges::unique(ring).begin(), ring.end());
     while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
     if (ring.size() > most_ring_corners)
-        throw InputError(fmt::format("{}: the outline has {} corners, more than {}; simplify it", where, ring.size(),
-                                     most_ring_corners));
-    if (const auto fault = ring_fault_of(ring)) throw InputError(fmt::format("{}: {}; trace it anew", where, *fault));
+        throw InputError("{}: the outline has {} corners, more than {}; simplify it", where, ring.size(),
+                         most_ring_corners);
+    if (const auto fault = ring_fault_of(ring)) throw InputError("{}: {}; trace it anew", where, *fault);
     return ring;
 }
 
@@ -333,7 +319,7 @@ Outline ring_of(const Outline& corners, const std::string& where) {
 double area_of(const TracedFloe& floe) {
     double area = std::abs(floes::area_of(floe.ring));
     for (const Outline& hole : floe.holes) area -= std::abs(floes::area_of(hole));
-    if (!(area > 0)) throw InputError(fmt::format("{}: its holes leave nothing of it", floe.where));
+    if (!(area > 0)) throw InputError("{}: its holes leave nothing of it", floe.where);
     return area;
 }
 
@@ -344,9 +330,9 @@ void refuse_doubles(const std::vector<TracedFloe>& floes) {
         const auto [found, is_new] = named.try_emplace(one.name, &one);
         if (!is_new)
             throw InputError(
-                fmt::format("{}: floe {} is there already ({}); was it traced twice? Give each floe a "
-                            "name of its own, or none a name",
-                            one.where, one.name, found->second->where));
+                "{}: floe {} is there already ({}); was it traced twice? Give each floe a name of its own, or none a "
+                "name",
+                one.where, one.name, found->second->where);
     }
 }
 
@@ -378,11 +364,11 @@ void refuse_degrees(const std::vector<TracedFloe>& floes, const Box2& bounds, co
     const Vec2& low = bounds.min();
     const Vec2& high = bounds.max();
     if (size > most || low.x() < -180 || high.x() > 360 || low.y() < -90 || high.y() > 90) return;
-    throw InputError(fmt::format(
+    throw InputError(
         "{}: its coordinates look like degrees of longitude and latitude: the largest floe is {:.3g} across{}, and all "
         "lie within x = {:.6g} to {:.6g} and y = {:.6g} to {:.6g}; project them to lengths first, such as the UTM zone "
         "of the picture, or, if they are lengths, write them in a smaller unit with shapes.unit",
-        file, size, across ? " over the date line" : "", low.x(), high.x(), 0.0 - high.y(), 0.0 - low.y()));
+        file, size, across ? " over the date line" : "", low.x(), high.x(), 0.0 - high.y(), 0.0 - low.y());
 }
 
 /// Two standard deviations of the area over it, where each corner is rounded to steps along x and z.
@@ -417,10 +403,10 @@ void refuse_lost_digits(const std::vector<TracedFloe>& floes) {
     const auto multiples = [](double one, const char* axis) {
         return one > 0 ? fmt::format("in {} all are multiples of {:.4g}", axis, one) : std::string();
     };
-    throw InputError(fmt::format(
+    throw InputError(
         "{}: the coordinates of this file lost their last digits: {}{}{}, so that the area of this floe may be off by "
         "{:.2g} %; export them with all digits, or with an origin near the floes",
-        worst->where, multiples(step.x, "x"), step.x > 0 && step.z > 0 ? ", " : "", multiples(step.z, "y"), 100 * off));
+        worst->where, multiples(step.x, "x"), step.x > 0 && step.z > 0 ? ", " : "", multiples(step.z, "y"), 100 * off);
 }
 
 /// With as many corners as a floe may have. Bays of less than a hundredth of the area are closed.
@@ -463,8 +449,8 @@ void take_outlines(TracedOutlines& traced, const std::string& text, const std::s
     const double unit = metres(traced.unit);
     const double size = unit * bounds.sizes().maxCoeff();
     if (!(size > smallest_map && size < largest_map))
-        throw InputError(fmt::format(
-            "{}: the outlines reach over {:.4g} m, which is no field of ice; is shapes.unit right?", file, size));
+        throw InputError("{}: the outlines reach over {:.4g} m, which is no field of ice; is shapes.unit right?", file,
+                         size);
     Box2 of_floes;  // which reach a little farther where they have fewer corners
     const Corner low{bounds.min().x(), bounds.min().y()};
     std::vector<Outline> outlines;

@@ -55,21 +55,20 @@ PoseFile read_poses(const std::string& text, const std::string& file) {
     const std::string columns = lines.empty() ? "" : joined(lines.front());
     if (!lines.empty() && columns != header && !columns.starts_with(std::string{header} + ","))
         throw InputError(
-            fmt::format("{}:{}: {} is not the header of a pose file; write {}, and behind it keys of which "
-                        "each floe has a value of its own, such as ice.thickness_m",
-                        file, lines.front().number, text_literal(columns), header));
-    if (lines.size() < 2)
-        throw InputError(fmt::format("{}: there are no poses; write {} and a line for each floe", file, header));
+            "{}:{}: {} is not the header of a pose file; write {}, and behind it keys of which each floe has a value "
+            "of its own, such as ice.thickness_m",
+            file, lines.front().number, text_literal(columns), header);
+    if (lines.size() < 2) throw InputError("{}: there are no poses; write {} and a line for each floe", file, header);
     std::vector<Value> poses;
     std::vector<int> places;
     for (const CsvLine& line : std::span(lines).subspan(1)) {
         std::vector<Value> numbers = numbers_of(line);
         if (numbers.size() != lines.front().cells.size())
-            throw InputError(fmt::format("{}:{}: {} is not a pose; write {} numbers, {}", file, line.number,
-                                         text_literal(joined(line)), lines.front().cells.size(), columns));
+            throw InputError("{}:{}: {} is not a pose; write {} numbers, {}", file, line.number,
+                             text_literal(joined(line)), lines.front().cells.size(), columns);
         if (poses.size() == std::size_t{most_floes})
-            throw InputError(fmt::format("{}:{}: there are more than {} poses, the most floes of a field", file,
-                                         line.number, most_floes));
+            throw InputError("{}:{}: there are more than {} poses, the most floes of a field", file, line.number,
+                             most_floes);
         poses.emplace_back(std::move(numbers));
         places.push_back(line.number);
     }
@@ -97,9 +96,8 @@ PointFile read_points(const std::string& text, const std::string& file) {
     const std::vector<CsvLine> lines = csv_lines(text, file);
     if (lines.size() < 2)
         throw InputError(
-            fmt::format("{}: there are no points; write keys, such as ice.thickness_m, in the first line "
-                        "and a line for each point",
-                        file));
+            "{}: there are no points; write keys, such as ice.thickness_m, in the first line and a line for each point",
+            file);
     const CsvLine& keys = lines.front();
     Scenario scratch;
     const Keys known = describe(scratch);
@@ -112,10 +110,9 @@ PointFile read_points(const std::string& text, const std::string& file) {
         std::vector<Value> values;
         for (const CsvLine& line : std::span(lines).subspan(1)) {
             if (line.cells.size() != keys.cells.size())
-                throw InputError(fmt::format("{}:{}: {} is not a point; write {} values, of {}", file, line.number,
-                                             text_literal(joined(line)), keys.cells.size(), joined(keys)));
-            if (line.cells[k].empty())
-                throw InputError(fmt::format("{}:{}: {} has no value", file, line.number, keys.cells[k]));
+                throw InputError("{}:{}: {} is not a point; write {} values, of {}", file, line.number,
+                                 text_literal(joined(line)), keys.cells.size(), joined(keys));
+            if (line.cells[k].empty()) throw InputError("{}:{}: {} has no value", file, line.number, keys.cells[k]);
             values.push_back(value_in(line.cells[k], keys.cells[k], where));
             if (key != nullptr)
                 assign(*key, {std::string(key->path), values.back(), fmt::format("{}:{}", file, line.number)});
@@ -229,7 +226,7 @@ class GivenFiles {
             where += fmt::format(", line{} {}", lines.size() == 1 ? "" : "s", fmt::join(lines, " and "));
         }
         const std::string instead = traced && fault->floes.size() == 1 ? room_for_traced(scenario) : "";
-        throw InputError(fmt::format("{}: {}{}{}", where, label, fault->sentence, instead));
+        throw InputError("{}: {}{}{}", where, label, fault->sentence, instead);
     }
 
   private:
@@ -241,7 +238,7 @@ class GivenFiles {
 
     static InputError refusal(const Named& named, const Scenario& scenario, const Origins& origins,
                               const std::string& label, const std::string& what) {
-        return InputError(fmt::format("{}: {}{} {}", origins.at(named.file), label, given(scenario, named.file), what));
+        return InputError("{}: {}{} {}", origins.at(named.file), label, given(scenario, named.file), what);
     }
 
     /// Where the file lies. `both`: the values are given, too. `unused_by`: the key that would have to be "file"; "":
@@ -319,8 +316,7 @@ class CampaignReader {
         if (refusals_.any()) return campaign;
         check_points(campaign, source_.file);
         if (const auto fault = stop_quantity_fault(campaign))
-            throw InputError(
-                fmt::format("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault));
+            throw InputError("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault);
         refuse_base_case(campaign);
         if (source_.from_user) refuse_stop_cases(campaign);
         // The campaign is stored and sent as this text, so one that could not be read again is refused at once.
@@ -362,8 +358,8 @@ class CampaignReader {
     void read_points_file() {
         if (design_.points_file.empty()) return;
         const auto refuse = [&](const std::string& what) {
-            return InputError(fmt::format("{}: design.points_file = {} {}", origins_.at("design.points_file"),
-                                          text_literal(design_.points_file), what));
+            return InputError("{}: design.points_file = {} {}", origins_.at("design.points_file"),
+                              text_literal(design_.points_file), what);
         };
         if (design_.method != DesignMethod::list) throw refuse("is a list of points; write design.method = \"list\"");
         if (std::ranges::find(document_.blocks, axis_block, &Block::path) != document_.blocks.end())
@@ -395,9 +391,9 @@ class CampaignReader {
             }
             const auto [first, is_new] = seen.emplace(std::move(values), point);
             if (!is_new)
-                throw InputError(fmt::format(
+                throw InputError(
                     "{}: this point of the design is there already, at {}, and would give the same members; keep one",
-                    place(point), place(first->second)));
+                    place(point), place(first->second));
         }
     }
 
@@ -405,15 +401,13 @@ class CampaignReader {
         const std::optional<StopFault> fault = stop_case_fault(campaign);
         if (!fault) return;
         const auto place = origins_.find(fault->key);
-        throw InputError(
-            fmt::format("{}: {}", place == origins_.end() ? source_.file : place->second, fault->sentence));
+        throw InputError("{}: {}", place == origins_.end() ? source_.file : place->second, fault->sentence);
     }
 
     void refuse_base_case(const Campaign& campaign) const {
         if (rules_.base_case.empty() || base_case(campaign)) return;
-        throw InputError(fmt::format("{}: run.base_case = {} names no case; the cases are {}",
-                                     origins_.at("run.base_case"), text_literal(rules_.base_case),
-                                     name_list(case_names(campaign))));
+        throw InputError("{}: run.base_case = {} names no case; the cases are {}", origins_.at("run.base_case"),
+                         text_literal(rules_.base_case), name_list(case_names(campaign)));
     }
 
     void refuse_key(std::string sentence) {
@@ -444,10 +438,9 @@ class CampaignReader {
             if (block.path == axis_block) continue;
             for (const Entry& entry : block.entries) {
                 if (full_path(entry.path) != override_entry.path) continue;
-                throw InputError(
-                    fmt::format("{}: the [[case]] at {} sets {} itself; override it there, --set case.NAME.{}={}",
-                                override_entry.where, block.where, override_entry.path, override_entry.path,
-                                to_text(override_entry.value)));
+                throw InputError("{}: the [[case]] at {} sets {} itself; override it there, --set case.NAME.{}={}",
+                                 override_entry.where, block.where, override_entry.path, override_entry.path,
+                                 to_text(override_entry.value));
             }
         }
     }
@@ -457,9 +450,9 @@ class CampaignReader {
         for (const auto& [entry, wanted] : overridden_) {
             const Key* here = find_key(keys, full_path(entry.path));
             if (here == nullptr || exact_text(*here) == wanted) continue;
-            throw InputError(fmt::format(
-                "{}: the preset of case {} says {} = {}; override it there, --set case.{}.{}={}", entry.where,
-                block.name, entry.path, literal(*here), block.name, entry.path, to_text(entry.value)));
+            throw InputError("{}: the preset of case {} says {} = {}; override it there, --set case.{}.{}={}",
+                             entry.where, block.name, entry.path, literal(*here), block.name, entry.path,
+                             to_text(entry.value));
         }
     }
 
@@ -476,13 +469,13 @@ class CampaignReader {
     InputError stranger(const Entry& entry, const std::vector<CaseBlock>& cases) const {
         if (cases.front().name.empty())
             return InputError(
-                fmt::format("{}: {} names no case; there are none but the points of the design, and what "
-                            "is for all of them needs no case",
-                            entry.where, entry.path));
+                "{}: {} names no case; there are none but the points of the design, and what is for all of them needs "
+                "no case",
+                entry.where, entry.path);
         std::vector<std::string> names;
         for (const CaseBlock& one : cases) names.push_back(one.name);
-        return InputError(fmt::format("{}: {} names no case; the cases are {}, written case.{}.KEY", entry.where,
-                                      entry.path, name_list(names), names.front()));
+        return InputError("{}: {} names no case; the cases are {}, written case.{}.KEY", entry.where, entry.path,
+                          name_list(names), names.front());
     }
 
     void find_case_overrides(const std::vector<CaseBlock>& cases) {
@@ -494,8 +487,7 @@ class CampaignReader {
             refuse_campaign_key(entry);
             refuse_axis(entry, axes_);
             if (entry.path == "name")
-                throw InputError(
-                    fmt::format("{}: a case cannot be renamed here; rename it in {}", entry.where, source_.file));
+                throw InputError("{}: a case cannot be renamed here; rename it in {}", entry.where, source_.file);
             case_overrides_.emplace_back(one->given, std::move(entry));
         }
     }
@@ -572,8 +564,8 @@ class CampaignReader {
         for (const Entry& entry : in_order_of_reading(keys, block.block.entries)) {
             refuse_campaign_key(entry);
             if (const auto first = given.find(full_path(entry.path)); first != given.end()) {
-                throw InputError(fmt::format("{}: {} is given twice in this [[case]], first at {}; keep one",
-                                             entry.where, first->first, first->second));
+                throw InputError("{}: {} is given twice in this [[case]], first at {}; keep one", entry.where,
+                                 first->first, first->second);
             }
             set(keys, entry, given);
         }
@@ -637,8 +629,8 @@ class CampaignReader {
     static void refuse_campaign_key(const Entry& entry) {
         const std::string table = entry.path.substr(0, entry.path.find('.'));
         if (table != "campaign" && table != "stop") return;
-        throw InputError(fmt::format("{}: {} = {} is for all cases; write it in [{}]", entry.where, entry.path,
-                                     to_text(entry.value), table));
+        throw InputError("{}: {} = {} is for all cases; write it in [{}]", entry.where, entry.path,
+                         to_text(entry.value), table);
     }
 
     /// The message begins with the place of the first key involved that the text sets.

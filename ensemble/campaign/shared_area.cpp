@@ -63,10 +63,10 @@ class SharedArea {
         constexpr std::size_t most_looked_at = 10'000'000;
         looked_at_ += of.corners() + other.corners();
         if (looked_at_ > most_looked_at)
-            throw InputError(fmt::format(
+            throw InputError(
                 "{}: so many of its outlines or holes lie one over the other that they are no floes beside each other; "
                 "take a part of it, or simplify it",
-                file_));
+                file_);
         return share_within(of.rings, other.rings);
     }
 
@@ -98,16 +98,16 @@ void refuse_holes(const TracedFloe& floe, SharedArea& areas) {
         holes.emplace_back(std::vector<Outline>{hole}, fmt::format("{}, hole {}", floe.where, holes.size() + 1));
         const double beside = 1 - areas.within(holes.back(), outside);
         if (beside > most_beside)
-            throw InputError(fmt::format(
-                "{}: {:.3g} % of it lies outside of the floe, so it is no hole; move it inside, or make it a "
-                "polygon of its own",
-                holes.back().label, 100 * beside));
+            throw InputError(
+                "{}: {:.3g} % of it lies outside of the floe, so it is no hole; move it inside, or make it a polygon "
+                "of its own",
+                holes.back().label, 100 * beside);
     }
     look_at_pairs(holes, areas, most_beside, [](const Enclosed& first, const Enclosed& second, double share) {
         throw InputError(
-            fmt::format("{}: it and another hole ({}) share {:.3g} % of the smaller, which would be taken "
-                        "off the floe twice; make one hole of the two",
-                        second.label, first.label, 100 * share));
+            "{}: it and another hole ({}) share {:.3g} % of the smaller, which would be taken off the floe twice; make "
+            "one hole of the two",
+            second.label, first.label, 100 * share);
     });
 }
 
@@ -147,9 +147,9 @@ void refuse_shared_area(std::span<const TracedFloe> floes, const std::string& fi
     }
     look_at_pairs(all, areas, most_shared, [](const Enclosed& first, const Enclosed& second, double share) {
         throw InputError(
-            fmt::format("{}: this floe and another one ({}) share {:.3g} % of the smaller one's area, so "
-                        "that the same ice would count twice; leave one of them out, or move it aside",
-                        second.label, first.label, 100 * share));
+            "{}: this floe and another one ({}) share {:.3g} % of the smaller one's area, so that the same ice would "
+            "count twice; leave one of them out, or move it aside",
+            second.label, first.label, 100 * share);
     });
 }
 

@@ -13,7 +13,7 @@ namespace {
 int index_of(const std::string& name, const std::vector<std::string>& cases, const char* key) {
     const auto found = std::ranges::find(cases, name);
     if (found == cases.end())
-        throw InputError(fmt::format("stop.{} names the case '{}', but the cases are {}", key, name, name_list(cases)));
+        throw InputError("stop.{} names the case '{}', but the cases are {}", key, name, name_list(cases));
     return static_cast<int>(found - cases.begin());
 }
 
@@ -34,9 +34,9 @@ std::optional<StopPair> stop_pair(const StopRule& rule, const std::vector<std::s
     if (rule.contrast == "all" || rule.contrast == "none") return {};
     const std::size_t minus = rule.contrast.find(" - ");
     if (minus == std::string::npos)
-        throw InputError(fmt::format(
+        throw InputError(
             "stop.contrast = \"{}\" is not a contrast; write \"none\", \"all\", or two cases as in \"{} - {}\"",
-            rule.contrast, cases.back(), cases.front()));
+            rule.contrast, cases.back(), cases.front());
     const StopPair pair{index_of(rule.contrast.substr(0, minus), cases, "contrast"),
                         index_of(rule.contrast.substr(minus + 3), cases, "contrast")};
     const auto group = [&](int one) { return groups.empty() ? 0 : groups.at(static_cast<std::size_t>(one)); };
@@ -45,10 +45,10 @@ std::optional<StopPair> stop_pair(const StopRule& rule, const std::vector<std::s
 }
 
 InputError no_stop_pair(const StopRule& rule, const std::string& which) {
-    return InputError(fmt::format(
+    return InputError(
         "stop.contrast = \"{}\" asks for a paired difference, but {} do not share their arrangements: cases can be "
         "paired if their fields have the same geometry and campaign.common_arrangements is true",
-        rule.contrast, which));
+        rule.contrast, which);
 }
 
 std::optional<StopFault> stop_case_fault(const Campaign& campaign) {

@@ -59,9 +59,8 @@ class SurfaceMaker {
     void add(const std::array<int, 3>& corners, std::string_view name, int solid) {
         if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
         if (surface_.triangles.size() == most_triangles)
-            throw InputError(
-                fmt::format("{}: the surface has more than {} triangles; let the CAD program make a coarser one", file_,
-                            most_triangles));
+            throw InputError("{}: the surface has more than {} triangles; let the CAD program make a coarser one",
+                             file_, most_triangles);
         surface_.triangles.push_back(corners);
         surface_.group.push_back(group_named(name));
         surface_.solid.push_back(solid < 0 ? surface_.group.back() : solid);
@@ -71,8 +70,7 @@ class SurfaceMaker {
     double number(std::string_view word, int axis, const std::string& where) {
         const std::optional<double> value = number_in(word);
         if (!value)
-            throw InputError(
-                fmt::format("{}: {:?} is not a finite number; export the file anew", where, beginning(word, 40)));
+            throw InputError("{}: {:?} is not a finite number; export the file anew", where, beginning(word, 40));
         if (const std::size_t exponent = word.find_first_of("eE"); exponent != std::string_view::npos) {
             const std::string_view mantissa = word.substr(0, exponent);
             digits_ = std::max<std::ptrdiff_t>(
@@ -83,7 +81,7 @@ class SurfaceMaker {
     }
 
     Surface made() && {
-        if (surface_.triangles.empty()) throw InputError(fmt::format("{}: the file has no triangles", file_));
+        if (surface_.triangles.empty()) throw InputError("{}: the file has no triangles", file_);
         refuse_lost_digits();
         return std::move(surface_);
     }
@@ -125,11 +123,11 @@ class SurfaceMaker {
             largest = std::max({largest, std::abs(low), std::abs(high)});
         }
         if (off <= most_off) return;
-        throw InputError(fmt::format(
+        throw InputError(
             "{}: its points lie up to {:.4g} from the origin, where the numbers of this file are {:.3g} apart, so that "
             "the volume may be off by {:.2g} %; move the hull to the origin in the CAD program, or export a text with "
             "all digits (STL text or OBJ)",
-            file_, largest, widest, 100 * off));
+            file_, largest, widest, 100 * off);
     }
 
     std::string file_;
@@ -228,8 +226,7 @@ class StlText {
     std::string_view next() {
         const std::string_view word = words_.word();
         if (word.empty())
-            throw InputError(
-                fmt::format("{}: the file ends before endsolid, so it was cut off; export it anew", words_.where()));
+            throw InputError("{}: the file ends before endsolid, so it was cut off; export it anew", words_.where());
         return word;
     }
 
@@ -238,8 +235,8 @@ class StlText {
     }
 
     [[noreturn]] void refuse(std::string_view word, std::string_view wanted) const {
-        throw InputError(fmt::format("{}: {:?} stands where an STL text has {}; export the file anew", words_.where(),
-                                     beginning(word, 40), wanted));
+        throw InputError("{}: {:?} stands where an STL text has {}; export the file anew", words_.where(),
+                         beginning(word, 40), wanted);
     }
 
     TextWords words_;
@@ -261,14 +258,14 @@ Surface read_stl_bytes(const std::string& bytes, const std::string& file) {
     const std::size_t wanted = header + each * count;
     if (bytes.size() < wanted)
         throw InputError(
-            fmt::format("{}: it says that it has {} triangles, for which it needs {} bytes, and it has {}, so it was "
-                        "cut off; export it anew",
-                        file, count, wanted, bytes.size()));
+            "{}: it says that it has {} triangles, for which it needs {} bytes, and it has {}, so it was cut off; "
+            "export it anew",
+            file, count, wanted, bytes.size());
     if (bytes.find_first_not_of(std::string_view("\0 \t\r\n", 5), wanted) != std::string::npos)
-        throw InputError(fmt::format(
-            "{}: it says that it has {} triangles, which are {} bytes, and {} bytes follow; if it is several "
-            "files in one, export them as one",
-            file, count, wanted, bytes.size() - wanted));
+        throw InputError(
+            "{}: it says that it has {} triangles, which are {} bytes, and {} bytes follow; if it is several files in "
+            "one, export them as one",
+            file, count, wanted, bytes.size() - wanted);
     SurfaceMaker maker(file);
     for (std::size_t t = 0; t < count; ++t) {
         std::array<int, 3> corners{};
@@ -278,8 +275,7 @@ Surface read_stl_bytes(const std::string& bytes, const std::string& file) {
             for (int axis = 0; axis < 3; ++axis)
                 point[axis] = static_cast<double>(little_endian<float>(from + 4 * axis)) + 0.0;
             if (!point.allFinite())
-                throw InputError(
-                    fmt::format("{}: a corner of triangle {} is not a number; export the file anew", file, t + 1));
+                throw InputError("{}: a corner of triangle {} is not a number; export the file anew", file, t + 1);
             corners[k] = maker.number_of(point);
         }
         maker.add(corners, "", 0);
@@ -291,8 +287,7 @@ Surface read_stl_bytes(const std::string& bytes, const std::string& file) {
 Surface read_stl(const std::string& bytes, const std::string& file) {
     if (bytes.find('\0') != std::string::npos) return read_stl_bytes(bytes, file);
     if (lower(TextWords(bytes, file).word()) == "solid") return StlText(bytes, file).read();
-    throw InputError(
-        fmt::format("{}: this is no readable .stl file: as a text it would begin with solid; export it anew", file));
+    throw InputError("{}: this is no readable .stl file: as a text it would begin with solid; export it anew", file);
 }
 
 /// Across the way from a to b to c, as seen along `normal`.
@@ -376,9 +371,8 @@ class ObjText {
             name_ = words.rest_of_line();
         } else if (constexpr std::array others{"", "vn", "vt", "s", "l", "p", "usemtl", "mtllib"};
                    std::ranges::find(others, keyword) == others.end()) {
-            throw InputError(
-                fmt::format("{}: {:?} is no statement of an OBJ file of polygons; export it anew, as a mesh",
-                            lines_.where(), beginning(keyword, 40)));
+            throw InputError("{}: {:?} is no statement of an OBJ file of polygons; export it anew, as a mesh",
+                             lines_.where(), beginning(keyword, 40));
         }
     }
 
@@ -396,8 +390,8 @@ class ObjText {
         const auto count = static_cast<std::ptrdiff_t>(points_.size());
         const std::ptrdiff_t index = number < 0 ? count + number : std::ptrdiff_t{number} - 1;
         if (fault != std::errc{} || stop != end || number == 0 || index < 0 || index >= count)
-            throw InputError(fmt::format("{}: {:?} is none of the {} points above this face; export the file anew",
-                                         lines_.where(), beginning(word, 40), count));
+            throw InputError("{}: {:?} is none of the {} points above this face; export the file anew", lines_.where(),
+                             beginning(word, 40), count);
         return maker_.number_of(points_[static_cast<std::size_t>(index)]);
     }
 
@@ -408,9 +402,8 @@ class ObjText {
             if (const int number = number_of(word); corners.empty() || corners.back() != number)
                 corners.push_back(number);
         if (given < 3 || given > most_polygon_corners)
-            throw InputError(
-                fmt::format("{}: this face has {} corners; allowed: 3 to {}; export the file anew, as triangles",
-                            lines_.where(), given, most_polygon_corners));
+            throw InputError("{}: this face has {} corners; allowed: 3 to {}; export the file anew, as triangles",
+                             lines_.where(), given, most_polygon_corners);
         while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
         if (corners.size() < 3) return;
         for (const std::array<int, 3>& one : Ears(maker_.points(), std::move(corners)).triangles())
@@ -429,7 +422,7 @@ Surface read_surface(const std::string& bytes, const std::string& file) {
     const std::string ending = ending_of(file);
     if (ending == "stl") return read_stl(bytes, file);
     if (ending == "obj") return ObjText(bytes, file).read();
-    throw InputError(fmt::format("{}: hulls are read from .stl and .obj files; export one of these", file));
+    throw InputError("{}: hulls are read from .stl and .obj files; export one of these", file);
 }
 
 }  // namespace floes

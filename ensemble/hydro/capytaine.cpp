@@ -55,9 +55,9 @@ class Dataset {
 
     InputError wrong(const std::string& what) const {
         return InputError(
-            fmt::format("{}: {}; Capytaine's files have added_mass and radiation_damping over radiating_dof, "
-                        "influenced_dof and a frequency",
-                        file_, what));
+            "{}: {}; Capytaine's files have added_mass and radiation_damping over radiating_dof, influenced_dof and a "
+            "frequency",
+            file_, what);
     }
 
     std::optional<Variable> find(const char* name) const {
@@ -323,10 +323,10 @@ RadiationFile read_capytaine(std::string_view bytes, const std::string& file) {
         read(bytes, file);
         if (!longer.empty()) read(longer, file);
     });
-    if (signal != 0) throw InputError(fmt::format("{}: is damaged: NetCDF ends with signal {} over it", file, signal));
+    if (signal != 0) throw InputError("{}: is damaged: NetCDF ends with signal {} over it", file, signal);
     RadiationFile found = read(bytes, file);
     if (!longer.empty() && read(longer, file) != found)
-        throw InputError(fmt::format("{}: ends before its last numbers; was the file cut off?", file));
+        throw InputError("{}: ends before its last numbers; was the file cut off?", file);
     return found;
 }
 

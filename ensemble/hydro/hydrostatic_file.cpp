@@ -27,10 +27,10 @@ void refuse_gaps(const std::array<std::array<bool, 6>, 6>& given, const std::str
     constexpr int all = 36;
     for (std::size_t k = 2; k < 5; ++k)
         if (!given.at(k).at(k))
-            throw InputError(fmt::format("{}: has no row {} {}, and heave, roll and pitch have one each; was one lost?",
-                                         file, k + 1, k + 1));
+            throw InputError("{}: has no row {} {}, and heave, roll and pitch have one each; was one lost?", file,
+                             k + 1, k + 1);
     if (count > half && count < all)
-        throw InputError(fmt::format("{}: has {} of the {} elements of a matrix; was a row lost?", file, count, all));
+        throw InputError("{}: has {} of the {} elements of a matrix; was a row lost?", file, count, all);
 }
 
 }  // namespace
@@ -53,9 +53,9 @@ Mat6 read_hydrostatics(std::string_view text, const std::string& file, const Wam
     for (const std::string_view line : lines_of(text)) {
         ++number;
         const auto wrong = [&](const std::string& what) {
-            return InputError(fmt::format(
+            return InputError(
                 "{}:{}: {}; a row of WAMIT's .hst is i, j and the stiffness, one of NEMOH's KH.dat six of them", file,
-                number, what));
+                number, what);
         };
         const std::optional<std::vector<double>> row = numbers_of(line);
         if (row && row->empty()) continue;
@@ -78,11 +78,11 @@ Mat6 read_hydrostatics(std::string_view text, const std::string& file, const Wam
         found(a, b) = (*row)[2] * units.density * gravity * std::pow(units.length, 2 + turns_of(a, b));  // ρgL^k
     }
     if (rows_of_nemoh > 0 && rows_of_nemoh < 6)
-        throw InputError(fmt::format("{}: has {} of six rows; was the file cut off?", file, rows_of_nemoh));
+        throw InputError("{}: has {} of six rows; was the file cut off?", file, rows_of_nemoh);
     if (rows_of_nemoh == 0) refuse_gaps(given, file);
     if (!(found(2, 2) > 0))
-        throw InputError(fmt::format(
-            "{}: has no stiffness in heave, which every hull in the waterline has; did the program write it?", file));
+        throw InputError(
+            "{}: has no stiffness in heave, which every hull in the waterline has; did the program write it?", file);
     return found;
 }
 

@@ -151,8 +151,7 @@ void look_at_depth(const MooringSections& file, const Line& line, const MooringF
 Line line_of(const MooringSections& file, const MooringSection& section, const MooringRow& row, Parts& parts) {
     const auto column = [&](std::initializer_list<const char*> names) {
         const std::optional<std::size_t> found = column_of(section, names);
-        if (!found)
-            throw InputError(fmt::format("{}: the section of lines has no column {}", file.file(), *names.begin()));
+        if (!found) throw InputError("{}: the section of lines has no column {}", file.file(), *names.begin());
         return *found;
     };
     const std::size_t from = column({"ATTACHA", "NODEANCH", "NODEA", "ENDA"});
@@ -254,11 +253,11 @@ MooringFile read_moorings(std::string_view text, const std::string& name, double
             look_at_depth(file, lines.back(), parts.options, remarks);
         }
     }
-    if (lines.empty()) throw InputError(fmt::format("{}: has no lines", name));
+    if (lines.empty()) throw InputError("{}: has no lines", name);
     for (const auto& [number, point] : parts.points)
         if (!parts.used_points.contains(number))
-            throw InputError(fmt::format(
-                "{}: no line ends at point {}; was a line lost? Leave out a point that holds none", name, number));
+            throw InputError("{}: no line ends at point {}; was a line lost? Leave out a point that holds none", name,
+                             number);
     take_failures(file, lines);
     name_other_sections(file, remarks);
     std::size_t break_loads = 0;

@@ -102,10 +102,10 @@ std::string guard(const MooringKeysRequest& request, const Surroundings& here, c
                           ", not of the {:.4g} m² of {}; they are {:.4g} m long, too short to know it, if its "
                           "first column is a period in s\n",
                           known, whose, wave);
-    throw InputError(fmt::format(
+    throw InputError(
         "{}: the damping in heave of its longest waves is that of a waterplane of {:.4g} m², not of the {:.4g} m² of "
         "{}; is its first column a period in s, --length-m its length, --density its water, --depth-m its depth?",
-        request.file, *implied, known, whose));
+        request.file, *implied, known, whose);
 }
 
 /// Of the hull's natural modes, each of the motion of which it has most, in the order of radiation programs, with the
@@ -142,8 +142,8 @@ std::string radiation_text(const MooringKeysRequest& request, const Surroundings
         const double longest = period_of(radiation.points.front().frequency);
         constexpr double rounding = 1e-9;
         if (*request.period < shortest * (1 - rounding) || *request.period > longest * (1 + rounding))
-            throw InputError(fmt::format("{}: has periods from {:.4g} to {:.4g} s, and --period-s {:g} is outside",
-                                         request.file, shortest, longest, *request.period));
+            throw InputError("{}: has periods from {:.4g} to {:.4g} s, and --period-s {:g} is outside", request.file,
+                             shortest, longest, *request.period);
         frequencies.fill(2 * std::numbers::pi / *request.period);
         when = fmt::format("at {:g} s", *request.period);
     } else if (here.hull && here.hull->moorings.give_way()) {
@@ -154,10 +154,10 @@ std::string radiation_text(const MooringKeysRequest& request, const Surroundings
         when =
             fmt::format("at the natural period of each motion of {}: {}", request.hull_name, fmt::join(periods, ", "));
     } else {
-        throw InputError(fmt::format(
-            "{}: give the period at which its values are to hold, --period-s, or the configuration of a "
-            "hull on moorings, --hull, for those of its natural periods; the file has {:.4g} to {:.4g} s",
-            request.file, period_of(radiation.points.back().frequency), period_of(radiation.points.front().frequency)));
+        throw InputError(
+            "{}: give the period at which its values are to hold, --period-s, or the configuration of a hull on "
+            "moorings, --hull, for those of its natural periods; the file has {:.4g} to {:.4g} s",
+            request.file, period_of(radiation.points.back().frequency), period_of(radiation.points.front().frequency));
     }
     const RadiationPoint at = radiation_at(radiation, frequencies);
     std::string out =
@@ -178,10 +178,10 @@ std::string hydrostatic_text(const MooringKeysRequest& request, const Surroundin
     const Mat6 theirs = read_hydrostatics(text, request.file, here.units, here.gravity);
     if (request.weight.empty())
         throw InputError(
-            fmt::format("{}: say with --weight inside or --weight outside whether its stiffness in roll and pitch "
-                        "holds the hull's weight; WAMIT has what its own file of forces says, NEMOH and Capytaine "
-                        "have it inside, HydroDyn wants it outside",
-                        request.file));
+            "{}: say with --weight inside or --weight outside whether its stiffness in roll and pitch holds the hull's "
+            "weight; WAMIT has what its own file of forces says, NEMOH and Capytaine have it inside, HydroDyn wants it "
+            "outside",
+            request.file);
     std::string out = fmt::format(
         "# {}, weight {}, is no key: floes has the water's stiffness from the hull\n"
         "# waterplane {:.5g} m²\n",
@@ -234,7 +234,7 @@ void refuse_as_configuration(const std::string& keys, const std::string& file) {
     for (const Entry& entry : parse_document("[moorings]\n" + keys, whose).entries) assign_known(known, entry);
     Contradictions found;
     check_matrices(moorings, found);
-    if (!found.empty()) throw InputError(fmt::format("{}: {}", whose, found.front().sentence));
+    if (!found.empty()) throw InputError("{}: {}", whose, found.front().sentence);
 }
 
 }  // namespace
@@ -246,9 +246,9 @@ std::string mooring_keys(const MooringKeysRequest& request, const std::string& b
     const bool is_stiffness = !radiation && !has_lines && is_hydrostatic(bytes);
     if ((has_lines || is_stiffness) && !request.reference.empty())
         throw InputError(
-            fmt::format("--reference-m moves matrices of added mass and damping, and {} has none; give points "
-                        "and stiffness from the axis at the calm water",
-                        request.file));
+            "--reference-m moves matrices of added mass and damping, and {} has none; give points and stiffness from "
+            "the axis at the calm water",
+            request.file);
     if (is_stiffness) return hydrostatic_text(request, here, bytes);
     std::string keys = has_lines ? moorings_text(request, here, bytes) : radiation_text(request, here, bytes);
     refuse_as_configuration(keys, request.file);

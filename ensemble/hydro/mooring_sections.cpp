@@ -105,15 +105,13 @@ std::vector<MooringSection> sections_of(std::string_view text, const std::string
             found.back().units_line = number;
             if (found.back().units.empty())
                 throw InputError(
-                    fmt::format("{}:{}: is to be the units of the columns above, as (m) or (-); MoorDyn skips "
-                                "this line",
-                                file, number));
+                    "{}:{}: is to be the units of the columns above, as (m) or (-); MoorDyn skips this line", file,
+                    number);
         } else if (std::vector<std::string> words = words_before_comment(line); !words.empty()) {
             const std::size_t columns = found.back().columns.size();
             if (columns > 0 && words.size() > columns)
-                throw InputError(
-                    fmt::format("{}:{}: has {} words for the {} columns of its table; a comment begins with #", file,
-                                number, words.size(), columns));
+                throw InputError("{}:{}: has {} words for the {} columns of its table; a comment begins with #", file,
+                                 number, words.size(), columns);
             found.back().rows.push_back({number, std::move(words)});
         }
         header = std::max(header - 1, 0);
@@ -142,13 +140,12 @@ MooringSections::MooringSections(std::string_view text, std::string file)
                       (!sections_.back().title.empty() || text.ends_with('\n') || text.ends_with('\r'));
     if (!ends)
         throw InputError(
-            fmt::format("{}: does not end with the line that MoorDyn needs there, --- need this line ---; was "
-                        "the file cut off?",
-                        file_));
+            "{}: does not end with the line that MoorDyn needs there, --- need this line ---; was the file cut off?",
+            file_);
 }
 
 InputError MooringSections::wrong(const MooringRow& row, const std::string& what) const {
-    return InputError(fmt::format("{}:{}: {}", file_, row.line, what));
+    return InputError("{}:{}: {}", file_, row.line, what);
 }
 
 double MooringSections::number(const MooringRow& row, std::size_t column, const char* name) const {
@@ -169,8 +166,8 @@ std::vector<const MooringSection*> MooringSections::all(const std::string& name)
 std::vector<const MooringSection*> MooringSections::need(const std::string& name) const {
     std::vector<const MooringSection*> found = all(name);
     if (found.empty())
-        throw InputError(fmt::format("{}: has no section of {}; it is to be a file of MoorDyn or MoorPy", file_,
-                                     name == "types" ? "line types" : name));
+        throw InputError("{}: has no section of {}; it is to be a file of MoorDyn or MoorPy", file_,
+                         name == "types" ? "line types" : name);
     return found;
 }
 
@@ -179,9 +176,9 @@ void MooringSections::refuse_other_unit(const MooringSection& section, std::size
     const std::string& said = section.units[column];
     const bool none = said.find_first_not_of("-#, ") == std::string::npos;
     if (none || upper(words_of(said).front()) == upper(unit)) return;
-    throw InputError(fmt::format(
-        "{}:{}: has its column {} in ({}), and MoorDyn reads it in ({})", file_, section.units_line,
-        column < section.columns.size() ? section.columns[column] : std::to_string(column + 1), said, unit));
+    throw InputError("{}:{}: has its column {} in ({}), and MoorDyn reads it in ({})", file_, section.units_line,
+                     column < section.columns.size() ? section.columns[column] : std::to_string(column + 1), said,
+                     unit);
 }
 
 }  // namespace floes

@@ -46,10 +46,10 @@ void look_at_halves(RadiationFile& found, const std::string& file, const char* n
                     std::sqrt(largest.at(static_cast<std::size_t>(i)) * largest.at(static_cast<std::size_t>(j)));
                 const double apart = std::abs(m(i, j) - m(j, i));
                 if (apart > gross * own)
-                    throw InputError(fmt::format(
+                    throw InputError(
                         "{}: has {} of {:.4g} for {} {} and of {:.4g} for {} {} at {:.4g} s; such a matrix is "
                         "symmetric, so one of the two is wrong",
-                        file, name, m(i, j), i + 1, j + 1, m(j, i), j + 1, i + 1, period_of(point.frequency)));
+                        file, name, m(i, j), i + 1, j + 1, m(j, i), j + 1, i + 1, period_of(point.frequency));
                 worst = std::max(worst, own > 0 ? apart / own : 0);
             }
         }
@@ -115,9 +115,9 @@ RadiationFile read_radiation(std::string_view bytes, const std::string& file, co
                           : tec  ? read_nemoh(bytes, file)
                                  : read_wamit(bytes, file, units);
     if (found.points.empty())
-        throw InputError(fmt::format(
+        throw InputError(
             "{}: has no periods; it is to be WAMIT's .1, NEMOH's RadiationCoefficients.tec or Capytaine's NetCDF",
-            file));
+            file);
     look_at_halves(found, file, "added mass", &RadiationPoint::added);
     look_at_halves(found, file, "damping", &RadiationPoint::damping);
     look_at_limits(found, file);
@@ -149,9 +149,8 @@ RadiationPoint radiation_at(const RadiationFile& radiation, double frequency) {
     const std::vector<RadiationPoint>& points = radiation.points;
     constexpr double rounding = 1e-9;
     if (frequency < points.front().frequency * (1 - rounding) || frequency > points.back().frequency * (1 + rounding))
-        throw InputError(fmt::format("The file has periods from {:.4g} to {:.4g} s, and {:.4g} s is outside.",
-                                     period_of(points.back().frequency), period_of(points.front().frequency),
-                                     period_of(frequency)));
+        throw InputError("The file has periods from {:.4g} to {:.4g} s, and {:.4g} s is outside.",
+                         period_of(points.back().frequency), period_of(points.front().frequency), period_of(frequency));
     std::size_t next = 0;
     while (next + 1 < points.size() && points[next].frequency < frequency) ++next;
     const RadiationPoint& b = points[next];
@@ -220,9 +219,9 @@ std::string doubts(const RadiationFile& radiation, const std::string& file, cons
         const auto [share, where] = doubt_in(radiation, static_cast<int>(k), frequencies.at(k), largest.at(k));
         if (share > refused)
             throw InputError(
-                fmt::format("{}: has no period near enough to know the damping in {} {}; take a file with "
-                            "more periods there, or a period that it has",
-                            file, hydrodynamic_motions.at(k), where));
+                "{}: has no period near enough to know the damping in {} {}; take a file with more periods there, or a "
+                "period that it has",
+                file, hydrodynamic_motions.at(k), where);
         if (share > said) found[where].push_back(fmt::format("{} {:.0f} %", hydrodynamic_motions.at(k), 100 * share));
     }
     if (found.empty()) return {};

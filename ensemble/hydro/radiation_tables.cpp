@@ -62,13 +62,13 @@ void refuse_gaps(const Periods& periods, const std::string& file) {
             for (const auto& [period, block] : periods)
                 if (std::isnan(block.added(i, j)))
                     throw InputError(
-                        fmt::format("{}: {} lacks the element {} {}, which {} of {} periods and limits have; "
-                                    "was a row lost? What is zero by symmetry is missing at all of them",
-                                    file, period_name(period), i + 1, j + 1, count, periods.size()));
+                        "{}: {} lacks the element {} {}, which {} of {} periods and limits have; was a row lost? What "
+                        "is zero by symmetry is missing at all of them",
+                        file, period_name(period), i + 1, j + 1, count, periods.size());
             for (const int own : {i, j})
                 if (stands(own, own) == 0)
-                    throw InputError(fmt::format("{}: has the element {} {} and nowhere {} {}; were rows lost?", file,
-                                                 i + 1, j + 1, own + 1, own + 1));
+                    throw InputError("{}: has the element {} {} and nowhere {} {}; were rows lost?", file, i + 1, j + 1,
+                                     own + 1, own + 1);
         }
     }
 }
@@ -94,8 +94,8 @@ FrequencyUnit unit_of(std::string_view header, const std::string& file, std::siz
     if (unit == "rad/s") return {.name = unit};
     if (unit == "Hz") return {.name = unit, .factor = turn};
     if (unit == "s") return {.name = unit, .period = true};
-    throw InputError(fmt::format("{}:{}: {}; its frequencies are to be in (rad/s), (Hz) or (s)", file, number,
-                                 unit.empty() ? "names no unit" : fmt::format("has the unit ({})", unit)));
+    throw InputError("{}:{}: {}; its frequencies are to be in (rad/s), (Hz) or (s)", file, number,
+                     unit.empty() ? "names no unit" : fmt::format("has the unit ({})", unit));
 }
 
 /// The number behind a word in the head of a zone, Zone t="Motion of body   1 in DoF   1",I=  26,F=POINT; 0 if none.
@@ -126,8 +126,7 @@ class NemohZones {
         }
         end_zone();
         if (moves_ != 6)
-            throw InputError(
-                fmt::format("{}: has {} of the six zones, one for each motion; was the file cut off?", file_, moves_));
+            throw InputError("{}: has {} of the six zones, one for each motion; was the file cut off?", file_, moves_);
     }
 
     const std::map<double, Matrices>& blocks() const { return blocks_; }
@@ -136,9 +135,9 @@ class NemohZones {
   private:
     InputError wrong(std::size_t number, const std::string& what) const {
         return InputError(
-            fmt::format("{}:{}: {}; a row of NEMOH's radiation coefficients is the frequency and an added "
-                        "mass and a damping for each of six forces",
-                        file_, number, what));
+            "{}:{}: {}; a row of NEMOH's radiation coefficients is the frequency and an added mass and a damping for "
+            "each of six forces",
+            file_, number, what);
     }
 
     void add(const std::vector<double>& row, std::size_t number) {
@@ -172,8 +171,8 @@ class NemohZones {
 
     void end_zone() {
         if (stated_ > 0 && stated_ != rows_)
-            throw InputError(fmt::format("{}: zone {} has {} rows, and its head says {}; were some lost?", file_,
-                                         moves_, rows_, stated_));
+            throw InputError("{}: zone {} has {} rows, and its head says {}; were some lost?", file_, moves_, rows_,
+                             stated_);
         rows_ = 0;
     }
 
@@ -201,9 +200,8 @@ RadiationFile read_wamit(std::string_view text, const std::string& file, const W
         ++number;
         const auto wrong = [&](const std::string& what) {
             return InputError(
-                fmt::format("{}:{}: {}; a row of WAMIT's .1 is period, i, j, added mass and, but for the "
-                            "limits, damping",
-                            file, number, what));
+                "{}:{}: {}; a row of WAMIT's .1 is period, i, j, added mass and, but for the limits, damping", file,
+                number, what);
         };
         const std::optional<std::vector<double>> row = numbers_of(line);
         if (row && row->empty()) continue;
@@ -251,9 +249,8 @@ RadiationFile read_nemoh(std::string_view text, const std::string& file) {
     for (const auto& [frequency, block] : zones.blocks()) {
         if (block.added.hasNaN())
             throw InputError(
-                fmt::format("{}: has {:.6g} rad/s, a period of {:.6g} s, in some of its six zones and not in "
-                            "all; was a row lost?",
-                            file, frequency, turn / frequency));
+                "{}: has {:.6g} rad/s, a period of {:.6g} s, in some of its six zones and not in all; was a row lost?",
+                file, frequency, turn / frequency);
         found.points.push_back({frequency, block.added, block.damping});
     }
     found.remarks.push_back(fmt::format("{}: its frequencies are in {}", file, zones.unit()));

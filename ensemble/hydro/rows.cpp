@@ -106,8 +106,7 @@ void refuse_cut_number(std::string_view text, const std::string& file) {
         ++alike;
     }
     if (alike > 1 && lengths.size() == 1 && length(last.back()) < *lengths.begin())
-        throw InputError(
-            fmt::format("{}:{}: ends within a number, {}; was the file cut off?", file, lines.size(), last.back()));
+        throw InputError("{}:{}: ends within a number, {}; was the file cut off?", file, lines.size(), last.back());
 }
 
 }  // namespace floes

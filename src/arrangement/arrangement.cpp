@@ -185,10 +185,9 @@ Arrangement make_arrangement(const Scenario& scenario, std::uint64_t seed, std::
     for (std::size_t i = 0; i < poses.size(); ++i) made.floes[i].pose = poses[i];
     if (const std::optional<Fault> fault = find_fault(scenario, made)) {
         if (scenario.arrangement.given()) {
-            throw InputError(fmt::format("the given places are no arrangement of this field: {}", fault->sentence));
+            throw InputError("the given places are no arrangement of this field: {}", fault->sentence);
         }
-        throw RunError(fmt::format("arrangement {} came out wrong, which is an error of the program: {}", number,
-                                   fault->sentence));
+        throw RunError("arrangement {} came out wrong, which is an error of the program: {}", number, fault->sentence);
     }
     measure(made, scenario);
     FLOES_ENSURES(std::ranges::all_of(made.floes, [](const Floe& floe) { return std::isfinite(floe.pose.x); }));

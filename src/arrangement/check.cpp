@@ -223,8 +223,8 @@ std::optional<std::string> nearness_fault(const Walls& walls, std::span<const Ou
 
 void expect_none(const std::optional<std::string>& fault, std::uint64_t part, std::uint32_t arrangement) {
     if (fault)
-        throw RunError(fmt::format("part {} of arrangement {} came out wrong, which is an error of the program: {}",
-                                   part, arrangement, *fault));
+        throw RunError("part {} of arrangement {} came out wrong, which is an error of the program: {}", part,
+                       arrangement, *fault);
 }
 
 }  // namespace floes

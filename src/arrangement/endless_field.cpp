@@ -62,10 +62,10 @@ std::vector<Outline> CellField::opened(std::size_t count, std::size_t& taken) {
         if (std::ranges::all_of(floes.outlines, [&](const Outline& one) { return is_floe(one, thickness); }))
             return floes.outlines;
     }
-    throw InputError(fmt::format(
-        "shapes.relaxations = {} left a Voronoi cell that is narrower than the ice is thick after its edges "
-        "moved in by {:.4g} m; relax more, raise field.concentration_percent or take larger floes",
-        scenario_.shapes.relaxations, floes.offset));
+    throw InputError(
+        "shapes.relaxations = {} left a Voronoi cell that is narrower than the ice is thick after its edges moved in "
+        "by {:.4g} m; relax more, raise field.concentration_percent or take larger floes",
+        scenario_.shapes.relaxations, floes.offset);
 }
 
 FieldPart CellField::next() {

@@ -60,10 +60,10 @@ LatticeSize lattice_size(const Walls& walls, const Rectangle& shape, double clea
         }
     }
     if (best_gap < clearance - equal_lengths) {
-        throw InputError(fmt::format(
+        throw InputError(
             "{} floes of {} m x {} m with a clearance of {} m do not fit on a lattice in a field of {:.3f} m x {:.3f} "
             "m; lower field.concentration_percent or the clearance, or change the width so that whole rows fit",
-            count, 2 * shape.half_length, 2 * shape.half_breadth, clearance, walls.length, walls.breadth));
+            count, 2 * shape.half_length, 2 * shape.half_breadth, clearance, walls.length, walls.breadth);
     }
     return best;
 }
@@ -145,11 +145,10 @@ std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rec
         while (!place(floe, jittered(site, jitter, random))) {
             if (++trial < trials) continue;
             throw InputError(
-                fmt::format("the jittered lattice has no room for floe {} of {} ({} trials with shifts up to {} m and "
-                            "turns up to {:.4g}°); "
-                            "lower arrangement.jitter_m or arrangement.jitter_deg, or use arrangement.method = "
-                            "\"monte_carlo\"",
-                            floe, shapes.size(), trials, jitter.shift, jitter.turn * 180 / std::numbers::pi));
+                "the jittered lattice has no room for floe {} of {} ({} trials with shifts up to {} m and turns up to "
+                "{:.4g}°); lower arrangement.jitter_m or arrangement.jitter_deg, or use arrangement.method = "
+                "\"monte_carlo\"",
+                floe, shapes.size(), trials, jitter.shift, jitter.turn * 180 / std::numbers::pi);
         }
     }
     return poses;

@@ -80,8 +80,7 @@ class CellReader {
         std::string pointed = with_decimal_point(cell);
         if (pointed.empty()) return cell;
         // With semicolons a comma is the decimal sign; with tabs it may as well divide thousands.
-        if (divider_ != ';')
-            throw InputError(fmt::format("{}: {} has a comma; write {}, with a point", where_, cell, pointed));
+        if (divider_ != ';') throw InputError("{}: {} has a comma; write {}, with a point", where_, cell, pointed);
         return pointed;
     }
 
@@ -91,7 +90,7 @@ class CellReader {
         while (true) {
             const std::size_t quote = line_.find('"', at);
             if (quote == std::string_view::npos)
-                throw InputError(fmt::format("{}: a quoted cell does not end on its line; close it with \"", where_));
+                throw InputError("{}: a quoted cell does not end on its line; close it with \"", where_);
             cell += line_.substr(at, quote - at);
             at = quote + 1;
             if (!line_.substr(at).starts_with('"')) break;
@@ -101,8 +100,7 @@ class CellReader {
         line_ = without_blanks(line_.substr(at), divider_);
         more = line_.starts_with(divider_);
         if (!more && !line_.empty())
-            throw InputError(
-                fmt::format("{}: a {} is missing after the quoted cell \"{}\"", where_, name_of(divider_), cell));
+            throw InputError("{}: a {} is missing after the quoted cell \"{}\"", where_, name_of(divider_), cell);
         line_.remove_prefix(more ? 1 : 0);
         if (divider_ != ';') return cell;
         std::string pointed = with_decimal_point(cell);
@@ -120,13 +118,12 @@ void refuse_columns(const CsvLine& header, const std::string& file) {
         const std::string& name = header.cells[k];
         if (number_in(name)) continue;  // no header
         if (name.empty())
-            throw InputError(
-                fmt::format("{}:{}: column {} has no name; name it, or leave it out, as pandas does with index=False",
-                            file, header.number, k + 1));
+            throw InputError("{}:{}: column {} has no name; name it, or leave it out, as pandas does with index=False",
+                             file, header.number, k + 1);
         const auto before = header.cells.begin() + static_cast<std::ptrdiff_t>(k);
         if (std::find(header.cells.begin(), before, name) != before)
-            throw InputError(fmt::format("{}:{}: the column {} is there twice; leave one of the two out", file,
-                                         header.number, name));
+            throw InputError("{}:{}: the column {} is there twice; leave one of the two out", file, header.number,
+                             name);
     }
 }
 
@@ -141,8 +138,8 @@ void drop_empty_ends(std::vector<CsvLine>& lines) {
 }  // namespace
 
 std::vector<CsvLine> csv_lines(std::string_view text, const std::string& file) {
-    if (is_utf16(text)) throw InputError(fmt::format("{}: this is text in UTF-16; save it in UTF-8", file));
-    if (!is_utf8(text)) throw InputError(fmt::format("{}: this is no text in UTF-8; save it as such", file));
+    if (is_utf16(text)) throw InputError("{}: this is text in UTF-16; save it in UTF-8", file);
+    if (!is_utf8(text)) throw InputError("{}: this is no text in UTF-8; save it as such", file);
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     std::optional<char> divider;

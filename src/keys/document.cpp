@@ -51,8 +51,8 @@ constexpr std::size_t longest_path = 200;  // bytes; ours have 40 at most
 template <class Where>
 void refuse_long_path(const std::string& path, const Where& where) {
     if (path.size() > longest_path)
-        throw InputError(fmt::format("{}: {}... is a key of more than {} characters, and none of floes", where(),
-                                     text_literal(beginning(path, 20)), longest_path));
+        throw InputError("{}: {}... is a key of more than {} characters, and none of floes", where(),
+                         text_literal(beginning(path, 20)), longest_path);
 }
 
 Value to_value(const toml::node& node) {
@@ -71,8 +71,7 @@ Value to_value(const toml::node& node) {
 
 /// `first`: where it is given too; empty where that is not known.
 InputError given_twice(const std::string& where, const std::string& what, const std::string& first) {
-    return InputError(
-        fmt::format("{}: {} is given twice{}; keep one", where, what, first.empty() ? "" : ", first at " + first));
+    return InputError("{}: {} is given twice{}; keep one", where, what, first.empty() ? "" : ", first at " + first);
 }
 
 /// An entry with its position in the text.
@@ -213,16 +212,16 @@ InputError syntax_error(const toml::parse_error& error, std::string_view text, c
                            first == 0 ? "" : fmt::format("{}:{}", file, first));
     }
     if (const std::string comma = decimal_comma(text, at.line); !comma.empty())
-        return InputError(fmt::format("{}:{}: {}", file, at.line, comma));
+        return InputError("{}:{}: {}", file, at.line, comma);
     constexpr std::string_view prefix = "Error while ";
     if (description.starts_with(prefix)) description.erase(0, prefix.size());
-    return InputError(fmt::format("{}:{}:{}: this is not TOML ({})", file, at.line, at.column, description));
+    return InputError("{}:{}:{}: this is not TOML ({})", file, at.line, at.column, description);
 }
 
 }  // namespace
 
 Document parse_document(std::string_view text, const std::string& file) {
-    if (is_utf16(text)) throw InputError(fmt::format("{}: this is text in UTF-16; save it in UTF-8", file));
+    if (is_utf16(text)) throw InputError("{}: this is text in UTF-16; save it in UTF-8", file);
     refuse_what_cannot_be_held(text, file);
     try {
         const toml::table table = toml::parse(text, file);
@@ -241,7 +240,7 @@ Entry parse_override(const std::string& override_text, const std::string& option
     const std::size_t equals = override_text.find('=');
     const std::string path(trimmed(std::string_view(override_text).substr(0, equals)));
     if (equals == std::string::npos || path.empty()) {
-        throw InputError(fmt::format("{}: this is not key=value; write {} general.iterations=50", where, option));
+        throw InputError("{}: this is not key=value; write {} general.iterations=50", where, option);
     }
     refuse_long_path(path, [&] { return option; });
     const std::string value(trimmed(std::string_view(override_text).substr(equals + 1)));
@@ -254,7 +253,7 @@ Entry parse_override(const std::string& override_text, const std::string& option
         // Not TOML: a bare word.
     }
     if (!is_utf8(path) || !is_utf8(value))
-        throw InputError(fmt::format("{}: this is not text in UTF-8, as configurations are", option));
+        throw InputError("{}: this is not text in UTF-8, as configurations are", option);
     return {path, {value}, where};
 }
 
@@ -354,18 +353,17 @@ class Scan {
 
 void refuse_what_cannot_be_held(std::string_view text, const std::string& where) {
     if (text.size() > longest_text)
-        throw InputError(
-            fmt::format("{}: a text of {} bytes is too long; allowed: {} bytes; take fewer cases, poses or values",
-                        where, text.size(), longest_text));
+        throw InputError("{}: a text of {} bytes is too long; allowed: {} bytes; take fewer cases, poses or values",
+                         where, text.size(), longest_text);
     const auto values = std::ranges::count(text, ',') + std::ranges::count(text, '\n');
     if (values > most_values)
-        throw InputError(fmt::format(
+        throw InputError(
             "{}: a text with {} lines and commas has more values than can be held; allowed: {}; take fewer cases, "
             "poses or values",
-            where, values, most_values));
+            where, values, most_values);
     if (const int parts = Scan(text).most_parts(); parts > most_parts)
-        throw InputError(fmt::format("{}: a key with {} parts between dots is none of floes; ours have three at most",
-                                     where, parts));
+        throw InputError("{}: a key with {} parts between dots is none of floes; ours have three at most", where,
+                         parts);
 }
 
 }  // namespace floes

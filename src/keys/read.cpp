@@ -25,8 +25,8 @@ struct Assigner {
     const Entry& entry;
 
     InputError wrong(std::string_view what, std::string_view reason = "") const {
-        return InputError(fmt::format("{}: {} = {} {}; allowed: {}{}", entry.where, key.path, to_text(entry.value),
-                                      what, allowed(key), reason.empty() ? "" : fmt::format(" ({})", reason)));
+        return InputError("{}: {} = {} {}; allowed: {}{}", entry.where, key.path, to_text(entry.value), what,
+                          allowed(key), reason.empty() ? "" : fmt::format(" ({})", reason));
     }
 
     void operator()(const NumberField& field) const {
@@ -115,8 +115,8 @@ struct Assigner {
 
     std::vector<double> row(const RowsField& field, const Value& item, std::size_t index) const {
         const auto fail = [&](const std::string& what) {
-            return InputError(fmt::format("{}: {}[{}] = {} {}; allowed: {}", entry.where, key.path, index,
-                                          to_text(item), what, allowed(key)));
+            return InputError("{}: {}[{}] = {} {}; allowed: {}", entry.where, key.path, index, to_text(item), what,
+                              allowed(key));
         };
         const auto* values = std::get_if<std::vector<Value>>(&item.data);
         if (values == nullptr || values->size() < field.columns.size() ||
@@ -154,13 +154,13 @@ void refuse_former(std::span<const Key> keys, const Entry& entry) {
         assign(*find_key(keys, entry.path), entry);  // the present key then shows what was meant
         value = literal(*now);
     }
-    throw InputError(fmt::format("{}: {} = {} is a key of floes 1.0.0; write {} = {}", entry.where, entry.path,
-                                 to_text(entry.value), now->path, value));
+    throw InputError("{}: {} = {} is a key of floes 1.0.0; write {} = {}", entry.where, entry.path,
+                     to_text(entry.value), now->path, value);
 }
 
 void refuse_former(std::span<const Key> keys, const std::string& path, const std::string& where) {
     if (const Key* now = present_key(keys, path))
-        throw InputError(fmt::format("{}: {} is a key of floes 1.0.0; write {}", where, path, now->path));
+        throw InputError("{}: {} is a key of floes 1.0.0; write {}", where, path, now->path);
 }
 
 std::string assign_known(std::span<const Key> keys, const Entry& entry) {
@@ -175,15 +175,15 @@ std::string assign_known(std::span<const Key> keys, const Entry& entry) {
     if (empty_table && known_table) return "";
     if (empty_table) {
         const auto distance = [&](const Key& key) { return edit_distance(key.table(), entry.path); };
-        throw InputError(fmt::format("{}: [{}] is not a table of keys; did you mean [{}]?", entry.where, entry.path,
-                                     std::ranges::min_element(keys, {}, distance)->table()));
+        throw InputError("{}: [{}] is not a table of keys; did you mean [{}]?", entry.where, entry.path,
+                         std::ranges::min_element(keys, {}, distance)->table());
     }
     if (known_table) {
-        throw InputError(fmt::format("{}: {} = {} is a table of keys, not a key; write {} with its keys below",
-                                     entry.where, entry.path, to_text(entry.value), "[" + entry.path + "]"));
+        throw InputError("{}: {} = {} is a table of keys, not a key; write {} with its keys below", entry.where,
+                         entry.path, to_text(entry.value), "[" + entry.path + "]");
     }
-    throw InputError(fmt::format("{}: {} = {} is not a key; did you mean {}?", entry.where, entry.path,
-                                 to_text(entry.value), nearest_path(keys, entry.path)));
+    throw InputError("{}: {} = {} is not a key; did you mean {}?", entry.where, entry.path, to_text(entry.value),
+                     nearest_path(keys, entry.path));
 }
 
 }  // namespace floes

@@ -353,11 +353,11 @@ void grow_cells(const Scenario& scenario, const Draw& draw, std::vector<SingleFl
                                     [&](const Outline& one) { return is_floe(one, scenario.floe.thickness); });
     }
     if (!found)
-        throw InputError(fmt::format(
+        throw InputError(
             "shapes.relaxations = {} left a Voronoi cell that is narrower than the ice is thick after its edges moved "
             "in by {:.4g} m, in each of {} attempts; relax more, raise field.concentration_percent or take larger "
             "floes",
-            scenario.shapes.relaxations, cells.offset, attempts));
+            scenario.shapes.relaxations, cells.offset, attempts);
     check_gap(scenario, cells.offset);
     for (std::size_t i = 0; i < floes.size(); ++i) lie_as(floes[i], cells.outlines[i]);
 }
@@ -379,10 +379,10 @@ void lie_as(SingleFloe& floe, Corners outline) {
 void check_gap(const Scenario& scenario, double offset) {
     const double clearance = scenario.arrangement.clearance;
     if (offset >= clearance) return;  // from the walls; apart from each other they are twice as far
-    throw InputError(fmt::format(
-        "Voronoi cells at field.concentration_percent = {:g} are {:.4g} m apart and {:.4g} m from the walls, less "
-        "than arrangement.clearance_m = {:g}; lower one of the two",
-        100 * scenario.field.concentration, 2 * offset, offset, clearance));
+    throw InputError(
+        "Voronoi cells at field.concentration_percent = {:g} are {:.4g} m apart and {:.4g} m from the walls, less than "
+        "arrangement.clearance_m = {:g}; lower one of the two",
+        100 * scenario.field.concentration, 2 * offset, offset, clearance);
 }
 
 std::vector<SingleFloe> floes_as_traced(const Scenario& scenario) {
@@ -450,10 +450,10 @@ std::vector<const Key*> named_keys(const Keys& keys, const std::string& columns)
         const bool number = key != nullptr && std::holds_alternative<NumberField>(key->field) &&
                             key->path != "joint.averaging_s";  // one of the whole field
         if (!number || std::ranges::find(named, key) != named.end()) {
-            throw InputError(fmt::format(
+            throw InputError(
                 "arrangement.columns = \"{}\" has \"{}\", which is {}; allowed: numbers of [floe], [ice] and [joint], "
                 "each once, such as \"floe.length_m,floe.breadth_m,ice.thickness_m\"",
-                columns, name, number ? "there twice" : "no such number"));
+                columns, name, number ? "there twice" : "no such number");
         }
         named.push_back(key);
     }
@@ -477,15 +477,15 @@ std::vector<SingleFloe> given_floes(const Scenario& scenario) {
     for (std::size_t floe = 0; floe < rule.poses.size(); ++floe) {
         const std::vector<double>& values = rule.values.at(floe);
         if (values.size() != columns.size())
-            throw InputError(fmt::format("floe {} has {} values behind its pose and arrangement.columns names {}", floe,
-                                         values.size(), columns.size()));
+            throw InputError("floe {} has {} values behind its pose and arrangement.columns names {}", floe,
+                             values.size(), columns.size());
         shape = scenario.floe;
         material = scenario.material();
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const NumberField& field = std::get<NumberField>(columns[i]->field);
             if (!field.range.contains(values[i]))
-                throw InputError(fmt::format("floe {} has {} = {}; allowed: {}", floe, columns[i]->path, values[i],
-                                             to_text(field.range)));
+                throw InputError("floe {} has {} = {}; allowed: {}", floe, columns[i]->path, values[i],
+                                 to_text(field.range));
             field.set(values[i] * field.unit);
         }
         given.push_back({rule.poses[floe], shape, material});

@@ -128,8 +128,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 double on_curve(const std::vector<TensionPoint>& curve, double extension, const char* key, bool ends_at_break = false) {
     if (extension <= curve.front().extension && curve.front().tension == 0) return 0;
     if (extension < curve.front().extension || (extension > curve.back().extension && !ends_at_break))
-        throw MemberFailure(fmt::format("{} has rows from {:g} to {:g} m, and the structure came to {:g} m.", key,
-                                        curve.front().extension, curve.back().extension, extension));
+        throw MemberFailure("{} has rows from {:g} to {:g} m, and the structure came to {:g} m.", key,
+                            curve.front().extension, curve.back().extension, extension);
     std::size_t next = 1;
     while (next + 1 < curve.size() && curve[next].extension < extension) ++next;
     const TensionPoint& a = curve[next - 1];

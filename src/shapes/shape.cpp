@@ -67,7 +67,7 @@ std::optional<std::string> Profile::fault() const {
 }
 
 std::vector<Frustum> Profile::solids() const {
-    if (const auto wrong = fault()) throw InputError(fmt::format("The structure's profile {}.", *wrong));
+    if (const auto wrong = fault()) throw InputError("The structure's profile {}.", *wrong);
     std::vector<Frustum> solids;
     for (std::size_t i = 1; i < points_.size(); ++i) {
         const ProfilePoint& low = points_[i - 1];
@@ -281,7 +281,7 @@ std::optional<std::string> Shape::fault() const {
 
 std::vector<ConvexSolid> Shape::solids() const {
     if (is_of_revolution()) return as_solids(in_force().solids());
-    if (const auto wrong = fault()) throw InputError(fmt::format("The structure {}.", *wrong));
+    if (const auto wrong = fault()) throw InputError("The structure {}.", *wrong);
     return pieces().solids;
 }
 
