@@ -32,11 +32,6 @@ std::vector<PlanarPose> lattice_for(const Scenario& scenario, Rectangles shapes)
                          static_cast<int>(shapes.size()));
 }
 
-std::vector<PlanarPose> lattice(const Scenario& scenario, Rectangles shapes, RandomStream random) {
-    const ArrangementRule& rule = scenario.arrangement;
-    return jittered_lattice(field_walls(scenario), shapes, rule.clearance, {rule.jitter, rule.jitter_angle}, random);
-}
-
 /// Key of random streams that do not depend on ordering_sweeps: more sweeps continue the same chain.
 std::uint64_t unordered_key(const Scenario& scenario) {
     Scenario unordered = scenario;
@@ -94,13 +89,16 @@ std::vector<PlanarPose> scattered_and_ordered(const Scenario& scenario, const Fl
 std::vector<PlanarPose> find_poses(const Scenario& scenario, const FloeSet& floes, std::uint64_t seed,
                                    std::uint32_t number) {
     const std::uint64_t geometry = geometry_key(scenario);
-    switch (scenario.arrangement.method) {
+    const ArrangementRule& rule = scenario.arrangement;
+    RandomStream jitter(seed, number, StreamId::lattice_jitter, geometry);
+    switch (rule.method) {
         case ArrangementMethod::file:
         case ArrangementMethod::traced:
         case ArrangementMethod::level:
             return floes.poses();
         case ArrangementMethod::lattice:
-            return lattice(scenario, rectangles(floes), RandomStream(seed, number, StreamId::lattice_jitter, geometry));
+            return jittered_lattice(field_walls(scenario), rectangles(floes), rule.clearance,
+                                    {rule.jitter, rule.jitter_angle}, jitter);
         case ArrangementMethod::scattered:
             return scattered_and_ordered(scenario, floes, seed, number);
         case ArrangementMethod::monte_carlo:
@@ -129,11 +127,9 @@ std::string outlines_text(const TracedOutlines& traced) {
 
 /// Parts of a field without end, one after another.
 std::function<FieldPart()> parts_of(const Scenario& scenario, std::uint64_t seed, std::uint32_t number) {
-    if (scenario.shapes.kind == ShapeKind::voronoi)
-        return [field = std::make_shared<CellField>(scenario, seed, number)] { return field->next(); };
-    return [field = std::make_shared<EndlessField>(scenario, seed, number, geometry_key(scenario))] {
-        return field->next();
-    };
+    const auto from = [](auto field) { return [field] { return field->next(); }; };
+    if (scenario.shapes.kind == ShapeKind::voronoi) return from(std::make_shared<CellField>(scenario, seed, number));
+    return from(std::make_shared<EndlessField>(scenario, seed, number, geometry_key(scenario)));
 }
 
 void measure(Arrangement& made, const Scenario& scenario) {

@@ -102,13 +102,6 @@ inline Rectangle covering(std::span<const Rectangle> shapes) {
     return all;
 }
 
-/// The largest half diagonal, m.
-inline double widest_reach(std::span<const Rectangle> shapes) {
-    double reach = 0;
-    for (const Rectangle& one : shapes) reach = std::max(reach, one.half_diagonal());
-    return reach;
-}
-
 /// The corners of an outline in its own axes, turned.
 inline void turn_corners(Corners own, Turn turn, Outline& corners) {
     corners.clear();

@@ -23,6 +23,18 @@ WaterArea strip_of(const Scenario& scenario) {
     return {field.begin, -field.half_width, scenario.field_length(), 2 * field.half_width};
 }
 
+std::vector<Outline> outlines_of(std::span<const SingleFloe> floes) {
+    std::vector<Outline> found;
+    for (const SingleFloe& floe : floes) found.push_back(floe.shape.hull());
+    return found;
+}
+
+std::vector<PlanarPose> poses_of(std::span<const SingleFloe> floes) {
+    std::vector<PlanarPose> found;
+    for (const SingleFloe& floe : floes) found.push_back(floe.pose);
+    return found;
+}
+
 }  // namespace
 
 CellField::CellField(const Scenario& scenario, std::uint64_t seed, std::uint32_t number)
@@ -34,12 +46,7 @@ CellField::CellField(const Scenario& scenario, std::uint64_t seed, std::uint32_t
 
 void CellField::throw_points() {
     RandomStream random(seed_, number_, StreamId::voronoi, ++thrown_);
-    std::vector<Corner> points;
-    for (int i = 0; i < scenario_.field.floes; ++i) {
-        const double x = random.uniform(strip_.low_x, strip_.low_x + strip_.length);
-        points.push_back({x, random.uniform(strip_.low_z, strip_.low_z + strip_.breadth)});
-    }
-    diagram_.add(points);
+    diagram_.add(thrown_points(strip_, static_cast<std::size_t>(scenario_.field.floes), random));
     strip_.low_x += strip_.length;
 }
 
@@ -85,15 +92,11 @@ FieldPart CellField::next() {
 }
 
 void CellField::check_beside_last(const std::vector<SingleFloe>& floes) const {
-    std::vector<Outline> outlines;
-    std::vector<PlanarPose> poses;
-    for (const std::vector<SingleFloe>* part : {&last_, &floes})
-        for (const SingleFloe& floe : *part) {
-            outlines.push_back(floe.shape.outline);
-            poses.push_back(floe.pose);
-        }
+    std::vector<SingleFloe> both = last_;
+    both.insert(both.end(), floes.begin(), floes.end());
     const Walls walls{strip_.low_x, strip_.low_z, strip_.length, strip_.breadth};
-    expect_none(nearness_fault(walls, outlines, poses, scenario_.arrangement.clearance), parts_, number_);
+    expect_none(nearness_fault(walls, outlines_of(both), poses_of(both), scenario_.arrangement.clearance), parts_,
+                number_);
 }
 
 namespace {
@@ -133,12 +136,7 @@ EndlessSheet::EndlessSheet(const Scenario& scenario, std::uint64_t seed, std::ui
 
 void EndlessSheet::throw_points() {
     RandomStream random(seed_, number_, StreamId::elements, draw_ + ++thrown_);
-    std::vector<Corner> points;
-    for (std::size_t i = 0; i < cells_; ++i) {
-        const double x = random.uniform(strip_.low_x, strip_.low_x + strip_.length);
-        points.push_back({x, random.uniform(strip_.low_z, strip_.low_z + strip_.breadth)});
-    }
-    diagram_.add(points);
+    diagram_.add(thrown_points(strip_, cells_, random));
     strip_.low_x += strip_.length;
 }
 
@@ -196,18 +194,6 @@ double largest_diagonal(std::span<const SingleFloe> floes) {
     return largest;
 }
 
-std::vector<Outline> outlines_of(std::span<const SingleFloe> floes) {
-    std::vector<Outline> found;
-    for (const SingleFloe& floe : floes) found.push_back(floe.shape.hull());
-    return found;
-}
-
-std::vector<PlanarPose> poses_of(std::span<const SingleFloe> floes) {
-    std::vector<PlanarPose> found;
-    for (const SingleFloe& floe : floes) found.push_back(floe.pose);
-    return found;
-}
-
 /// Those of the floes, in the order of x, whose middles lie below `x.y()`: thrown out of their places, from not at all
 /// at `x.x()` to a diagonal there. Floes that are thrown anywhere push, and would push those that lie at rest beside
 /// them to a denser field.
@@ -223,25 +209,6 @@ std::vector<PlanarPose> shaken(std::span<const PlanarPose> floes, const Vec2& x,
         found.push_back(pose);
     }
     return found;
-}
-
-/// What is laid beside what.
-struct Laying {
-    Walls walls;
-    std::span<const SingleFloe> floes;
-    std::span<const SingleFloe> laid;
-    std::span<const PlanarPose> loose;
-    double from = 0;
-    double again = 0;
-    double clearance = 0;
-};
-
-std::vector<PlanarPose> poses_beside(const Laying& of, RandomStream& random) {
-    const std::vector<Outline> outlines = outlines_of(of.floes);
-    if (of.laid.empty()) return scattered(of.walls, outlines, of.clearance, random);
-    const std::vector<Outline> fixed = outlines_of(of.laid);
-    const std::vector<PlanarPose> poses = poses_of(of.laid);
-    return scattered_beside(of.walls, outlines, {{fixed, poses}, of.loose, of.from, of.again}, of.clearance, random);
 }
 
 }  // namespace
@@ -291,7 +258,11 @@ FieldPart EndlessField::next() {
     RandomStream random(seed_, number_, StreamId::scattering, key);
     const double from = wall - diagonals_at_the_wall * reach;
     const std::vector<PlanarPose> loose = shaken(before, {end_, from}, reach, random);
-    const std::vector<PlanarPose> poses = poses_beside({walls, floes, laid_, loose, from, end_, clearance}, random);
+    const std::vector<Outline> fixed = outlines_of(laid_);
+    const std::vector<PlanarPose> fixed_poses = poses_of(laid_);
+    std::optional<Beside> beside;
+    if (!laid_.empty()) beside = {{fixed, fixed_poses}, loose, from, end_};
+    const std::vector<PlanarPose> poses = scattered(walls, outlines_of(floes), clearance, random, beside);
     for (std::size_t i = 0; i < floes.size(); ++i) floes[i].pose = poses[i];
     std::ranges::stable_sort(floes, {}, [](const SingleFloe& floe) { return floe.pose.x; });
 

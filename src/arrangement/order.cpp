@@ -1,6 +1,7 @@
 #include "arrangement/order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -47,6 +48,13 @@ Polygon cut(const Polygon& polygon, const Vec2& normal, double bound) {
             kept.push_back(here + room_here / (room_here - room_next) * (next - here));
     }
     return kept;
+}
+
+std::array<HalfPlane, 4> sides_of(const Walls& area) {
+    return {{{{1, 0}, area.low_x + area.length},
+             {{-1, 0}, -area.low_x},
+             {{0, 1}, area.low_z + area.breadth},
+             {{0, -1}, -area.low_z}}};
 }
 
 CellArea area_around(std::span<const PlanarPose> poses) {
@@ -111,8 +119,7 @@ double local_order(std::span<const PlanarPose> poses) {
 double coverage(const Walls& area, std::span<const Outline> outlines) {
     double covered = 0;
     for (Outline inside : outlines) {
-        for (const HalfPlane& half : {HalfPlane{{1, 0}, area.low_x + area.length}, HalfPlane{{-1, 0}, -area.low_x},
-                                      HalfPlane{{0, 1}, area.low_z + area.breadth}, HalfPlane{{0, -1}, -area.low_z}})
+        for (const HalfPlane& half : sides_of(area))
             if (!inside.empty()) inside = clipped(inside, half);
         if (!inside.empty()) covered += std::abs(area_of(inside));
     }
@@ -122,10 +129,8 @@ double coverage(const Walls& area, std::span<const Outline> outlines) {
 double coverage(const Walls& area, std::span<const Rectangle> shapes, std::span<const PlanarPose> poses) {
     double covered = 0;
     for (std::size_t i = 0; i < poses.size(); ++i) {
-        Polygon inside = cut(corners(shapes[i], poses[i]), {1, 0}, area.low_x + area.length);
-        inside = cut(inside, {-1, 0}, -area.low_x);
-        inside = cut(inside, {0, 1}, area.low_z + area.breadth);
-        inside = cut(inside, {0, -1}, -area.low_z);
+        Polygon inside = corners(shapes[i], poses[i]);
+        for (const auto& [normal, bound] : sides_of(area)) inside = cut(inside, {normal.x, normal.z}, bound);
         covered += std::abs(area_of(inside));
     }
     return covered / (area.length * area.breadth);

@@ -121,7 +121,8 @@ std::vector<PlanarPose> jittered_lattice(const Walls& walls, std::span<const Rec
     const Walls room = walls.shrunk(clearance);
     std::vector<Rectangle> grown;
     for (const Rectangle& shape : shapes) grown.push_back(shape.grown(0.5 * clearance));
-    Cells cells({walls.low_x, walls.low_z, walls.length, walls.breadth}, 2 * widest_reach(grown), poses.size());
+    Cells cells({walls.low_x, walls.low_z, walls.length, walls.breadth},
+                2 * std::ranges::max(grown, {}, &Rectangle::half_diagonal).half_diagonal(), poses.size());
     const auto resident = [&](std::size_t floe, const PlanarPose& pose) {
         return Resident{pose.x, pose.z, turn_of(pose.yaw), static_cast<int>(floe)};
     };

@@ -154,27 +154,21 @@ class HardFloes {
     Outline trial_;  // corners of the one that is tried
 };
 
-/// Tuning of the step size: rounds of sweeps, each followed by a correction towards the target acceptance.
-struct Tuning {
-    int rounds = 40;
-    int sweeps_per_round = 25;
-    double target = 0.45;  ///< accepted moves per trial
-};
-
-/// Runs the rounds, which are part of the chain and also equilibrate it.
-/// Returns the step to use from then on.
+/// Tunes the step size by rounds of sweeps, each followed by a correction towards the target acceptance. They are part
+/// of the chain and also equilibrate it. Returns the step to use from then on.
 template <class Boundary>
-Step tune(HardFloes<Boundary>& floes, RandomStream& random, const Tuning& tuning = {}) {
+Step tune(HardFloes<Boundary>& floes, RandomStream& random) {
+    constexpr int rounds = 40;
+    constexpr int sweeps_per_round = 25;
+    constexpr double target = 0.45;  // accepted moves per trial
     const double half_diagonal = floes.half_diagonal();
-    double scale =
-        0.1;  // largest shift in half-diagonals, and largest turn in radians: a corner moves as far by either
-    for (int round = 0; round < tuning.rounds; ++round) {
+    double scale = 0.1;  // largest shift in half-diagonals, and turn in radians: a corner moves as far by either
+    for (int round = 0; round < rounds; ++round) {
         std::size_t accepted = 0;
-        for (int i = 0; i < tuning.sweeps_per_round; ++i) {
+        for (int i = 0; i < sweeps_per_round; ++i)
             accepted += static_cast<std::size_t>(floes.sweep({scale * half_diagonal, scale}, random));
-        }
-        const double trials = static_cast<double>(floes.poses().size()) * tuning.sweeps_per_round;
-        const double correction = static_cast<double>(accepted) / trials / tuning.target;
+        const double trials = static_cast<double>(floes.poses().size()) * sweeps_per_round;
+        const double correction = static_cast<double>(accepted) / trials / target;
         scale = std::min(1.0, scale * std::min(1.5, std::max(0.5, correction)));
     }
     return {scale * half_diagonal, scale};

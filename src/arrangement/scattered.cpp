@@ -79,41 +79,24 @@ struct Room {
     }
 };
 
-Crowd crowd_in(const Room& room, std::span<const Outline> outlines, RandomStream& random) {
-    return {room.walls, outlines, room.poses(outlines.size(), random), room.fixed};
-}
-
-std::optional<std::vector<PlanarPose>> attempt_mixed(const Room& room, std::span<const Outline> outlines, double margin,
-                                                     RandomStream& random) {
-    Crowd crowd = crowd_in(room, outlines, random);
-    for (int round = 0; round < pocket_rounds; ++round) {
-        for (int sweep = 0; sweep < pocket_sweeps; ++sweep)
-            if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
-        fill_a_pocket(crowd, outlines, room.again, random);
-    }
-    return {};
-}
-
-std::optional<std::vector<PlanarPose>> attempt_alike(const Room& room, std::span<const Outline> outlines, double margin,
-                                                     RandomStream& random) {
-    Crowd crowd = crowd_in(room, outlines, random);
-    for (int round = 0; round < rounds; ++round) {
-        for (int sweep = 0; sweep < sweeps_per_round; ++sweep)
-            if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
-        // Some floes are wedged: most often a straight row from wall to wall that is a little too long. Pushing does
-        // not bend it, and one floe less loosens it.
-        for (const std::size_t floe : most_pressed(crowd, floes_per_redraw))
-            crowd.put(floe, throw_anywhere(room.again, random));
-    }
-    return {};
-}
-
-/// Rectangles of one size are thrown again where they are wedged, of others the smallest fills a pocket.
+/// Some floes are wedged: most often a straight row from wall to wall that is a little too long. Pushing does not bend
+/// it, and one floe less loosens it. Rectangles of one size are thrown again, of others the smallest fills a pocket.
 std::optional<std::vector<PlanarPose>> attempt(const Room& room, std::span<const Outline> outlines, double margin,
                                                RandomStream& random) {
     const bool alike = is_rectangle(outlines.front()) &&
                        std::ranges::all_of(outlines, [&](const Outline& one) { return one == outlines.front(); });
-    return alike ? attempt_alike(room, outlines, margin, random) : attempt_mixed(room, outlines, margin, random);
+    Crowd crowd(room.walls, outlines, room.poses(outlines.size(), random), room.fixed);
+    for (int round = 0; round < (alike ? rounds : pocket_rounds); ++round) {
+        for (int sweep = 0; sweep < (alike ? sweeps_per_round : pocket_sweeps); ++sweep)
+            if (crowd.sweep() < margin && crowd.deepest() < margin) return crowd.poses();
+        if (!alike) {
+            fill_a_pocket(crowd, outlines, room.again, random);
+            continue;
+        }
+        for (const std::size_t floe : most_pressed(crowd, floes_per_redraw))
+            crowd.put(floe, throw_anywhere(room.again, random));
+    }
+    return {};
 }
 
 /// a_part: of a field without end, which takes no other method.
@@ -139,9 +122,10 @@ std::string refusal(const Walls& walls, std::span<const Outline> outlines, doubl
         floes, walls.length, walls.breadth, attempts, clearance, other);
 }
 
-/// Thrown and pushed until none overlap.
-std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Outline> outlines,
-                                     const std::optional<Beside>& beside, double clearance, RandomStream& random) {
+}  // namespace
+
+std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
+                                  RandomStream& random, const std::optional<Beside>& beside) {
     // Floes are enlarged by this margin and come to rest with overlaps below it, so the true floes do not overlap.
     double margin = std::numeric_limits<double>::infinity();
     for (const Outline& one : outlines) margin = std::min(margin, 1e-4 * inner_radius(one));
@@ -163,18 +147,6 @@ std::vector<PlanarPose> pushed_apart(const Walls& walls, std::span<const Outline
     for (int i = 0; i < attempts; ++i)
         if (const auto poses = attempt(room, larger, margin, random)) return *poses;
     throw InputError(refusal(walls, outlines, clearance, beside.has_value()));
-}
-
-}  // namespace
-
-std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
-                                  RandomStream& random) {
-    return pushed_apart(walls, outlines, {}, clearance, random);
-}
-
-std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Outline> outlines, const Beside& beside,
-                                         double clearance, RandomStream& random) {
-    return pushed_apart(walls, outlines, beside, clearance, random);
 }
 
 }  // namespace floes

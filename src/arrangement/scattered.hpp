@@ -1,6 +1,7 @@
 #pragma once
 // A disordered field: floes thrown on the water anywhere and at any angle, then pushed apart until none overlap.
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,13 +12,9 @@
 
 namespace floes {
 
-/// A pose of each convex outline, about its centroid, at least clearance (m) apart and from the walls. Throws
-/// InputError if they do not come to rest in any of ten attempts.
+/// A pose of each convex outline, about its centroid, at least clearance (m) apart and from the walls, and from what
+/// lies already. Throws InputError if they do not come to rest in any of ten attempts.
 std::vector<PlanarPose> scattered(const Walls& walls, std::span<const Outline> outlines, double clearance,
-                                  RandomStream& random);
-
-/// The same beside what lies already.
-std::vector<PlanarPose> scattered_beside(const Walls& walls, std::span<const Outline> outlines, const Beside& beside,
-                                         double clearance, RandomStream& random);
+                                  RandomStream& random, const std::optional<Beside>& beside = {});
 
 }  // namespace floes

@@ -11,6 +11,15 @@
 
 namespace floes {
 
+std::vector<Corner> thrown_points(const WaterArea& area, std::size_t count, RandomStream& random) {
+    std::vector<Corner> points;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = random.uniform(area.low_x, area.low_x + area.length);
+        points.push_back({x, random.uniform(area.low_z, area.low_z + area.breadth)});
+    }
+    return points;
+}
+
 /// Corners nearer than this share of the cell's reach are one: whoever lies beside it has to see the same edges,
 /// however wide the area is.
 constexpr double exact = 1e-6;
@@ -76,11 +85,7 @@ std::vector<Outline> all_eroded(const std::vector<Outline>& outlines, double off
 
 std::vector<Outline> voronoi_cells(const WaterArea& area, int count, int relaxations, RandomStream& random) {
     FLOES_EXPECTS(count >= 1 && relaxations >= 0);
-    std::vector<Corner> points;
-    for (int i = 0; i < count; ++i) {
-        const double x = random.uniform(area.low_x, area.low_x + area.length);
-        points.push_back({x, random.uniform(area.low_z, area.low_z + area.breadth)});
-    }
+    std::vector<Corner> points = thrown_points(area, static_cast<std::size_t>(count), random);
     std::vector<Outline> cells = voronoi_cells(area, points);
     for (int step = 0; step < relaxations; ++step) {
         for (std::size_t i = 0; i < points.size(); ++i) points[i] = measures_of(cells[i]).centroid;

@@ -19,6 +19,9 @@ struct WaterArea {
     double breadth = 0;  ///< along z
 };
 
+/// Points anywhere in the area. Two draws each.
+std::vector<Corner> thrown_points(const WaterArea& area, std::size_t count, RandomStream& random);
+
 /// The Voronoi cell of one of some points in the area; by_x: all of them, sorted.
 Outline voronoi_cell(const WaterArea& area, Corners by_x, std::size_t point);
 
@@ -27,7 +30,6 @@ std::vector<Outline> voronoi_cells(const WaterArea& area, Corners points);
 
 /// The Voronoi cells of `count` points thrown into the area. After each of `relaxations` steps of Lloyd's the points
 /// are at the centroids of their cells: none leaves cells of very unequal areas, many make them all much alike.
-/// Two draws a point.
 std::vector<Outline> voronoi_cells(const WaterArea& area, int count, int relaxations, RandomStream& random);
 
 /// The polygons with all edges moved inwards by one distance such that together they cover `area`, m²; and that

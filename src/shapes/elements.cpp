@@ -181,8 +181,7 @@ class Cutter {
         RandomStream random(0, pattern, StreamId::elements, 0);
         std::vector<Corner> points;
         while (points.size() < cell_count(area_, side_)) {
-            const double x = random.uniform(box_.low_x, box_.low_x + box_.length);
-            const Corner point{x, random.uniform(box_.low_z, box_.low_z + box_.breadth)};
+            const Corner point = thrown_points(box_, 1, random).front();
             if (std::ranges::any_of(parts_, [&](const Outline& part) { return contains(part, point); }))
                 points.push_back(point);
         }
