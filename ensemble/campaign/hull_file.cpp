@@ -29,12 +29,6 @@ struct Facet {
         for (const Vec3& corner : corners) sum += corner;
         return sum / static_cast<double>(corners.size());
     }
-    double area() const {
-        Vec3 twice = Vec3::Zero();
-        for (std::size_t k = 1; k + 1 < corners.size(); ++k)
-            twice += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
-        return 0.5 * twice.norm();
-    }
 };
 
 struct Part {
@@ -174,7 +168,7 @@ class Cutter {
         double least = part.hull.volume();
         for (const Plane& plane : planes_at(part)) {
             Part low = half(part, plane);
-            Part high = half(part, {-plane.normal, -plane.offset});
+            Part high = half(part, plane.opposite());
             if (low.hull.empty() || high.hull.empty()) continue;
             const double volume = low.hull.volume() + high.hull.volume();
             if (volume >= least * (1 - 1e-9)) continue;
@@ -203,14 +197,14 @@ ConvexPiece piece_of(const Part& part, double size) {
     // Until its corners are all that it is made of: whoever makes it of its corners again finds the same faces.
     for (int again = 0; again < 3; ++again) piece.body = convex_hull(std::vector<Vec3>(piece.body.corners));
     std::map<int, double> all;
-    for (const Facet& facet : part.surface) all[facet.group] += facet.area();
+    for (const Facet& facet : part.surface) all[facet.group] += floes::area_of(facet.corners);
     piece.group = largest(all);
     for (const Plane& face : piece.body.planes) {
         std::map<int, double> areas;
         for (const Facet& facet : part.surface)
             if (facet.plane.normal.dot(face.normal) > 0.99 &&
                 std::abs(face.height(facet.middle())) <= 2 * deep_enough * size)
-                areas[facet.group] += facet.area();
+                areas[facet.group] += floes::area_of(facet.corners);
         piece.face_groups.push_back(largest(areas));
     }
     return piece;

@@ -1,12 +1,15 @@
 #pragma once
 // The keys of a configuration, and the ranges and texts of their values.
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -127,6 +130,15 @@ struct Key {
 
 using Keys = std::vector<Key>;
 
+/// All of these, one list after another.
+template <class... Lists>
+Keys joined_keys(Lists... lists) {
+    Keys all;
+    all.reserve((lists.size() + ...));
+    (std::ranges::move(lists, std::back_inserter(all)), ...);
+    return all;
+}
+
 /// Functions that make keys, one for each kind of field.
 Key number_key(std::string_view path, double& field, double unit, Range range, std::string_view source,
                std::string_view doc);
@@ -142,6 +154,11 @@ Key late_key(Key key);
 /// A key that has an effect only with another setting, `in_force` of which tells whether it holds. Of two settings both
 /// have to hold, and the key names the first.
 Key only_with(std::string_view setting, std::function<bool()> in_force, Key key);
+
+/// What makes keys that are both.
+inline auto late_with(std::string_view setting, std::function<bool()> in_force) {
+    return [=](Key key) { return late_key(only_with(setting, in_force, std::move(key))); };
+}
 
 /// A key that sets several fields at once, each of which has a key of its own. It is read before those, wherever it
 /// stands in the text, so that they can change what it sets.

@@ -1,4 +1,4 @@
-// Keys of the tables [field], [arrangement], [structure], [analysis], [shapes], [water] and [wind].
+// Keys of the tables [field], [arrangement], [analysis], [shapes], [water] and [wind].
 
 #include <algorithm>
 
@@ -39,34 +39,6 @@ RowsField pose_rows(ArrangementRule& rule) {
         true};
 }
 
-RowsField shape_rows(Shape& shape) {
-    std::vector<Column> columns;
-    for (const ShapeColumn& column : Shape::columns)
-        columns.push_back(
-            {fmt::format("{}_{}", column.name, column.unit), unit::one, at_least(column.low).at_most(column.high)});
-    return {columns, [&shape] { return shape.rows(); },
-            [&shape](const std::vector<std::vector<double>>& rows) { shape.set_profile(rows); }};
-}
-
-/// The radius of the lowest point as a key of its own, so that a design can have it as an axis.
-Key keel_radius(Shape& shape) {
-    const auto rows_of = [&shape] {
-        std::vector<std::vector<double>> rows = shape.rows();
-        if (rows.empty()) rows.push_back({0, 0});
-        return rows;
-    };
-    NumberField radius{[rows_of] { return rows_of().front().back(); },
-                       [&shape, rows_of](double value) {
-                           std::vector<std::vector<double>> rows = rows_of();
-                           rows.front().back() = value;
-                           shape.set_profile(rows);
-                       },
-                       unit::one, at_least(0).at_most(Shape::columns.back().high)};
-    return part_key({"structure.keel_radius_m", std::move(radius), "structure.profile_m",
-                     "Radius of the lowest point of structure.profile_m, which has to be given too unless it is the "
-                     "default. With it a design can have the wall below the waterline as an axis."});
-}
-
 Key history_steps(Analysis& analysis) {
     constexpr int most = 1'000'000;
     IntegerField steps{[&analysis] { return std::int64_t{analysis.keep_history ? analysis.history_stride : 0}; },
@@ -103,10 +75,9 @@ void add_confinement(Keys& keys, Field& field) {
 
 /// For a field without end.
 void add_window(Keys& keys, Field& field) {
+    const auto without_end = late_with("field.far_end = \"never\"", [&field] { return field.endless(); });
     const auto add = [&](const char* path, double& length, const char* source, const char* doc) {
-        keys.push_back(late_key(only_with(
-            "field.far_end = \"never\"", [&field] { return field.endless(); },
-            number_key(path, length, unit::one, at_least(0).at_most(farthest), source, doc))));
+        keys.push_back(without_end(number_key(path, length, unit::one, at_least(0).at_most(farthest), source, doc)));
     };
     add("field.ahead_m", field.ahead,
         "longer changed no load that was seen; of another hull than the paper's derived: it and two breadths or three "
@@ -215,23 +186,6 @@ void add_arrangement(Keys& keys, ArrangementRule& arrangement) {
         "x_m,z_m,yaw_deg; in arrangement.poses each row has them behind its pose.")));
 }
 
-void add_structure(Keys& keys, Structure& structure) {
-    const auto by_profile = [&structure] { return structure.shape.kind() == HullKind::profile; };
-    keys.push_back(only_with(
-        "hull.shape = \"profile\"", by_profile,
-        {"structure.profile_m", shape_rows(structure.shape),
-         "Table 2; the radius at the bottom is fitted (docs/validation.md)",
-         "Radius over height above the waterline, from the keel up, with heights that never decrease. The wall angle "
-         "decides the load: a steeper wall below the waterline gives higher loads and more broken floes."}));
-    keys.push_back(only_with("hull.shape = \"profile\"", by_profile, keel_radius(structure.shape)));
-    keys.push_back(
-        number_key("structure.start_m", structure.start, unit::one, at_least(-farthest).at_most(farthest),
-                   "the paper, Simulation Design; of another hull derived: its bow is half a floe before the ice",
-                   "Initial position of the structure's axis along x."));
-    keys.push_back(number_key("structure.speed_m_s", structure.speed, unit::one, above(0).at_most(100), "Table 1",
-                              "Speed of the tow along +x, from the first step on."));
-}
-
 void add_analysis(Keys& keys, Analysis& analysis) {
     keys.push_back(number_key("analysis.steady_start_s", analysis.steady_start, unit::one,
                               at_least(0).at_most(farthest),
@@ -287,10 +241,7 @@ RowsField outline_rows(TracedOutlines& traced) {
 
 void add_traced(Keys& keys, Shapes& shapes) {
     TracedOutlines& traced = shapes.traced;
-    const auto of_file = [&shapes](Key key) {
-        return late_key(only_with(
-            "shapes.kind = \"file\"", [&shapes] { return shapes.from_file(); }, std::move(key)));
-    };
+    const auto of_file = late_with("shapes.kind = \"file\"", [&shapes] { return shapes.from_file(); });
     keys.push_back(of_file(text_key(
         "shapes.file", traced.path, "none",
         "A GeoJSON file of polygons, or a CSV file with the header floe,x,y and a line for each corner; its path is "
@@ -322,30 +273,26 @@ void add_traced(Keys& keys, Shapes& shapes) {
 }  // namespace
 
 void add_shapes(Keys& keys, Shapes& shapes) {
-    const auto of = [&shapes](ShapeKind kind, std::string_view setting, Key key) {
-        return late_key(only_with(
-            setting, [&shapes, kind] { return shapes.kind == kind; }, std::move(key)));
+    const auto of = [&shapes](ShapeKind kind, std::string_view setting) {
+        return late_with(setting, [&shapes, kind] { return shapes.kind == kind; });
     };
+    const auto of_polygons = of(ShapeKind::polygon, "shapes.kind = \"polygon\"");
+    const auto of_cells = of(ShapeKind::voronoi, "shapes.kind = \"voronoi\"");
     keys.push_back(late_key(word_key(
         "shapes.kind", shapes.kind, {"rectangle", "polygon", "voronoi", "file"}, "the paper: squares",
         "Floes seen from above. rectangle: as [floe] and [sizes] say. polygon: convex polygons of the same areas and "
         "proportions, scattered. voronoi: cells of a Voronoi diagram of the whole field, laid where they grew, with "
         "even gaps that leave the concentration; length_m x breadth_m of [floe] is their mean area. "
         "docs/sea_ice.md.")));
-    keys.push_back(of(ShapeKind::polygon, "shapes.kind = \"polygon\"",
-                      integer_key("shapes.corners", shapes.corners, 3, 12, "the mean of Voronoi cells in a plane",
-                                  "Corners of every floe.")));
-    keys.push_back(
-        of(ShapeKind::polygon, "shapes.kind = \"polygon\"",
-           number_key("shapes.irregularity", shapes.irregularity, unit::one, at_least(0).at_most(0.9),
-                      "an example: halfway from regular polygons to any",
-                      "How far corners lie from even places on an ellipse, as a share of the way to the next; 0: "
-                      "regular polygons.")));
-    keys.push_back(
-        of(ShapeKind::voronoi, "shapes.kind = \"voronoi\"",
-           integer_key("shapes.relaxations", shapes.relaxations, 0, 1000, "no cell smaller than an element; sea_ice.md",
-                       "Steps of Lloyd's from random points: 0 leaves cells of very unequal areas, many make "
-                       "them alike.")));
+    keys.push_back(of_polygons(integer_key("shapes.corners", shapes.corners, 3, 12,
+                                           "the mean of Voronoi cells in a plane", "Corners of every floe.")));
+    keys.push_back(of_polygons(number_key("shapes.irregularity", shapes.irregularity, unit::one,
+                                          at_least(0).at_most(0.9), "an example: halfway from regular polygons to any",
+                                          "How far corners lie from even places on an ellipse, as a share of the way "
+                                          "to the next; 0: regular polygons.")));
+    keys.push_back(of_cells(integer_key(
+        "shapes.relaxations", shapes.relaxations, 0, 1000, "no cell smaller than an element; sea_ice.md",
+        "Steps of Lloyd's from random points: 0 leaves cells of very unequal areas, many make them alike.")));
     add_traced(keys, shapes);
 }
 
@@ -368,18 +315,16 @@ void add_current(Keys& keys, Water& water) {
 }
 
 void add_bed(Keys& keys, Water& water) {
-    const auto add = [&](Key key) {
-        keys.push_back(late_key(only_with(
-            "water.depth_m > 0", [&water] { return water.has_bed(); }, std::move(key))));
-    };
+    const auto of_bed = late_with("water.depth_m > 0", [&water] { return water.has_bed(); });
     keys.push_back(late_key(number_key(
         "water.depth_m", water.depth, unit::one, at_least(0).at_most(farthest), "none: deep water",
         "Depth of the bed below structure.start_m. Ice grounds on it, and what it bears is no load of the structure; "
         "docs/water.md. 0: no bed.")));
-    add(number_key("water.bed_slope_deg", water.bed_slope, unit::degree, at_least(-80).at_most(80), "level",
-                   "Angle by which the bed rises along the tow, from the horizontal; negative where it falls."));
-    add(number_key("water.bed_friction", water.bed_friction, unit::one, at_least(0).at_most(10), "an example",
-                   "Friction coefficient of ice on the bed."));
+    keys.push_back(of_bed(
+        number_key("water.bed_slope_deg", water.bed_slope, unit::degree, at_least(-80).at_most(80), "level",
+                   "Angle by which the bed rises along the tow, from the horizontal; negative where it falls.")));
+    keys.push_back(of_bed(number_key("water.bed_friction", water.bed_friction, unit::one, at_least(0).at_most(10),
+                                     "an example", "Friction coefficient of ice on the bed.")));
 }
 
 }  // namespace
@@ -437,22 +382,18 @@ void add_water(Keys& keys, Water& water) {
 }
 
 void add_wind(Keys& keys, Wind& wind) {
-    const auto blows = [&wind] { return wind.speed > 0; };
-    const std::string_view needs = "wind.speed_m_s > 0";
+    const auto of_wind = late_with("wind.speed_m_s > 0", [&wind] { return wind.speed > 0; });
     keys.push_back(late_key(number_key("wind.speed_m_s", wind.speed, unit::one, at_least(0).at_most(100), "none",
                                        "Speed of the wind. Its stress on ice above the water is ρ_a C_a U².")));
-    keys.push_back(late_key(only_with(
-        needs, blows,
-        number_key("wind.direction_deg", wind.direction, unit::degree, at_least(-360).at_most(360), "along the tow",
-                   "Direction towards which the wind blows: 0 along the tow, 90 towards +z."))));
-    keys.push_back(late_key(
-        only_with(needs, blows,
-                  number_key("wind.drag", wind.drag, unit::one, at_least(0).at_most(1),
-                             "1e-3 to 2e-3 for the wind at 10 m (Leppäranta, The Drift of Sea Ice, 2011, chapter 5)",
-                             "Drag coefficient C_a of the air on the ice."))));
-    keys.push_back(late_key(only_with(needs, blows,
-                                      number_key("wind.air_density_kg_m3", wind.air_density, unit::one,
-                                                 above(0).at_most(10), "cold air", "Density of the air."))));
+    keys.push_back(of_wind(number_key("wind.direction_deg", wind.direction, unit::degree, at_least(-360).at_most(360),
+                                      "along the tow",
+                                      "Direction towards which the wind blows: 0 along the tow, 90 towards +z.")));
+    keys.push_back(
+        of_wind(number_key("wind.drag", wind.drag, unit::one, at_least(0).at_most(1),
+                           "1e-3 to 2e-3 for the wind at 10 m (Leppäranta, The Drift of Sea Ice, 2011, chapter 5)",
+                           "Drag coefficient C_a of the air on the ice.")));
+    keys.push_back(of_wind(number_key("wind.air_density_kg_m3", wind.air_density, unit::one, above(0).at_most(10),
+                                      "cold air", "Density of the air.")));
 }
 
 }  // namespace floes

@@ -94,10 +94,7 @@ void add_floe(Keys& keys, FloeShape& floe) {
 }
 
 void add_elements(Keys& keys, Elements& elements, const Joint& joint) {
-    const auto with_beams = [&joint](Key key) {
-        return late_key(only_with(
-            "joint.model = \"beam\"", [&joint] { return joint.model == JointModel::beam; }, std::move(key)));
-    };
+    const auto with_beams = late_with("joint.model = \"beam\"", [&joint] { return joint.model == JointModel::beam; });
     keys.push_back(with_beams(word_key(
         "floe.elements", elements.form, {"squares", "cells"}, "no load knows their direction; docs/fracture.md",
         "What floes are cut into. cells: of a centroidal Voronoi diagram, which have no direction. squares: a grid "
@@ -115,10 +112,7 @@ void add_joint(Keys& keys, Joint& joint) {
         return only_with(
             "joint.model = \"cfm\"", [&joint] { return joint.model == JointModel::cfm; }, std::move(key));
     };
-    const auto with_beams = [&joint](Key key) {
-        return only_with(
-            "joint.model = \"beam\"", [&joint] { return joint.model == JointModel::beam; }, std::move(key));
-    };
+    const auto with_beams = late_with("joint.model = \"beam\"", [&joint] { return joint.model == JointModel::beam; });
     keys.push_back(with_cfm(number_key(
         "joint.cfm", joint.cfm, unit::one, above(0).below(1).because("at 1 and above the solver diverges"), "Table 1",
         "Constraint force mixing Σ of all six axes, Bullet's dimensionless number. A larger value gives softer ice. "
@@ -133,12 +127,12 @@ void add_joint(Keys& keys, Joint& joint) {
         "ice.elastic_modulus_MPa, ice.poisson_ratio, element side and thickness; with general.solver = \"direct\" only "
         "(docs/fracture.md). cfm: by cfm and erp, together with element size, time step and iterations, as in the "
         "paper.")));
-    keys.push_back(with_beams(late_key(word_key(
+    keys.push_back(with_beams(word_key(
         "joint.failure", joint.failure, {"moment", "stress"}, "does not know the grid; docs/fracture.md",
         "What cracks a joint. stress: the largest principal tension in its outer fibres by bending, twist and thrust, "
         "with the peak below contacts that a grid of elements does not show, reaches ice.bending_strength_kPa; then it "
         "softens as ice.fracture_energy_J_m2 says. moment: its bending moment exceeds Eq. (3), and it is gone at once; "
-        "fewer floes break, and how many depends on floe.element_m."))));
+        "fewer floes break, and how many depends on floe.element_m.")));
     keys.push_back(only_with(
         "joint.failure = \"stress\"", [&joint] { return joint.fails_by_stress(); },
         late_key(number_key("joint.averaging_s", joint.averaging, unit::one, at_least(0).at_most(10),
@@ -148,10 +142,10 @@ void add_joint(Keys& keys, Joint& joint) {
                             "time step. Rounded to whole steps, at least one. 0: a tenth of the square root of the "
                             "plate's characteristic length over g, 0.02 s for the tank's ice, 0.1 s at full "
                             "scale."))));
-    keys.push_back(with_beams(
-        late_key(number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10),
-                            "hardly matters: docs/fracture.md",
-                            "Damping of joints: share of critical for two elements that swing against each other."))));
+    keys.push_back(
+        with_beams(number_key("joint.damping_ratio", joint.damping_ratio, unit::one, at_least(0).at_most(10),
+                              "hardly matters: docs/fracture.md",
+                              "Damping of joints: share of critical for two elements that swing against each other.")));
 }
 
 namespace {
@@ -189,31 +183,28 @@ void add_slip_friction(Keys& keys, SlipFriction& slip) {
     add_slip_effect(keys, "contact.ice_structure_friction_law", "contact.ice_structure_friction_law = \"power\"",
                     slip.ice_structure, "contact.ice_structure_friction_exponent", slip.ice_structure_exponent,
                     "steel and concrete: docs/convergence.md");
-    const auto adder = [&keys](std::string_view setting, const std::function<bool()>& in_force) {
-        return [&keys, setting, in_force](std::string_view path, double& field, Range range, std::string_view source,
-                                          std::string_view doc) {
-            keys.push_back(
-                only_with(setting, in_force, late_key(number_key(path, field, unit::one, range, source, doc))));
-        };
-    };
-    const auto add = adder("a friction law other than \"constant\"", [&slip] {
+    const auto of_any = late_with("a friction law other than \"constant\"", [&slip] {
         return slip.ice_ice != SlipEffect::constant || slip.ice_structure != SlipEffect::constant;
     });
-    const auto add_state = adder("a friction law \"rate_and_state\"", [&slip] {
+    const auto of_state = late_with("a friction law \"rate_and_state\"", [&slip] {
         return slip.ice_ice == SlipEffect::rate_and_state || slip.ice_structure == SlipEffect::rate_and_state;
     });
-    add("contact.friction_speed_m_s", slip.speed, above(0).at_most(100), "of the tests of hulls",
+    const auto add = [&](const auto& of, std::string_view path, double& field, Range range, std::string_view source,
+                         std::string_view doc) {
+        keys.push_back(of(number_key(path, field, unit::one, range, source, doc)));
+    };
+    add(of_any, "contact.friction_speed_m_s", slip.speed, above(0).at_most(100), "of the tests of hulls",
         "Speed of sliding at which the coefficients of friction are given.");
-    add("contact.least_friction", slip.least, at_least(0).at_most(10), "docs/convergence.md",
+    add(of_any, "contact.least_friction", slip.least, at_least(0).at_most(10), "docs/convergence.md",
         "No coefficient that depends on the speed falls below this.");
-    add("contact.largest_friction", slip.largest, above(0).at_most(10), "docs/convergence.md",
+    add(of_any, "contact.largest_friction", slip.largest, above(0).at_most(10), "docs/convergence.md",
         "No coefficient that depends on the speed rises above this; what sticks has it, or less.");
-    add_state("contact.friction_direct", slip.direct, at_least(0).at_most(10), "Lishman et al. 2011",
-              "A: what e times the speed of sliding adds to the coefficient at once.");
-    add_state("contact.friction_evolution", slip.evolution, at_least(0).at_most(10), "Lishman et al. 2011",
-              "B: what e times the remembered speed takes from it. Above A friction falls with the speed.");
-    add_state("contact.friction_memory_s", slip.memory, above(0).at_most(1e6), "Lishman et al. 2013",
-              "Time in which a contact forgets how fast it slid.");
+    add(of_state, "contact.friction_direct", slip.direct, at_least(0).at_most(10), "Lishman et al. 2011",
+        "A: what e times the speed of sliding adds to the coefficient at once.");
+    add(of_state, "contact.friction_evolution", slip.evolution, at_least(0).at_most(10), "Lishman et al. 2011",
+        "B: what e times the remembered speed takes from it. Above A friction falls with the speed.");
+    add(of_state, "contact.friction_memory_s", slip.memory, above(0).at_most(1e6), "Lishman et al. 2013",
+        "Time in which a contact forgets how fast it slid.");
 }
 
 }  // namespace
@@ -317,19 +308,15 @@ struct SpreadWords {
 };
 
 void add_property(Keys& keys, Spread& spread, const SpreadWords& words) {
-    const auto in_force = [&spread] { return spread.any(); };
+    const auto of_law = late_with(words.given, [&spread] { return spread.any(); });
     keys.push_back(late_key(word_key(words.law, spread.law, {"none", "normal", "lognormal", "weibull", "uniform"},
                                      words.source, words.doc)));
-    keys.push_back(late_key(only_with(
-        words.given, in_force,
-        number_key(words.cov, spread.cov, unit::one, at_least(0.001).at_most(1), words.why_cov,
-                   "Standard deviation over mean of the law before it is cut off; the mean is what [ice] or [brine] "
-                   "says."))));
-    keys.push_back(
-        late_key(only_with(words.given, in_force,
-                           numbers_key(words.within, spread.within, unit::one, at_least(0.001).at_most(100),
-                                       "3.75 default standard deviations or more",
-                                       "Least and largest factor on the mean, at which the law is cut off."))));
+    keys.push_back(of_law(number_key(
+        words.cov, spread.cov, unit::one, at_least(0.001).at_most(1), words.why_cov,
+        "Standard deviation over mean of the law before it is cut off; the mean is what [ice] or [brine] says.")));
+    keys.push_back(of_law(numbers_key(words.within, spread.within, unit::one, at_least(0.001).at_most(100),
+                                      "3.75 default standard deviations or more",
+                                      "Least and largest factor on the mean, at which the law is cut off.")));
 }
 
 }  // namespace
@@ -337,14 +324,11 @@ void add_property(Keys& keys, Spread& spread, const SpreadWords& words) {
 void add_sizes(Keys& keys, Sizes& sizes) {
     const Range size = above(0).at_most(1000);
     const auto law_is = [&sizes](auto... laws) { return [&sizes, laws...] { return ((sizes.law == laws) || ...); }; };
-    const auto only_for = [](const char* laws, const auto& holds) {
-        return [laws, holds](Key key) { return late_key(only_with(laws, holds, std::move(key))); };
-    };
     const auto drawn =
-        only_for("sizes.law = \"lognormal\" or \"power_law\"", law_is(SizeLaw::lognormal, SizeLaw::power_law));
-    const auto lognormal = only_for("sizes.law = \"lognormal\"", law_is(SizeLaw::lognormal));
+        late_with("sizes.law = \"lognormal\" or \"power_law\"", law_is(SizeLaw::lognormal, SizeLaw::power_law));
+    const auto lognormal = late_with("sizes.law = \"lognormal\"", law_is(SizeLaw::lognormal));
     const auto mixed =
-        only_for("a sizes.law other than \"one\"", law_is(SizeLaw::list, SizeLaw::lognormal, SizeLaw::power_law));
+        late_with("a sizes.law other than \"one\"", law_is(SizeLaw::list, SizeLaw::lognormal, SizeLaw::power_law));
     keys.push_back(late_key(word_key(
         "sizes.law", sizes.law, {"one", "list", "lognormal", "power_law"}, "the paper: one size",
         "Sizes of the floes, docs/sea_ice.md. one: all as [floe] says. list: those of list_m in their shares. "

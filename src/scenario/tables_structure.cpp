@@ -1,7 +1,9 @@
-// Keys of the tables [hull], [path] and [moorings]: the structure, and how it moves.
+// Keys of the tables [structure], [hull], [path] and [moorings]: the structure, and how it moves.
 
 #include <algorithm>
 #include <span>
+
+#include <fmt/format.h>
 
 #include "scenario/tables.hpp"
 
@@ -9,7 +11,8 @@ namespace floes {
 
 namespace {
 
-constexpr double largest = 1e4;  // m
+constexpr double largest = 1e4;       // m
+constexpr double farthest_way = 1e5;  // m and s
 
 Key kind_key(Shape& shape) {
     WordField words{{hull_kind_words.begin(), hull_kind_words.end()},
@@ -18,43 +21,47 @@ Key kind_key(Shape& shape) {
     return late_key({"hull.shape", std::move(words), "Table 2", hull_kind_doc});
 }
 
-struct SizeWords {
-    std::string_view path;
-    double HullSizes::*size;
-    std::string_view doc;
-};
-
-Key size_key(Shape& shape, const SizeWords& words) {
-    const bool angle = words.path.ends_with("_deg");
-    const std::string_view name = words.path.substr(words.path.find('.') + 1);
-    const bool is_flare = name == "flare_deg";
-    NumberField field{[&shape, size = words.size] { return shape.sizes().*size; },
-                      [&shape, size = words.size](double value) { shape.set_size(size, value); },
-                      angle ? unit::degree : unit::one,
-                      angle ? at_least(0).at_most(150) : at_least(0).at_most(largest)};
-    const auto in_force = [&shape, name, is_flare] {
-        return is_flare ? is_ship(shape.kind()) : std::ranges::count(needed_sizes(shape.kind()), name) > 0;
+Key size_key(Shape& shape, const HullSizeKey& of) {
+    const auto size = of.size;
+    const bool angle = of.path.ends_with("_deg");
+    const bool is_flare = size == &HullSizes::flare;
+    NumberField field{[&shape, size] { return shape.sizes().*size; },
+                      [&shape, size](double value) { shape.set_size(size, value); }, angle ? unit::degree : unit::one,
+                      at_least(0).at_most(angle ? 150 : largest)};
+    const auto in_force = [&shape, size, is_flare] {
+        return is_flare ? is_ship(shape.kind()) : std::ranges::count(needed_sizes(shape.kind()), size) > 0;
     };
-    return late_key(only_with("a hull.shape that has it (docs/structures.md)", in_force,
-                              {words.path, std::move(field), is_flare ? "most ships' sides" : "not given", words.doc}));
+    return late_with("a hull.shape that has it (docs/structures.md)",
+                     in_force)({of.path, std::move(field), is_flare ? "most ships' sides" : "not given", of.doc});
 }
 
-std::vector<Column> columns_of(std::span<const ShapeColumn> given) {
+/// Rows in which a shape is written down, by its getter and its setter of them.
+RowsField shape_rows(Shape& shape, std::span<const ShapeColumn> given, auto rows_of, auto set_rows) {
     std::vector<Column> columns;
     for (const ShapeColumn& column : given)
-        columns.push_back({std::string(column.name) + std::string(column.unit), unit::one,
+        columns.push_back({fmt::format("{}{}{}", column.name, column.unit.empty() ? "" : "_", column.unit), unit::one,
                            at_least(column.low).at_most(column.high)});
-    return columns;
+    return {std::move(columns), [&shape, rows_of] { return (shape.*rows_of)(); },
+            [&shape, set_rows](const std::vector<std::vector<double>>& rows) { (shape.*set_rows)(rows); }};
 }
 
-RowsField piece_rows(Shape& shape) {
-    return {columns_of(Shape::piece_columns), [&shape] { return shape.piece_rows(); },
-            [&shape](const std::vector<std::vector<double>>& rows) { shape.set_pieces(rows); }};
-}
-
-RowsField face_rows(Shape& shape) {
-    return {columns_of(Shape::face_columns), [&shape] { return shape.face_rows(); },
-            [&shape](const std::vector<std::vector<double>>& rows) { shape.set_faces(rows); }};
+/// The radius of the lowest point as a key of its own, so that a design can have it as an axis.
+Key keel_radius(Shape& shape) {
+    const auto rows_of = [&shape] {
+        std::vector<std::vector<double>> rows = shape.rows();
+        if (rows.empty()) rows.push_back({0, 0});
+        return rows;
+    };
+    NumberField radius{[rows_of] { return rows_of().front().back(); },
+                       [&shape, rows_of](double value) {
+                           std::vector<std::vector<double>> rows = rows_of();
+                           rows.front().back() = value;
+                           shape.set_profile(rows);
+                       },
+                       unit::one, at_least(0).at_most(Shape::columns.back().high)};
+    return part_key({"structure.keel_radius_m", std::move(radius), "structure.profile_m",
+                     "Radius of the lowest point of structure.profile_m, which has to be given too unless it is the "
+                     "default. With it a design can have the wall below the waterline as an axis."});
 }
 
 void add_file(Keys& keys, Structure& structure) {
@@ -63,10 +70,7 @@ void add_file(Keys& keys, Structure& structure) {
         "hull.file", file.path, "none",
         "Shape file: an STL or OBJ file, relative to the configuration file, of one or more closed surfaces. It is cut "
         "into convex pieces, which are stored as hull.pieces in its place.")));
-    const auto of_file = [&](Key key) {
-        return late_key(only_with(
-            "hull.file", [&file] { return !file.path.empty(); }, std::move(key)));
-    };
+    const auto of_file = late_with("hull.file", [&file] { return !file.path.empty(); });
     keys.push_back(of_file(word_key("hull.unit", file.unit, {length_unit_words.begin(), length_unit_words.end()},
                                     "SI, as all keys", "Unit of lengths in hull.file; neither STL nor OBJ says it.")));
     const std::vector<std::string_view> axes{"+x", "-x", "+y", "-y", "+z", "-z"};
@@ -86,41 +90,40 @@ void add_file(Keys& keys, Structure& structure) {
 
 }  // namespace
 
+void add_structure(Keys& keys, Structure& structure) {
+    const auto by_profile = [&structure] { return structure.shape.kind() == HullKind::profile; };
+    keys.push_back(only_with(
+        "hull.shape = \"profile\"", by_profile,
+        {"structure.profile_m", shape_rows(structure.shape, Shape::columns, &Shape::rows, &Shape::set_profile),
+         "Table 2; the radius at the bottom is fitted (docs/validation.md)",
+         "Radius over height above the waterline, from the keel up, with heights that never decrease. The wall angle "
+         "decides the load: a steeper wall below the waterline gives higher loads and more broken floes."}));
+    keys.push_back(only_with("hull.shape = \"profile\"", by_profile, keel_radius(structure.shape)));
+    keys.push_back(
+        number_key("structure.start_m", structure.start, unit::one, at_least(-farthest_way).at_most(farthest_way),
+                   "the paper, Simulation Design; of another hull derived: its bow is half a floe before the ice",
+                   "Initial position of the structure's axis along x."));
+    keys.push_back(number_key("structure.speed_m_s", structure.speed, unit::one, above(0).at_most(100), "Table 1",
+                              "Speed of the tow along +x, from the first step on."));
+}
+
 void add_hull(Keys& keys, Structure& structure) {
     Shape& shape = structure.shape;
     keys.push_back(kind_key(shape));
-    const SizeWords words[]{
-        {"hull.length_m", &HullSizes::length, "Length of the waterline, of ships and barges."},
-        {"hull.beam_m", &HullSizes::beam, "Breadth of the waterline, of ships and barges."},
-        {"hull.diameter_m", &HullSizes::diameter,
-         "Diameter of the circle that a cylinder, a cone or each leg cuts out of the water."},
-        {"hull.spacing_m", &HullSizes::spacing, "Distance between the axes of neighbouring legs."},
-        {"hull.draught_m", &HullSizes::draught, "From the waterline down to the keel."},
-        {"hull.freeboard_m", &HullSizes::freeboard,
-         "From the waterline up to the deck: the hull ends there, so it has to be above ice that piles up."},
-        {"hull.wall_deg", &HullSizes::wall, "Angle of a cone's wall from the horizontal, below 90."},
-        {"hull.stem_deg", &HullSizes::stem,
-         "Angle from the horizontal of a ship's stem, or of both ends of a barge; below 90 they overhang and break ice "
-         "downwards."},
-        {"hull.flare_deg", &HullSizes::flare,
-         "Angle of the sides of ships and barges from the horizontal; 90: vertical, below 90 they flare upwards."},
-        {"hull.entrance_deg", &HullSizes::entrance,
-         "Angle of the bow's waterline from the centre line, half of what it encloses."}};
-    for (const SizeWords& one : words) keys.push_back(size_key(shape, one));
+    for (const HullSizeKey& one : hull_size_keys) keys.push_back(size_key(shape, one));
     add_file(keys, structure);
-    const auto of_pieces = [&](Key key) {
-        return late_key(only_with(
-            "hull.shape = \"file\"", [&shape] { return shape.kind() == HullKind::file; }, std::move(key)));
-    };
+    const auto of_pieces = late_with("hull.shape = \"file\"", [&shape] { return shape.kind() == HullKind::file; });
     keys.push_back(of_pieces(
-        {"hull.pieces", piece_rows(shape), "none",
+        {"hull.pieces", shape_rows(shape, Shape::piece_columns, &Shape::piece_rows, &Shape::set_pieces), "none",
          "Convex pieces, a row for each corner: the number of its piece, the index of its part in hull.parts, and "
          "where it is. The smallest convex body that holds the corners is the piece."}));
     keys.push_back(of_pieces(text_key("hull.parts", shape.part_list(), "none",
                                       "Names of the parts, divided by commas: each has loads of its own.")));
-    keys.push_back(of_pieces({"hull.faces", face_rows(shape), "none: all faces are of the part of their piece",
-                              "Faces of convex pieces that are of another part than their piece; written by hull.file "
-                              "where groups of a file are patches of one body."}));
+    keys.push_back(
+        of_pieces({"hull.faces", shape_rows(shape, Shape::face_columns, &Shape::face_rows, &Shape::set_faces),
+                   "none: all faces are of the part of their piece",
+                   "Faces of convex pieces that are of another part than their piece; written by hull.file "
+                   "where groups of a file are patches of one body."}));
     keys.push_back(of_pieces(number_key("hull.file_volume_m3", structure.hull_file.volume, unit::one,
                                         at_least(0).at_most(1e12), "none",
                                         "Volume within the surface of hull.file, by which the pieces are judged; 0: "
@@ -128,8 +131,6 @@ void add_hull(Keys& keys, Structure& structure) {
 }
 
 namespace {
-
-constexpr double farthest_way = 1e5;  // m and s, as for the straight tow
 
 RowsField leg_rows(std::vector<PathLeg>& legs) {
     return rows_of<PathLeg>(legs, {{{"heading_deg", unit::degree, at_least(-3600).at_most(3600)}, &PathLeg::heading},
@@ -197,10 +198,7 @@ RowsField curve_rows(std::vector<TensionPoint>& curve, const std::string& extens
 
 /// Lines about which the hull turns, or all of a mooring together, as its designers give them.
 void add_turret(Keys& keys, Turret& turret, const auto& held) {
-    const auto of_turret = [&](Key key) {
-        keys.push_back(held(only_with(
-            "moorings.turret or turret_curve", [&turret] { return turret.any(); }, std::move(key))));
-    };
+    const auto of_turret = late_with("moorings.turret or turret_curve", [&turret] { return turret.any(); });
     keys.push_back(held(switch_key(
         "moorings.turret", turret.lines, "lines turn with the hull",
         "Whether moorings.lines and hanging_lines hang from a turret, about which the hull turns freely: their "
@@ -211,12 +209,14 @@ void add_turret(Keys& keys, Turret& turret, const auto& held) {
          "Force of a whole mooring over the horizontal offset from its place, from 0, 0, both rising: it pulls the "
          "turret back towards there, the same from all sides. In addition to springs and lines. Past its last row a "
          "member is set aside."}));
-    of_turret(number_key("moorings.turret_m", turret.ahead, unit::one, at_least(-1000).at_most(1000),
-                         "none: on the axis", "Axis of the turret from the structure's, ahead."));
-    of_turret(number_key("moorings.turret_friction_kN_m", turret.friction, unit::kilonewton, at_least(0).at_most(1e9),
-                         "none: its bearing turns freely",
-                         "Moment by which the turret's bearing resists the hull's turning, kN m, whatever the load; "
-                         "within it the hull keeps its heading."));
+    keys.push_back(
+        held(of_turret(number_key("moorings.turret_m", turret.ahead, unit::one, at_least(-1000).at_most(1000),
+                                  "none: on the axis", "Axis of the turret from the structure's, ahead."))));
+    keys.push_back(held(of_turret(number_key(
+        "moorings.turret_friction_kN_m", turret.friction, unit::kilonewton, at_least(0).at_most(1e9),
+        "none: its bearing turns freely",
+        "Moment by which the turret's bearing resists the hull's turning, kN m, whatever the load; within it the hull "
+        "keeps its heading."))));
 }
 
 /// Dynamic positioning.
@@ -331,10 +331,7 @@ void add_lines(Keys& keys, Moorings& moorings, const auto& held) {
 }  // namespace
 
 void add_path(Keys& keys, Path& path) {
-    const auto of_legs = [&path](Key key) {
-        return late_key(only_with(
-            "path.legs", [&path] { return !path.legs.empty(); }, std::move(key)));
-    };
+    const auto of_legs = late_with("path.legs", [&path] { return !path.legs.empty(); });
     keys.push_back(late_key({"path.legs", leg_rows(path.legs), "none: straight on along +x at structure.speed_m_s",
                              "Legs that follow one another: heading at the beginning (0 along +x, 90 towards +z), "
                              "speed (0: it stops), time, and by how much the heading turns in a second: 0 for a "
@@ -360,10 +357,7 @@ void add_path(Keys& keys, Path& path) {
 }
 
 void add_moorings(Keys& keys, Moorings& moorings) {
-    const auto held = [&moorings](Key key) {
-        return late_key(only_with(
-            "moorings.mass_t > 0", [&moorings] { return moorings.give_way(); }, std::move(key)));
-    };
+    const auto held = late_with("moorings.mass_t > 0", [&moorings] { return moorings.give_way(); });
     const auto number = [&](std::string_view path, double& field, double unit, std::string_view doc) {
         keys.push_back(held(number_key(path, field, unit, at_least(0).at_most(1e12), "none", doc)));
     };

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -27,13 +28,10 @@ std::pair<double, Vec3> measures(const Polyhedron& body) {
     Vec3 moment = Vec3::Zero();
     const Vec3 apex = body.empty() ? Vec3::Zero() : body.corners.front();
     for (const std::vector<int>& face : body.faces) {
-        const auto corner = [&](std::size_t k) -> const Vec3& {
-            return body.corners[static_cast<std::size_t>(face[k])];
-        };
         for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-            const Vec3 a = corner(0) - apex;
-            const Vec3 b = corner(k) - apex;
-            const Vec3 c = corner(k + 1) - apex;
+            const Vec3 a = body.corner(face, 0) - apex;
+            const Vec3 b = body.corner(face, k) - apex;
+            const Vec3 c = body.corner(face, k + 1) - apex;
             const double part = a.dot(b.cross(c)) / 6;
             volume += part;
             moment += part * (a + b + c) / 4;
@@ -88,8 +86,8 @@ Polyhedron Polyhedron::cut(const Plane& plane, double slack) const {
     if (std::ranges::all_of(kept, [&](const Vec3& corner) { return plane.height(corner) >= -slack; })) return {};
     for (const std::vector<int>& face : faces) {
         for (std::size_t k = 0; k < face.size(); ++k) {
-            const Vec3& a = corners[static_cast<std::size_t>(face[k])];
-            const Vec3& b = corners[static_cast<std::size_t>(face[(k + 1) % face.size()])];
+            const Vec3& a = corner(face, k);
+            const Vec3& b = corner(face, k + 1);
             const double low = plane.height(a);
             const double high = plane.height(b);
             if (low < -slack && high > slack) kept.emplace_back(a + (b - a) * (low / (low - high)));
@@ -102,8 +100,8 @@ std::vector<Vec2> Polyhedron::section(double y) const {
     std::vector<Vec2> crossed;
     for (const std::vector<int>& face : faces) {
         for (std::size_t k = 0; k < face.size(); ++k) {
-            const Vec3& a = corners[static_cast<std::size_t>(face[k])];
-            const Vec3& b = corners[static_cast<std::size_t>(face[(k + 1) % face.size()])];
+            const Vec3& a = corner(face, k);
+            const Vec3& b = corner(face, k + 1);
             if (a.y() == y) crossed.emplace_back(a.x(), a.z());
             if ((a.y() < y) == (b.y() < y) || a.y() == y || b.y() == y) continue;
             const double share = (y - a.y()) / (b.y() - a.y());
@@ -145,6 +143,13 @@ double area_of(std::span<const Vec2> outline) {
         twice += a.x() * b.y() - a.y() * b.x();
     }
     return 0.5 * twice;
+}
+
+double area_of(std::span<const Vec3> polygon) {
+    Vec3 twice = Vec3::Zero();
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+        twice += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
+    return 0.5 * twice.norm();
 }
 
 namespace {
@@ -373,7 +378,7 @@ class Growth {
         add({base[0], base[1], base[2]});
         for (const auto& [a, b] : Triangle{base, {}, {}}.edges()) add({b, a, fourth});
         std::vector<int> all(points_.size());
-        for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<int>(k);
+        std::iota(all.begin(), all.end(), 0);
         share_out(all, 0);
         return true;
     }

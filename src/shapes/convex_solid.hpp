@@ -2,6 +2,7 @@
 // Convex bodies with flat faces: the hull of points, what lies within planes, and their measures. Lengths in m.
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ struct Plane {
     double offset = 0;
 
     double height(const Vec3& point) const { return normal.dot(point) - offset; }  ///< m, outside positive
+    Plane opposite() const { return {-normal, -offset}; }
 };
 
 /// Closed and convex. Without corners: it encloses nothing.
@@ -27,6 +29,10 @@ struct Polyhedron {
     std::vector<Plane> planes;            ///< of the faces
 
     bool empty() const { return faces.empty(); }
+    /// Corner k of a face, round it.
+    const Vec3& corner(const std::vector<int>& face, std::size_t k) const {
+        return corners[static_cast<std::size_t>(face[k % face.size()])];
+    }
     /// The corner farthest along `direction`, which need not be a unit vector.
     Vec3 farthest(const Vec3& direction) const;
     double volume() const;  ///< m³
@@ -56,6 +62,7 @@ Polyhedron intersection(std::span<const Plane> planes, const Vec3& within);
 /// The convex outline of points in a plane, counter-clockwise.
 std::vector<Vec2> convex_outline(std::vector<Vec2> points);
 double area_of(std::span<const Vec2> outline);  ///< m², positive counter-clockwise
+double area_of(std::span<const Vec3> polygon);  ///< m², of a flat one
 
 // A convex solid of the structure, as the world collides with it, in the structure's own axes: x ahead, y up from the
 // waterline, z to starboard.

@@ -21,21 +21,6 @@ double cotangent(double angle) {
     return std::abs(angle - 0.5 * std::numbers::pi) < 1e-9 ? 0 : 1 / std::tan(angle);
 }
 
-struct Size {
-    const char* key;
-    double HullSizes::*value;
-};
-
-constexpr std::array<Size, 9> sizes_with_keys{{{"length_m", &HullSizes::length},
-                                               {"beam_m", &HullSizes::beam},
-                                               {"diameter_m", &HullSizes::diameter},
-                                               {"spacing_m", &HullSizes::spacing},
-                                               {"draught_m", &HullSizes::draught},
-                                               {"freeboard_m", &HullSizes::freeboard},
-                                               {"wall_deg", &HullSizes::wall},
-                                               {"stem_deg", &HullSizes::stem},
-                                               {"entrance_deg", &HullSizes::entrance}}};
-
 enum ShipPart { bow, stern, port, starboard, bottom };
 
 /// The planes of a ship or a barge, with the part that each is of.
@@ -119,20 +104,21 @@ std::optional<std::string> ship_fault(HullKind kind, const HullSizes& s) {
 
 }  // namespace
 
-std::vector<std::string> needed_sizes(HullKind kind) {
+std::vector<double HullSizes::*> needed_sizes(HullKind kind) {
+    using S = HullSizes;
     switch (kind) {
         case HullKind::cylinder:
-            return {"diameter_m", "draught_m", "freeboard_m"};
+            return {&S::diameter, &S::draught, &S::freeboard};
         case HullKind::cone_up:
         case HullKind::cone_down:
-            return {"diameter_m", "wall_deg", "draught_m", "freeboard_m"};
+            return {&S::diameter, &S::wall, &S::draught, &S::freeboard};
         case HullKind::four_legs:
-            return {"diameter_m", "spacing_m", "draught_m", "freeboard_m"};
+            return {&S::diameter, &S::spacing, &S::draught, &S::freeboard};
         case HullKind::wedge_bow:
         case HullKind::drillship:
-            return {"length_m", "beam_m", "draught_m", "freeboard_m", "stem_deg", "entrance_deg"};
+            return {&S::length, &S::beam, &S::draught, &S::freeboard, &S::stem, &S::entrance};
         case HullKind::barge:
-            return {"length_m", "beam_m", "draught_m", "freeboard_m", "stem_deg"};
+            return {&S::length, &S::beam, &S::draught, &S::freeboard, &S::stem};
         case HullKind::profile:
         case HullKind::file:
             break;
@@ -141,22 +127,22 @@ std::vector<std::string> needed_sizes(HullKind kind) {
 }
 
 std::optional<std::string> fault_of(HullKind kind, const HullSizes& sizes) {
-    for (const std::string& key : needed_sizes(kind)) {
-        const auto size = std::ranges::find(sizes_with_keys, key, &Size::key);
-        if (!(sizes.*size->value > 0)) return fmt::format("needs hull.{}; give it above 0", key);
-    }
+    for (double HullSizes::*const size : needed_sizes(kind))
+        if (!(sizes.*size > 0))
+            return fmt::format("needs {}; give it above 0",
+                               std::ranges::find(hull_size_keys, size, &HullSizeKey::size)->path);
     if (kind == HullKind::four_legs && sizes.spacing <= sizes.diameter)
         return "has legs that touch; make hull.spacing_m larger than hull.diameter_m";
     if (kind == HullKind::cone_up || kind == HullKind::cone_down) {
-        for (const Vec2& point : profile_of(kind, sizes))
-            if (!(point.y() > 0))
+        for (const ProfilePoint& point : profile_of(kind, sizes))
+            if (!(point.radius > 0))
                 return fmt::format("comes to a point before the height {:.4g} m; take a steeper hull.wall_deg",
-                                   point.x());
+                                   point.height);
     }
     return is_ship(kind) ? ship_fault(kind, sizes) : std::nullopt;
 }
 
-std::vector<Vec2> profile_of(HullKind kind, const HullSizes& s) {
+std::vector<ProfilePoint> profile_of(HullKind kind, const HullSizes& s) {
     const double radius = 0.5 * s.diameter;
     const double slope = kind == HullKind::cylinder ? 0 : (kind == HullKind::cone_down ? 1 : -1) * cotangent(s.wall);
     return {{-s.draught, rounded(radius - slope * s.draught)}, {s.freeboard, rounded(radius + slope * s.freeboard)}};

@@ -54,19 +54,50 @@ struct HullSizes {
     friend bool operator==(const HullSizes&, const HullSizes&) = default;
 };
 
+/// A point of a profile: height above the waterline (m, negative below) and radius there (m).
+struct ProfilePoint {
+    double height = 0;
+    double radius = 0;
+    friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
+};
+
 struct HullSolids {
     std::vector<std::string> parts;  ///< names
     std::vector<ConvexSolid> solids;
 };
 
-/// Names of the numbers that the kind needs, as keys: "length_m".
-std::vector<std::string> needed_sizes(HullKind kind);
+/// A size as a key, with what it means.
+struct HullSizeKey {
+    std::string_view path;
+    double HullSizes::*size;
+    std::string_view doc;
+};
+inline constexpr std::array<HullSizeKey, 10> hull_size_keys{
+    {{"hull.length_m", &HullSizes::length, "Length of the waterline, of ships and barges."},
+     {"hull.beam_m", &HullSizes::beam, "Breadth of the waterline, of ships and barges."},
+     {"hull.diameter_m", &HullSizes::diameter,
+      "Diameter of the circle that a cylinder, a cone or each leg cuts out of the water."},
+     {"hull.spacing_m", &HullSizes::spacing, "Distance between the axes of neighbouring legs."},
+     {"hull.draught_m", &HullSizes::draught, "From the waterline down to the keel."},
+     {"hull.freeboard_m", &HullSizes::freeboard,
+      "From the waterline up to the deck: the hull ends there, so it has to be above ice that piles up."},
+     {"hull.wall_deg", &HullSizes::wall, "Angle of a cone's wall from the horizontal, below 90."},
+     {"hull.stem_deg", &HullSizes::stem,
+      "Angle from the horizontal of a ship's stem, or of both ends of a barge; below 90 they overhang and break ice "
+      "downwards."},
+     {"hull.flare_deg", &HullSizes::flare,
+      "Angle of the sides of ships and barges from the horizontal; 90: vertical, below 90 they flare upwards."},
+     {"hull.entrance_deg", &HullSizes::entrance,
+      "Angle of the bow's waterline from the centre line, half of what it encloses."}}};
+
+/// Those that the kind needs.
+std::vector<double HullSizes::*> needed_sizes(HullKind kind);
 
 /// Why the sizes are no such hull, as a clause behind it; nothing if they are.
 std::optional<std::string> fault_of(HullKind kind, const HullSizes& sizes);
 
-/// Heights and radii from the keel up, m, of a cylinder or a cone.
-std::vector<Vec2> profile_of(HullKind kind, const HullSizes& sizes);
+/// From the keel up, of a cylinder or a cone.
+std::vector<ProfilePoint> profile_of(HullKind kind, const HullSizes& sizes);
 
 /// For legs, ships and barges without fault.
 HullSolids solids_of(HullKind kind, const HullSizes& sizes);

@@ -176,17 +176,13 @@ Mat6 from_hydrodynamic_axes(const std::vector<std::vector<double>>& rows) {
 }
 
 Mat6 Moorings::inertia() const {
-    constexpr auto surge_row = static_cast<int>(Motion::surge);
-    constexpr auto sway_row = static_cast<int>(Motion::sway);
-    constexpr auto pitch_row = static_cast<int>(Motion::pitch);
-    constexpr auto roll_row = static_cast<int>(Motion::roll);
     const double raised = mass * height * height;
     Mat6 found = Mat6::Zero();
     found.diagonal() << mass, mass, mass * gyration * gyration, mass, mass * pitch_gyration * pitch_gyration + raised,
         mass * roll_gyration * roll_gyration + raised;
     // Of the centre's velocity: a pitch moves it by -height along x, a roll by height along z.
-    found(surge_row, pitch_row) = found(pitch_row, surge_row) = -mass * height;
-    found(sway_row, roll_row) = found(roll_row, sway_row) = mass * height;
+    found(at(Motion::surge), at(Motion::pitch)) = found(at(Motion::pitch), at(Motion::surge)) = -mass * height;
+    found(at(Motion::sway), at(Motion::roll)) = found(at(Motion::roll), at(Motion::sway)) = mass * height;
     for (int k = 0; k < 6; ++k) found(k, k) += added.at(static_cast<std::size_t>(k));
     return added_mass.empty() ? found : Mat6(found + from_hydrodynamic_axes(added_mass));
 }
@@ -208,10 +204,8 @@ Vec6 pulls_less(const auto& pull_at, double distance, int motion) {
 /// A stiffness of what is moored to a turret, which holds the heading by the turret's arm alone: it goes aside as the
 /// bow turns.
 Mat6 by_turret(Mat6 stiffness, double ahead) {
-    constexpr auto sway_row = static_cast<int>(Motion::sway);
-    constexpr auto yaw_row = static_cast<int>(Motion::yaw);
-    stiffness.col(yaw_row) = -ahead * stiffness.col(sway_row);
-    stiffness.row(yaw_row) = -ahead * stiffness.row(sway_row);
+    stiffness.col(at(Motion::yaw)) = -ahead * stiffness.col(at(Motion::sway));
+    stiffness.row(at(Motion::yaw)) = -ahead * stiffness.row(at(Motion::sway));
     return stiffness;
 }
 

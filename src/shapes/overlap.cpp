@@ -27,6 +27,14 @@ double height_over(const Polyhedron& body, const Vec3& point) {
     return most;
 }
 
+/// The part of the piece's face in a plane; nothing where it has none there.
+std::optional<int> part_in(const ConvexSolid& piece, const Plane& plane, double slack) {
+    const std::vector<Plane>& planes = body_of(piece).planes;
+    const auto same = std::ranges::find_if(planes, [&](const Plane& one) { return same_plane(one, plane, slack); });
+    if (same == planes.end()) return std::nullopt;
+    return piece.face_parts.empty() ? piece.part : piece.face_parts[static_cast<std::size_t>(same - planes.begin())];
+}
+
 class Pieces {
   public:
     explicit Pieces(const std::vector<ConvexSolid>& pieces)
@@ -47,30 +55,21 @@ class Pieces {
     std::vector<int> parts_of(const Polyhedron& body, const ConvexSolid& piece) const {
         std::vector<int> parts;
         for (const Plane& plane : body.planes) {
-            std::optional<int> part = part_in(piece, plane);
-            for (std::size_t k = 0; k < pieces_.size() && !part; ++k) part = part_in(pieces_[k], plane);
+            std::optional<int> part = part_in(piece, plane, slack_);
+            for (std::size_t k = 0; k < pieces_.size() && !part; ++k) part = part_in(pieces_[k], plane, slack_);
             parts.push_back(part.value_or(piece.part));
         }
         return parts;
     }
 
   private:
-    std::optional<int> part_in(const ConvexSolid& piece, const Plane& plane) const {
-        const std::vector<Plane>& planes = body_of(piece).planes;
-        const auto same =
-            std::ranges::find_if(planes, [&](const Plane& one) { return same_plane(one, plane, slack_); });
-        if (same == planes.end()) return std::nullopt;
-        return piece.face_parts.empty() ? piece.part
-                                        : piece.face_parts[static_cast<std::size_t>(same - planes.begin())];
-    }
-
     /// Planes through the edges of a face, at right angles to it; the face is inside them.
     static std::vector<Plane> rim_of_face(const Polyhedron& body, std::size_t face) {
         const std::vector<int>& corners = body.faces[face];
         std::vector<Plane> rim;
         for (std::size_t k = 0; k < corners.size(); ++k) {
-            const Vec3& a = body.corners[static_cast<std::size_t>(corners[k])];
-            const Vec3& b = body.corners[static_cast<std::size_t>(corners[(k + 1) % corners.size()])];
+            const Vec3& a = body.corner(corners, k);
+            const Vec3& b = body.corner(corners, k + 1);
             const Vec3 outwards = (b - a).cross(body.planes[face].normal).normalized();
             rim.push_back({outwards, outwards.dot(a)});
         }
@@ -87,8 +86,8 @@ class Pieces {
         std::vector<Vec3> section;
         for (const std::vector<int>& one : piece.faces) {
             for (std::size_t k = 0; k < one.size(); ++k) {
-                const Vec3& a = piece.corners[static_cast<std::size_t>(one[k])];
-                const Vec3& b = piece.corners[static_cast<std::size_t>(one[(k + 1) % one.size()])];
+                const Vec3& a = piece.corner(one, k);
+                const Vec3& b = piece.corner(one, k + 1);
                 const double low = plane.height(a);
                 const double high = plane.height(b);
                 if (std::abs(low) <= slack_) section.push_back(a);
@@ -150,9 +149,8 @@ class Pieces {
     /// What of a piece lies beyond a face of `body` and within its other faces. `whole` becomes false where those cut
     /// it.
     Polyhedron beyond(const Polyhedron& piece, const Polyhedron& body, std::size_t face, bool& whole) const {
-        const Plane& through = body.planes[face];
         if (lies_beside(piece, body, face)) return {};
-        Polyhedron part = piece.cut({-through.normal, -through.offset}, slack_);
+        Polyhedron part = piece.cut(body.planes[face].opposite(), slack_);
         const double before = part.volume();
         for (std::size_t k = 0; k < body.planes.size() && !part.empty(); ++k)
             if (k != face) part = part.cut(body.planes[k], slack_);
@@ -244,15 +242,12 @@ int part_at(const ConvexSolid& touched, std::span<const ConvexSolid> pieces, con
     int part = touched.part_at(point);
     for (const ConvexSolid& piece : pieces) {
         if (!std::holds_alternative<Polyhedron>(piece.form)) continue;
-        const std::vector<Plane>& planes = body_of(piece).planes;
-        const auto same = std::ranges::find_if(
-            planes, [&](const Plane& one) { return same_plane(one, face, plane_rounding * size); });
-        if (same == planes.end()) continue;
+        const std::optional<int> own = part_in(piece, face, plane_rounding * size);
+        if (!own) continue;
         const double height = height_over(body_of(piece), point);
         if (height >= nearest) continue;
         nearest = height;
-        part =
-            piece.face_parts.empty() ? piece.part : piece.face_parts[static_cast<std::size_t>(same - planes.begin())];
+        part = *own;
     }
     return part;
 }

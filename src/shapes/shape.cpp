@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "shapes/convex_solid.hpp"
 #include "shapes/overlap.hpp"
@@ -40,38 +41,67 @@ Words part_words(const ProfilePoint& lower, const ProfilePoint& upper) {
                      lower.radius, lower.height, upper.radius, upper.height);
 }
 
-}  // namespace
+// A body of revolution about the vertical axis, by its radius over height, from the keel up. What follows
+// profile_fault() is of a profile without one.
 
-std::vector<std::vector<double>> Profile::rows() const {
+using Profile = std::vector<ProfilePoint>;
+
+std::vector<std::vector<double>> rows_of(const Profile& profile) {
     std::vector<std::vector<double>> rows;
-    for (const ProfilePoint& point : points_) rows.push_back({point.height, point.radius});
+    for (const ProfilePoint& point : profile) rows.push_back({point.height, point.radius});
     return rows;
 }
 
-Profile Profile::of_rows(const std::vector<std::vector<double>>& rows) {
-    std::vector<ProfilePoint> profile;
+Profile of_rows(const std::vector<std::vector<double>>& rows) {
+    Profile profile;
     for (const std::vector<double>& row : rows) profile.push_back({row.at(0), row.at(1)});
-    return Profile(std::move(profile));
+    return profile;
 }
 
-std::optional<std::string> Profile::fault() const {
-    if (points_.size() < 2) return "is not a body; give at least two [height_m, radius_m] points";
-    if (points_.size() > most_points) return fmt::format("has more than {} points", most_points);
-    if (!std::ranges::all_of(points_, is_a_point))
+double bottom_of(const Profile& profile) {
+    return profile.empty() ? 0 : profile.front().height;
+}
+
+double top_of(const Profile& profile) {
+    return profile.empty() ? 0 : profile.back().height;
+}
+
+/// m; at a flat ring the larger.
+double waterline_radius_of(const Profile& profile) {
+    double radius = 0;
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        const ProfilePoint& below = profile[i - 1];
+        const ProfilePoint& above = profile[i];
+        if (below.height > 0 || above.height < 0) continue;
+        const double rise = above.height - below.height;
+        const double here = rise > 0 ? below.radius - (above.radius - below.radius) * below.height / rise
+                                     : std::max(below.radius, above.radius);
+        radius = std::max(radius, here);
+    }
+    return radius;
+}
+
+/// Why it is no body that stands in the water; nothing if it is one.
+std::optional<std::string> profile_fault(const Profile& profile) {
+    if (profile.size() < 2) return "is not a body; give at least two [height_m, radius_m] points";
+    if (profile.size() > most_points) return fmt::format("has more than {} points", most_points);
+    if (!std::ranges::all_of(profile, is_a_point))
         return "has a point that is none; heights must be finite, radii finite and at least 0";
-    if (std::ranges::adjacent_find(points_, falls) != points_.end())
+    if (std::ranges::adjacent_find(profile, falls) != profile.end())
         return "has a height that falls; give the points from the keel up";
-    if (!(bottom() < 0 && top() > 0)) return "does not span the waterline; give points below and above height 0";
-    if (waterline_radius() <= 0) return "has no radius at the waterline; make its radius at height 0 greater than 0";
+    if (!(bottom_of(profile) < 0 && top_of(profile) > 0))
+        return "does not span the waterline; give points below and above height 0";
+    if (waterline_radius_of(profile) <= 0)
+        return "has no radius at the waterline; make its radius at height 0 greater than 0";
     return std::nullopt;
 }
 
-std::vector<Frustum> Profile::solids() const {
-    if (const auto wrong = fault()) throw InputError("The structure's profile {}.", *wrong);
+std::vector<Frustum> frusta_of(const Profile& profile) {
+    if (const auto wrong = profile_fault(profile)) throw InputError("The structure's profile {}.", *wrong);
     std::vector<Frustum> solids;
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-        const ProfilePoint& low = points_[i - 1];
-        const ProfilePoint& high = points_[i];
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        const ProfilePoint& low = profile[i - 1];
+        const ProfilePoint& high = profile[i];
         const bool flat = low.height == high.height;
         const bool on_axis = low.radius == 0 && high.radius == 0;
         if (!flat && !on_axis) solids.push_back({low.height, low.radius, high.height, high.radius});
@@ -79,8 +109,9 @@ std::vector<Frustum> Profile::solids() const {
     return solids;
 }
 
-std::vector<Frustum> Profile::overlapping_solids() const {
-    std::vector<Frustum> continued = solids();
+/// Those, continued straight on along their walls for as long as that stays inside.
+std::vector<Frustum> continued_frusta_of(const Profile& profile) {
+    std::vector<Frustum> continued = frusta_of(profile);
     for (Frustum& solid : continued) {
         const double slope = (solid.top_radius - solid.bottom_radius) / (solid.top_height - solid.bottom_height);
         const double low = solid.bottom_height;
@@ -93,14 +124,14 @@ std::vector<Frustum> Profile::overlapping_solids() const {
         const auto steps_in = [](const ProfilePoint& point, double radius) {
             return point.radius < radius * (1 - 1e-12);
         };
-        for (const ProfilePoint& point : points_) {
+        for (const ProfilePoint& point : profile) {
             if (point.height < solid.top_height) continue;
             if (point.height == solid.top_height && !steps_in(point, solid.top_radius)) continue;
             if (point.height == solid.top_height || !inside(point)) break;
             solid.top_height = point.height;
             solid.top_radius = wall(point.height);
         }
-        for (const ProfilePoint& point : points_ | std::views::reverse) {
+        for (const ProfilePoint& point : profile | std::views::reverse) {
             if (point.height > solid.bottom_height) continue;
             if (point.height == solid.bottom_height && !steps_in(point, solid.bottom_radius)) continue;
             if (point.height == solid.bottom_height || !inside(point)) break;
@@ -111,49 +142,33 @@ std::vector<Frustum> Profile::overlapping_solids() const {
     return continued;
 }
 
-double Profile::waterline_radius() const {
-    double radius = 0;
-    for (std::size_t i = 1; i < points_.size(); ++i) {
-        const ProfilePoint& below = points_[i - 1];
-        const ProfilePoint& above = points_[i];
-        if (below.height > 0 || above.height < 0) continue;
-        const double rise = above.height - below.height;
-        const double here = rise > 0 ? below.radius - (above.radius - below.radius) * below.height / rise
-                                     : std::max(below.radius, above.radius);
-        radius = std::max(radius, here);
-    }
-    return radius;
-}
-
-double Profile::largest_radius() const {
+double largest_radius_of(const Profile& profile) {
     double largest = 0;
-    for (const ProfilePoint& point : points_) largest = std::max(largest, point.radius);
+    for (const ProfilePoint& point : profile) largest = std::max(largest, point.radius);
     return largest;
 }
 
-double Profile::wall_angle_above_water() const {
-    const auto above = std::ranges::find_if(points_, [](const ProfilePoint& point) { return point.height > 0; });
-    if (above == points_.begin() || above == points_.end())
+double wall_angle_of(const Profile& profile) {
+    const auto above = std::ranges::find_if(profile, [](const ProfilePoint& point) { return point.height > 0; });
+    if (above == profile.begin() || above == profile.end())
         throw InputError("The structure has no wall above the waterline.");
     const auto below = above - 1;
     return std::atan2(above->height - below->height, above->radius - below->radius);
 }
 
-Words Profile::words() const {
+Words words_of(const Profile& profile) {
     std::vector<Words> parts;
-    for (std::size_t i = 1; i < points_.size(); ++i) parts.push_back(part_words(points_[i - 1], points_[i]));
+    for (std::size_t i = 1; i < profile.size(); ++i) parts.push_back(part_words(profile[i - 1], profile[i]));
     return Words(parts.size() == 1 ? "straight, " : "") + Words::joined(parts, ", then ");
 }
 
-std::vector<Vec2> Profile::side_view() const {
+std::vector<Vec2> side_view_of(const Profile& profile) {
     std::vector<Vec2> outline;
-    for (const ProfilePoint& point : points_) outline.emplace_back(point.radius, point.height);
-    for (auto point = points_.rbegin(); point != points_.rend(); ++point)
+    for (const ProfilePoint& point : profile) outline.emplace_back(point.radius, point.height);
+    for (auto point = profile.rbegin(); point != profile.rend(); ++point)
         outline.emplace_back(-point->radius, point->height);
     return outline;
 }
-
-namespace {
 
 constexpr std::size_t most_pieces = 1000;
 
@@ -171,14 +186,9 @@ std::vector<ConvexSolid> as_solids(const std::vector<Frustum>& frusta) {
 /// A list of names as one text, divided by commas.
 std::vector<std::string> names_in(const std::string& text) {
     std::vector<std::string> names;
-    for (std::size_t from = 0; from <= text.size() && !text.empty();) {
-        const std::size_t comma = std::min(text.find(',', from), text.size());
-        const std::size_t first = std::min(text.find_first_not_of(' ', from), comma);
-        std::size_t last = comma;
-        while (last > first && text[last - 1] == ' ') --last;
-        names.push_back(text.substr(first, last - first));
-        from = comma + 1;
-    }
+    if (text.empty()) return names;
+    for (const auto name : std::views::split(text, ','))
+        names.emplace_back(trimmed(std::string_view(name.begin(), name.end()), " "));
     return names;
 }
 
@@ -194,14 +204,19 @@ Shape::Shape(HullKind kind, const HullSizes& sizes) : Shape() {
 }
 
 Shape Shape::of_rows(const std::vector<std::vector<double>>& rows) {
-    return Shape(Profile::of_rows(rows).points());
+    return Shape(floes::of_rows(rows));
 }
 
-Profile Shape::in_force() const {
-    if (kind_ == HullKind::profile) return profile_;
-    std::vector<ProfilePoint> points;
-    for (const Vec2& point : profile_of(kind_, sizes_)) points.push_back({point.x(), point.y()});
-    return Profile(std::move(points));
+void Shape::set_profile(const std::vector<std::vector<double>>& rows) {
+    profile_ = floes::of_rows(rows);
+}
+
+std::vector<std::vector<double>> Shape::rows() const {
+    return rows_of(profile_);
+}
+
+std::vector<ProfilePoint> Shape::in_force() const {
+    return kind_ == HullKind::profile ? profile_ : profile_of(kind_, sizes_);
 }
 
 HullSolids Shape::pieces() const {
@@ -220,7 +235,7 @@ HullSolids Shape::pieces() const {
 }
 
 std::vector<std::vector<double>> Shape::profile() const {
-    return is_of_revolution() ? in_force().rows() : std::vector<std::vector<double>>{};
+    return is_of_revolution() ? rows_of(in_force()) : std::vector<std::vector<double>>{};
 }
 
 std::vector<std::string> Shape::parts() const {
@@ -273,24 +288,24 @@ std::optional<std::string> Shape::fault_of_pieces() const {
 }
 
 std::optional<std::string> Shape::fault() const {
-    if (kind_ == HullKind::profile) return profile_.fault();
+    if (kind_ == HullKind::profile) return profile_fault(profile_);
     if (kind_ == HullKind::file) return fault_of_pieces();
     if (auto wrong = fault_of(kind_, sizes_)) return wrong;
-    return is_of_revolution() ? in_force().fault() : std::nullopt;
+    return is_of_revolution() ? profile_fault(in_force()) : std::nullopt;
 }
 
 std::vector<ConvexSolid> Shape::solids() const {
-    if (is_of_revolution()) return as_solids(in_force().solids());
+    if (is_of_revolution()) return as_solids(frusta_of(in_force()));
     if (const auto wrong = fault()) throw InputError("The structure {}.", *wrong);
     return pieces().solids;
 }
 
 std::vector<ConvexSolid> Shape::overlapping_solids() const {
-    return is_of_revolution() ? as_solids(in_force().overlapping_solids()) : overlapping(solids());
+    return is_of_revolution() ? as_solids(continued_frusta_of(in_force())) : overlapping(solids());
 }
 
 double Shape::waterline_radius() const {
-    if (is_of_revolution()) return in_force().waterline_radius();
+    if (is_of_revolution()) return waterline_radius_of(in_force());
     double half_breadth = 0;
     for (const std::vector<Vec2>& outline : waterlines())
         for (const Vec2& point : outline) half_breadth = std::max(half_breadth, std::abs(point.y()));
@@ -298,7 +313,7 @@ double Shape::waterline_radius() const {
 }
 
 double Shape::waterline_ahead(double yaw) const {
-    if (is_of_revolution()) return in_force().waterline_radius();
+    if (is_of_revolution()) return waterline_radius_of(in_force());
     double ahead = 0;
     for (const std::vector<Vec2>& outline : waterlines())
         for (const Vec2& point : outline)
@@ -307,7 +322,7 @@ double Shape::waterline_ahead(double yaw) const {
 }
 
 double Shape::largest_radius() const {
-    if (is_of_revolution()) return in_force().largest_radius();
+    if (is_of_revolution()) return largest_radius_of(in_force());
     double largest = 0;
     for (const ConvexSolid& solid : pieces().solids)
         for (const Vec3& corner : solid.corners(round_sides))
@@ -316,20 +331,20 @@ double Shape::largest_radius() const {
 }
 
 double Shape::bottom() const {
-    return is_of_revolution() ? in_force().bottom() : -farthest(pieces().solids, -Vec3::UnitY());
+    return is_of_revolution() ? bottom_of(in_force()) : -farthest(pieces().solids, -Vec3::UnitY());
 }
 
 double Shape::top() const {
-    return is_of_revolution() ? in_force().top() : farthest(pieces().solids, Vec3::UnitY());
+    return is_of_revolution() ? top_of(in_force()) : farthest(pieces().solids, Vec3::UnitY());
 }
 
 double Shape::wall_angle_above_water() const {
-    if (is_of_revolution()) return in_force().wall_angle_above_water();
+    if (is_of_revolution()) return wall_angle_of(in_force());
     throw InputError("Only a body of revolution has the same wall all round; hull.shape is none.");
 }
 
 Words Shape::words() const {
-    if (is_of_revolution()) return in_force().words();
+    if (is_of_revolution()) return words_of(in_force());
     if (kind_ != HullKind::file) return words_of(kind_, sizes_);
     return Words::of("{} convex pieces in {} parts, {:.4g} m wide at the waterline, draught {:.4g} m",
                      file_solids_.size(), names_in(part_list_).size(), 2 * waterline_radius(), draught());
@@ -415,7 +430,8 @@ std::vector<Box3> islands(const std::vector<std::vector<Vec2>>& outlines) {
 
 }  // namespace
 
-double union_volume(std::span<const ConvexSolid> solids) {
+double Shape::volume() const {
+    const std::vector<ConvexSolid> solids = this->solids();
     std::vector<Box3> boxes;
     for (const ConvexSolid& solid : solids) boxes.push_back(box_of(solid));
     bool apart = true;
@@ -447,10 +463,6 @@ double union_volume(std::span<const ConvexSolid> solids) {
     return length * rise * way;
 }
 
-double Shape::volume() const {
-    return union_volume(solids());
-}
-
 std::vector<std::vector<Vec2>> Shape::waterlines() const {
     std::vector<std::vector<Vec2>> outlines;
     if (is_of_revolution()) {
@@ -477,7 +489,7 @@ std::vector<WaterlineEllipse> Shape::waterline_ellipses() const {
 }
 
 std::vector<std::vector<Vec2>> Shape::side_view() const {
-    if (is_of_revolution()) return {in_force().side_view()};
+    if (is_of_revolution()) return {side_view_of(in_force())};
     std::vector<std::vector<Vec2>> outlines;
     for (const ConvexSolid& solid : pieces().solids) {
         std::vector<Vec2> points;
@@ -540,7 +552,7 @@ void add(SurfaceMesh& all, const SurfaceMesh& one, const Vec3& place) {
 }  // namespace
 
 SurfaceMesh Shape::mesh(int sides) const {
-    if (is_of_revolution()) return mesh_of(in_force().points(), sides);
+    if (is_of_revolution()) return mesh_of(in_force(), sides);
     SurfaceMesh all;
     for (const ConvexSolid& solid : pieces().solids) {
         if (const auto* round = std::get_if<Frustum>(&solid.form))
@@ -572,17 +584,6 @@ Polygon cut(const Polygon& polygon, const Plane& plane) {
     return kept;
 }
 
-Plane opposite(const Plane& plane) {
-    return {-plane.normal, -plane.offset};
-}
-
-double area(const Polygon& polygon) {
-    Vec3 twice = Vec3::Zero();
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-        twice += (polygon[k] - polygon[0]).cross(polygon[k + 1] - polygon[0]);
-    return 0.5 * twice.norm();
-}
-
 /// A face, or what is left of it in view, and its plane.
 struct View {
     std::vector<Polygon> left;
@@ -606,7 +607,7 @@ void hide(View& face, const Polyhedron& other, bool first, double slack) {
                 within.clear();
                 break;
             }
-            outside.push_back(cut(within, opposite(plane)));
+            outside.push_back(cut(within, plane.opposite()));
             within = cut(within, plane);
         }
         if (within.empty())
@@ -630,7 +631,7 @@ void add_faces(std::span<const ConvexSolid> pieces, std::size_t number, const Ve
         for (std::size_t k = 0; k < pieces.size() && !face.left.empty(); ++k)
             if (k != number) hide(face, std::get<Polyhedron>(pieces[k].form), k < number, slack);
         const int part = piece.face_parts.empty() ? piece.part : piece.face_parts[f];
-        for (const Polygon& one : face.left) areas[static_cast<std::size_t>(part)] += area(one);
+        for (const Polygon& one : face.left) areas[static_cast<std::size_t>(part)] += floes::area_of(one);
     }
 }
 

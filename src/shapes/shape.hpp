@@ -16,54 +16,8 @@
 
 namespace floes {
 
-// A body of revolution about the vertical axis, by its radius over height.
-
-/// A point of the profile: height above the waterline (m, negative below) and radius there (m).
-struct ProfilePoint {
-    double height = 0;
-    double radius = 0;
-    friend bool operator==(const ProfilePoint&, const ProfilePoint&) = default;
-};
-
-class Profile {
-  public:
-    /// From the keel up. It may flare, narrow or step (equal heights make a flat ring), so the body need not be convex.
-    explicit Profile(std::vector<ProfilePoint> points) : points_(std::move(points)) {}
-
-    /// As rows of height and radius.
-    std::vector<std::vector<double>> rows() const;
-    static Profile of_rows(const std::vector<std::vector<double>>& rows);
-
-    /// Why it is no body that stands in the water; nothing if it is one. What follows holds without fault.
-    std::optional<std::string> fault() const;
-
-    /// Throws InputError with the fault of a profile that has one.
-    std::vector<Frustum> solids() const;
-    /// Those, continued straight on along their walls for as long as that stays inside.
-    std::vector<Frustum> overlapping_solids() const;
-
-    double waterline_radius() const;                                                ///< m; at a flat ring the larger
-    double largest_radius() const;                                                  ///< m
-    double bottom() const { return points_.empty() ? 0 : points_.front().height; }  ///< m
-    double top() const { return points_.empty() ? 0 : points_.back().height; }      ///< m
-    double wall_angle_above_water() const;                                          ///< rad, from the horizontal
-    Words words() const;
-    std::vector<Vec2> side_view() const;
-    const std::vector<ProfilePoint>& points() const { return points_; }
-
-    friend bool operator==(const Profile&, const Profile&) = default;
-
-  private:
-    std::vector<ProfilePoint> points_;
-};
-
 /// Sides of the polygons that stand for circles in outlines; a tenth of a percent of the area is lost.
 inline constexpr int round_sides = 72;
-
-/// Volume that at least one of them holds, m³, by the lengths that they cover on lines along x through a grid of
-/// lines_across x lines_across cells. Exact for one solid, or for solids whose boxes do not meet. Where one of several
-/// is round it is the sum of theirs, as if they did not overlap.
-double union_volume(std::span<const ConvexSolid> solids);
 
 /// One number of each row in which a shape is written down, SI.
 struct ShapeColumn {
@@ -112,14 +66,14 @@ class Shape {
     void set_kind(HullKind kind) { kind_ = kind; }
     const HullSizes& sizes() const { return sizes_; }
     void set_size(double HullSizes::*size, double value) { sizes_.*size = value; }
-    void set_profile(const std::vector<std::vector<double>>& rows) { profile_ = Profile::of_rows(rows); }
+    void set_profile(const std::vector<std::vector<double>>& rows);
 
     /// A point of a convex piece of kind file: number of its piece, index of its part, then x, height and z in m.
     static constexpr std::array<ShapeColumn, 5> piece_columns{{{"piece", "", "number of the piece, from 0", 0, 1e6},
                                                                {"part", "", "index of its part", 0, 1e6},
-                                                               {"x", "_m", "ahead of the axis", -1e4, 1e4},
-                                                               {"height", "_m", "above the waterline", -1e4, 1e4},
-                                                               {"z", "_m", "to starboard", -1e4, 1e4}}};
+                                                               {"x", "m", "ahead of the axis", -1e4, 1e4},
+                                                               {"height", "m", "above the waterline", -1e4, 1e4},
+                                                               {"z", "m", "to starboard", -1e4, 1e4}}};
     std::vector<std::vector<double>> piece_rows() const;
     /// Points of one piece are its corners; those inside the hull of the others are left out. Throws InputError as
     /// convex_hull() does.
@@ -143,7 +97,7 @@ class Shape {
     static constexpr std::array<ShapeColumn, 2> columns{
         {{"height", "m", "height of a profile point above the waterline", -1000, 1000},
          {"radius", "m", "radius of the structure at a profile point", 0, 1000}}};
-    std::vector<std::vector<double>> rows() const { return profile_.rows(); }  ///< as given, in force or not
+    std::vector<std::vector<double>> rows() const;     ///< as given, in force or not
     std::vector<std::vector<double>> profile() const;  ///< in force; of a hull that is none of revolution empty
     static Shape of_rows(const std::vector<std::vector<double>>& rows);
 
@@ -168,7 +122,10 @@ class Shape {
     double top() const;                           ///< height of the upper end, m
     double draught() const { return -bottom(); }  ///< m
 
-    double volume() const;  ///< m³; where pieces overlap it counts once
+    /// Volume that at least one of its solids holds, m³, by the lengths that they cover on lines along x through a grid
+    /// of lines_across x lines_across cells. Exact for one solid, or for solids whose boxes do not meet. Where one of
+    /// several is round it is the sum of theirs, as if they did not overlap.
+    double volume() const;
 
     /// What it cuts out of the water, an outline for each piece, m in (x, z).
     std::vector<std::vector<Vec2>> waterlines() const;
@@ -194,14 +151,14 @@ class Shape {
     friend bool operator==(const Shape&, const Shape&) = default;
 
   private:
-    Profile in_force() const;  ///< of a body of revolution
+    std::vector<ProfilePoint> in_force() const;  ///< of a body of revolution
     std::optional<std::string> fault_of_pieces() const;
     /// Of kind file.
     const Polyhedron& polyhedron(std::size_t piece) const { return std::get<Polyhedron>(file_solids_[piece].form); }
     HullSolids pieces() const;  ///< of a hull that is none of revolution
 
     HullKind kind_ = HullKind::profile;
-    Profile profile_;
+    std::vector<ProfilePoint> profile_;
     HullSizes sizes_;
     std::string part_list_;                       ///< of kind file
     std::vector<ConvexSolid> file_solids_;        ///< likewise
