@@ -92,9 +92,9 @@ void check_window(const Scenario& scenario, Contradictions& found) {
     const double towed = scenario.reach();
     if (towed + scenario.window_ahead() > longest_tow) {
         refuse(found, {"analysis.window_s", "structure.speed_m_s", "field.ahead_m"},
-               fmt::format("the tow comes {:.4g} m far and looks {:.4g} m ahead, and the sides of a field without end "
-                           "reach {:.4g} m; tow for a shorter time",
-                           towed, scenario.window_ahead(), longest_tow));
+               "the tow comes {:.4g} m far and looks {:.4g} m ahead, and the sides of a field without end reach {:.4g} "
+               "m; tow for a shorter time",
+               towed, scenario.window_ahead(), longest_tow);
     }
 }
 
@@ -300,10 +300,10 @@ void check_added(const TracedOutlines& traced, Contradictions& found) {
     const auto above = std::ranges::count_if(added, [&](double one) { return one > traced.most_added; });
     if (above == 0) return;
     refuse(found, {"shapes.most_added_percent", "shapes.file"},
-           fmt::format("{} has holes: filled it would cover {:.3g} % more, above shapes.most_added_percent = {:g}{}; "
-                       "trace it as several floes, allow more, or leave it out",
-                       outline_name(traced, static_cast<std::size_t>(worst - added.begin())), 100 * *worst,
-                       100 * traced.most_added, and_more(above - 1)));
+           "{} has holes: filled it would cover {:.3g} % more, above shapes.most_added_percent = {:g}{}; trace it as "
+           "several floes, allow more, or leave it out",
+           outline_name(traced, static_cast<std::size_t>(worst - added.begin())), 100 * *worst, 100 * traced.most_added,
+           and_more(above - 1));
 }
 
 /// Each has to be a sheet, wider than it is thick; one smaller than an element is one element.

@@ -158,6 +158,15 @@ void check_solver(const Scenario& scenario, Contradictions& found) {
 
 namespace {
 
+/// `noun`: what the list is of; `takes`: what a member does with them.
+void check_rising(const Scenario& scenario, const std::vector<double>& list, const std::string& key, std::size_t most,
+                  const char* noun, const char* takes, Contradictions& found) {
+    if (std::ranges::adjacent_find(list, std::greater_equal()) != list.end())
+        refuse(scenario, found, {key}, "<{}> does not rise from each to the next", key);
+    if (list.size() > most)
+        refuse(found, {key}, "{} has {} {}, more than the {} that a member {}", key, list.size(), noun, most, takes);
+}
+
 /// The windows and the number of segments next to those of a configuration that go together, in words.
 std::string what_cuts(const Analysis& analysis, std::int64_t window_steps, double time_step) {
     // A value of the history must not lie across the window's edge either.
@@ -207,27 +216,13 @@ void check_time(const Scenario& scenario, Contradictions& found) {
 }
 
 void check_levels(const Scenario& scenario, Contradictions& found) {
-    constexpr std::size_t most_levels = 1000;
-    const std::vector<double>& levels = scenario.analysis.exceedance_levels;
-    const std::string key = "analysis.exceedance_levels_N";
-    if (std::ranges::adjacent_find(levels, std::greater_equal()) != levels.end()) {
-        refuse(scenario, found, {key}, "<{}> does not rise from each to the next", key);
-    }
-    if (levels.size() > most_levels) {
-        refuse(found, {key},
-               fmt::format("{} has {} levels, more than the {} that a member counts", key, levels.size(), most_levels));
-    }
+    check_rising(scenario, scenario.analysis.exceedance_levels, "analysis.exceedance_levels_N", 1000, "levels",
+                 "counts", found);
 }
 
 void check_averaging(const Scenario& scenario, Contradictions& found) {
-    constexpr std::size_t most_times = 100;
-    const std::vector<double>& times = scenario.analysis.averaging;
     const std::string key = "analysis.averaging_s";
-    if (std::ranges::adjacent_find(times, std::greater_equal()) != times.end())
-        refuse(scenario, found, {key}, "<{}> does not rise from each to the next", key);
-    if (times.size() > most_times)
-        refuse(found, {key},
-               fmt::format("{} has {} times, more than the {} that a member takes", key, times.size(), most_times));
+    check_rising(scenario, scenario.analysis.averaging, key, 100, "times", "takes", found);
     const double step = scenario.general.time_step;
     const double segment = scenario.analysis.window / scenario.analysis.segments;
     for (const double time : scenario.averaging_times()) {
@@ -259,13 +254,13 @@ void check_list(const Scenario& scenario, Contradictions& found) {
     double sum = 0;
     for (const ListedSize& one : list) sum += one.share;
     if (std::abs(sum - 1) > 1e-6)
-        refuse(found, {key}, fmt::format("the shares of {} sum to {:.6g} %; they are to sum to 100 %", key, 100 * sum));
+        refuse(found, {key}, "the shares of {} sum to {:.6g} %; they are to sum to 100 %", key, 100 * sum);
     if (scenario.sizes.element != ElementSide::given || scenario.has_cells()) return;
     const double element = scenario.floe.element;
     for (const ListedSize& one : list) {
         for (const double side : {one.length, one.breadth}) {
             const double ratio = side / element;
-            if (std::abs(ratio - std::round(ratio)) <= 1e-9 * ratio && ratio > 0.5) continue;
+            if (is_whole(ratio) && ratio > 0.5) continue;
             refuse(scenario, found, {key, "floe.element_m"},
                    "<floe.element_m> does not divide the side of {:g} m in {}; the nearest side that does is {:.6g}, "
                    "or take sizes.element = \"of_floe\"",

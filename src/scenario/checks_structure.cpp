@@ -51,14 +51,14 @@ void check_legs(const Scenario& scenario, Contradictions& found) {
         const PathLeg& leg = path.legs[k];
         const std::string turn = beyond_a_turn(before.heading, leg.heading);
         if (turn.empty() || beyond_a_turn(before.heading + before.turn * before.time, leg.heading).empty()) continue;
-        refuse(found, {"path.legs"}, fmt::format("path.legs[{}] {}let a leg turn by its turn_deg_s for more", k, turn));
+        refuse(found, {"path.legs"}, "path.legs[{}] {}let a leg turn by its turn_deg_s for more", k, turn);
         return;
     }
 }
 
 void check_table(const std::vector<PathPoint>& table, Contradictions& found) {
     const auto wrong = [&](std::size_t row, const std::string& what) {
-        refuse(found, {"path.places"}, fmt::format("path.places[{}] {}", row, what));
+        refuse(found, {"path.places"}, "path.places[{}] {}", row, what);
     };
     const PathPoint& first = table.front();
     if (first.time != 0 || first.x != 0 || first.z != 0)
@@ -67,9 +67,8 @@ void check_table(const std::vector<PathPoint>& table, Contradictions& found) {
         if (const std::string turn = beyond_a_turn(table[row - 1].yaw, table[row].yaw); !turn.empty())
             return wrong(row, turn + "put rows between them for more");
         if (table[row].time > table[row - 1].time) continue;
-        wrong(row, fmt::format("is at {:g} s, not after the row before at {:g} s; times have to rise", table[row].time,
-                               table[row - 1].time));
-        return;
+        return wrong(row, fmt::format("is at {:g} s, not after the row before at {:g} s; times have to rise",
+                                      table[row].time, table[row - 1].time));
     }
 }
 
@@ -86,30 +85,38 @@ void check_way(const Scenario& scenario, const std::vector<PathPlace>& places, C
         const PathPlace& place = places[k];
         const double x = scenario.structure.start + place.pose.x;
         const double time = step * static_cast<double>(k);
-        const auto stop = [&](const std::string& what) { refuse(found, {key}, what); };
         meets = meets || x + radius >= scenario.field.begin;
         if (std::abs(place.pose.z) + radius > scenario.field.half_width + length_rounding)
-            return stop(
-                fmt::format("the path takes the structure, of radius {:.4g} m, to z = {:.4g} m after {:.6g} s, "
-                            "into the bank at {}; turn earlier or widen the field",
-                            radius, place.pose.z, time, given(scenario, "field.half_width_m")));
+            return refuse(scenario, found, {key},
+                          "the path takes the structure, of radius {:.4g} m, to z = {:.4g} m after {:.6g} s, into the "
+                          "bank at <field.half_width_m>; turn earlier or widen the field",
+                          radius, place.pose.z, time);
         if (x + radius > end || x < begin)
-            return stop(
-                fmt::format("the path leaves the channel: after {:.6g} s the axis is at x = {:.4g} m, and it "
-                            "has to stay {} {}{}",
-                            time, x, endless ? "ahead of" : "from", given(scenario, "structure.start_m"),
-                            endless ? std::string("; begin with a leg along +x")
-                                    : fmt::format(" to {:.4g} m; take a shorter way or more floes", end - radius)));
+            return refuse(scenario, found, {key},
+                          "the path leaves the channel: after {:.6g} s the axis is at x = {:.4g} m, and it has to stay "
+                          "{} <structure.start_m>{}",
+                          time, x, endless ? "ahead of" : "from",
+                          endless ? std::string("; begin with a leg along +x")
+                                  : fmt::format(" to {:.4g} m; take a shorter way or more floes", end - radius));
         const double speed = place.velocity.norm() + radius * std::abs(place.turning);
         if (speed >= scenario.general.runaway_speed)
-            return stop(
-                fmt::format("the path moves the structure's wall at {:.4g} m/s at {:.6g} s, not below {}; give "
-                            "turns time, by path.ramp_s or more rows",
-                            speed, time, given(scenario, "general.runaway_speed_m_s")));
+            return refuse(scenario, found, {key},
+                          "the path moves the structure's wall at {:.4g} m/s at {:.6g} s, not below "
+                          "<general.runaway_speed_m_s>; give turns time, by path.ramp_s or more rows",
+                          speed, time);
     }
     if (!meets)
         refuse(scenario, found, {key, "structure.start_m", "field.begin_m"},
                "the path never reaches the ice that begins at <field.begin_m>; start nearer or go farther");
+}
+
+/// The first row that has not more of both than the row before; as many as there are where all rise.
+std::size_t first_that_does_not_rise(const std::vector<TensionPoint>& curve) {
+    std::size_t row = 1;
+    while (row < curve.size() && curve[row].extension > curve[row - 1].extension &&
+           curve[row].tension > curve[row - 1].tension)
+        ++row;
+    return row;
 }
 
 void check_lines(const Scenario& scenario, Contradictions& found) {
@@ -121,20 +128,16 @@ void check_lines(const Scenario& scenario, Contradictions& found) {
                    "moorings.line_curve is of moorings.lines, and there are none; give lines or leave it out");
         if (curve.size() < 2)
             refuse(found, {"moorings.line_curve"}, "moorings.line_curve has one row; two or more are a curve");
-        for (std::size_t row = 1; row < curve.size(); ++row) {
-            if (curve[row].extension > curve[row - 1].extension && curve[row].tension > curve[row - 1].tension)
-                continue;
+        if (const std::size_t row = first_that_does_not_rise(curve); row < curve.size())
             refuse(found, {"moorings.line_curve"},
-                   fmt::format("moorings.line_curve[{}] does not have more extension and more tension than the row "
-                               "before; both have to rise",
-                               row));
-            break;
-        }
+                   "moorings.line_curve[{}] does not have more extension and more tension than the row before; both "
+                   "have to rise",
+                   row);
     }
     for (std::size_t row = 0; row < moorings.lines.size(); ++row) {
         const MooringLine& line = moorings.lines[row];
         const auto wrong = [&](const std::string& what) {
-            refuse(found, {"moorings.lines", "moorings.line_curve"}, fmt::format("moorings.lines[{}] {}", row, what));
+            refuse(found, {"moorings.lines", "moorings.line_curve"}, "moorings.lines[{}] {}", row, what);
         };
         if (!curve.empty() && line.stiffness > 0)
             wrong("has a stiffness beside moorings.line_curve; make it 0 or leave the curve out");
@@ -160,15 +163,13 @@ void check_turret(const Moorings& moorings, Contradictions& found) {
                "or moorings.turret_curve");
     if (curve.empty()) return;
     const auto wrong = [&](std::size_t row, const char* what) {
-        refuse(found, {"moorings.turret_curve"}, fmt::format("moorings.turret_curve[{}] {}", row, what));
+        refuse(found, {"moorings.turret_curve"}, "moorings.turret_curve[{}] {}", row, what);
     };
     if (curve.size() < 2) return wrong(0, "is the only row; two or more are a curve");
     if (curve.front() != TensionPoint{})
         return wrong(0, "is not [0, 0], where the mooring is at rest; begin with that");
-    for (std::size_t row = 1; row < curve.size(); ++row) {
-        if (curve[row].extension > curve[row - 1].extension && curve[row].tension > curve[row - 1].tension) continue;
-        return wrong(row, "does not have more offset and more force than the row before; both have to rise");
-    }
+    if (const std::size_t row = first_that_does_not_rise(curve); row < curve.size())
+        wrong(row, "does not have more offset and more force than the row before; both have to rise");
 }
 
 void check_thrusters(const Scenario& scenario, Contradictions& found) {
@@ -232,11 +233,10 @@ void check_periods(const Scenario& scenario, Contradictions& found) {
                    "nothing rights the structure in yaw: ice turns it away from a turret at <moorings.turret_m>; take "
                    "a turret ahead of the axis, thrusters that hold the heading, or a moorings.free without yaw");
         } else if (!std::isfinite(mode.period)) {
-            refuse(
-                found, {"moorings.free", "moorings.lines"},
-                fmt::format("nothing holds the structure in {}; give a stiffness, lines or thrusters that hold it, or "
-                            "take a moorings.free without {}",
-                            word, word));
+            refuse(found, {"moorings.free", "moorings.lines"},
+                   "nothing holds the structure in {}; give a stiffness, lines or thrusters that hold it, or take a "
+                   "moorings.free without {}",
+                   word, word);
         } else if (mode.period < fewest_steps * scenario.general.time_step) {
             refuse(scenario, found, {"moorings.mass_t", "general.time_step_s"},
                    "the moored structure's natural period in {} is {:.4g} s, fewer than {:g} steps of "
@@ -249,17 +249,15 @@ void check_periods(const Scenario& scenario, Contradictions& found) {
 void check_matrix(const std::vector<std::vector<double>>& rows, const std::string& key, Contradictions& found) {
     if (rows.empty()) return;
     if (rows.size() != 6)
-        return refuse(found, {key},
-                      fmt::format("{} has {} rows of six; a matrix of six motions has six", key, rows.size()));
+        return refuse(found, {key}, "{} has {} rows of six; a matrix of six motions has six", key, rows.size());
     std::array<double, 2> largest{};  // of motions along axes and about them
     for (std::size_t k = 0; k < 6; ++k) largest[k / 3] = std::max(largest[k / 3], std::abs(rows[k][k]));
     constexpr double much = 0.02;  // radiation programs differ by less
     for (std::size_t a = 0; a < 6; ++a) {
         for (std::size_t b = 0; b < a; ++b) {
             if (std::abs(rows[a][b] - rows[b][a]) <= much * std::sqrt(largest[a / 3] * largest[b / 3])) continue;
-            return refuse(found, {key},
-                          fmt::format("{}[{}][{}] and [{}][{}] differ, {:g} and {:g}; such a matrix is symmetric", key,
-                                      a, b, b, a, rows[a][b] / unit::tonne, rows[b][a] / unit::tonne));
+            return refuse(found, {key}, "{}[{}][{}] and [{}][{}] differ, {:g} and {:g}; such a matrix is symmetric",
+                          key, a, b, b, a, rows[a][b] / unit::tonne, rows[b][a] / unit::tonne);
         }
     }
 }
@@ -268,11 +266,10 @@ void check_matrix(const std::vector<std::vector<double>>& rows, const std::strin
 void check_damping(const std::vector<std::vector<double>>& rows, Contradictions& found) {
     for (std::size_t k = 0; k < rows.size() && rows.size() == 6; ++k) {
         if (rows[k][k] >= 0) continue;
-        return refuse(
-            found, {"moorings.radiation_damping"},
-            fmt::format("moorings.radiation_damping[{}][{}] is {:g}, which would drive that motion on; give 0 "
-                        "or more, as floes hydro does",
-                        k, k, rows[k][k] / unit::tonne));
+        return refuse(found, {"moorings.radiation_damping"},
+                      "moorings.radiation_damping[{}][{}] is {:g}, which would drive that motion on; give 0 or more, "
+                      "as floes hydro does",
+                      k, k, rows[k][k] / unit::tonne);
     }
 }
 
@@ -293,13 +290,12 @@ void check_inertia(const Scenario& scenario, Contradictions& found) {
         if (inertia(k, k) > 0) continue;
         if (inertia(k, k) < 0 || gyration.empty())
             refuse(found, {"moorings.added_mass", "moorings.mass_t"},
-                   fmt::format("mass and added mass together are {:.4g} {} in {}; they have to be above 0",
-                               inertia(k, k) / unit::tonne, gyration.empty() ? "t" : "t m²", motion_names.at(motion)));
+                   "mass and added mass together are {:.4g} {} in {}; they have to be above 0",
+                   inertia(k, k) / unit::tonne, gyration.empty() ? "t" : "t m²", motion_names.at(motion));
         else
             refuse(found, {gyration, "moorings.free"},
-                   fmt::format("{} = 0 leaves nothing to turn; give the radius of gyration, or take a moorings.free "
-                               "without \"{}\"",
-                               gyration, motion_names.at(motion)));
+                   "{} = 0 leaves nothing to turn; give the radius of gyration, or take a moorings.free without \"{}\"",
+                   gyration, motion_names.at(motion));
     }
     if (!found.empty()) return;
     const Mat6 even = 0.5 * (inertia + inertia.transpose());
@@ -344,9 +340,7 @@ double struck_over_floe(const Scenario& scenario) {
 
 void check_hanging(const HangingLine& line, const std::string& name, Contradictions& found) {
     constexpr double most_strain = 0.1;
-    const auto wrong = [&](const std::string& what) {
-        refuse(found, {"moorings.hanging_lines"}, fmt::format("{} {}", name, what));
-    };
+    const auto wrong = [&](const std::string& what) { refuse(found, {"moorings.hanging_lines"}, "{} {}", name, what); };
     const double drop = line.depth + line.fairlead.y();
     if (!(drop > 1e-4 * line.distance))  // ten times what the stiffness is found with
         return wrong(fmt::format(
@@ -368,11 +362,10 @@ void check_matrices(const Moorings& moorings, Contradictions& found) {
 
 void check_path(const Scenario& scenario, Contradictions& found) {
     const Path& path = scenario.path;
-    if (!path.any()) return;
-    const std::size_t before = found.size();
+    if (!path.any() || !found.empty()) return;  // the tow without it is to be without fault
     if (!path.legs.empty()) check_legs(scenario, found);
     if (!path.table.empty()) check_table(path.table, found);
-    if (found.size() == before) check_way(scenario, scenario.places(), found);
+    if (found.empty()) check_way(scenario, scenario.places(), found);
 }
 
 void check_moorings(const Scenario& scenario, Contradictions& found) {
@@ -392,9 +385,8 @@ void check_moorings(const Scenario& scenario, Contradictions& found) {
                "path.bow = \"ahead\" would turn the moorings with the heading; take \"unturned\"");
     }
     if (std::ranges::any_of(scenario.path.table, [](const PathPoint& at) { return at.yaw != 0; })) {
-        refuse(
-            found, {"path.places", "moorings.mass_t"},
-            fmt::format("path.places has yaw, which would turn the moorings; make it 0, the structure yaws by itself"));
+        refuse(found, {"path.places", "moorings.mass_t"},
+               "path.places has yaw, which would turn the moorings; make it 0, the structure yaws by itself");
     }
     if (found.size() > before) return;
     check_mass(scenario, found);
@@ -409,9 +401,9 @@ void check_added_volume(const Structure& structure, Contradictions& found) {
     const double added = structure.shape.volume() / own - 1;
     if (added <= structure.hull_file.most_added) return;
     refuse(found, {"hull.most_added_percent", "hull.file"},
-           fmt::format("the convex pieces of the hull fill {:.3g} % more than it, over hull.most_added_percent = {:g}; "
-                       "cut the hull into bodies that are convex yourself, or allow more",
-                       100 * added, 100 * structure.hull_file.most_added));
+           "the convex pieces of the hull fill {:.3g} % more than it, over hull.most_added_percent = {:g}; cut the "
+           "hull into bodies that are convex yourself, or allow more",
+           100 * added, 100 * structure.hull_file.most_added);
 }
 
 }  // namespace
@@ -441,9 +433,6 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
     // Ice that nothing holds drifts with the current while the structure comes.
     const double drift = scenario.field.far_end == FarEnd::open ? scenario.water.current_velocity().x() : 0;
     const double end = structure.start + (structure.speed - drift) * duration;
-    const auto course = [&] {
-        return fmt::format("{} and {}", given(scenario, "structure.start_m"), given(scenario, "structure.speed_m_s"));
-    };
     if (structure.speed >= scenario.general.runaway_speed) {
         refuse(scenario, found, {"structure.speed_m_s", "general.runaway_speed_m_s"},
                "<structure.speed_m_s> is not below <general.runaway_speed_m_s>, so ice pushed by the structure would "
@@ -461,22 +450,23 @@ void check_tow(const Scenario& scenario, Contradictions& found) {
                "<field.begin_m>; start before {:.4g}",
                structure.start + ahead, scenario.field.begin - ahead);
     } else if (end + ahead < scenario.field.begin && !scenario.path.any()) {
-        refuse(scenario, found,
-               {"field.begin_m", "structure.start_m", "structure.speed_m_s", "analysis.window_s",
-                "analysis.steady_start_s"},
-               "the tow never reaches the ice: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, "
-               "before <field.begin_m>; start nearer, tow faster or longer",
-               course(), end + ahead, duration);
+        refuse(
+            scenario, found,
+            {"field.begin_m", "structure.start_m", "structure.speed_m_s", "analysis.window_s",
+             "analysis.steady_start_s"},
+            "the tow never reaches the ice: with <structure.start_m> and <structure.speed_m_s> the structure's "
+            "waterline ends at x = {:.4g} m after {:.6g} s, before <field.begin_m>; start nearer, tow faster or longer",
+            end + ahead, duration);
     }
     if (!scenario.field.endless() && end + ahead > scenario.field_end() + length_rounding && !scenario.path.any()) {
         const bool closed = scenario.field.far_end == FarEnd::ice_sheet;
         refuse(
-            found,
+            scenario, found,
             {"analysis.window_s", "analysis.steady_start_s", "structure.speed_m_s", "structure.start_m", "field.floes"},
-            fmt::format("the tow runs {}: with {} the structure's waterline ends at x = {:.4g} m after {:.6g} s, past "
-                        "the field's end at {:.4g} m; tow for a shorter time or take more floes",
-                        closed ? "into the ice sheet at the far end" : "out of the ice", course(), end + ahead,
-                        duration, scenario.field_end()));
+            "the tow runs {}: with <structure.start_m> and <structure.speed_m_s> the structure's waterline ends at x = "
+            "{:.4g} m after {:.6g} s, past the field's end at {:.4g} m; tow for a shorter time or take more floes",
+            closed ? "into the ice sheet at the far end" : "out of the ice", end + ahead, duration,
+            scenario.field_end());
     }
 }
 
@@ -530,7 +520,8 @@ void check_widest(const Scenario& scenario, Contradictions& found) {
 }  // namespace
 
 void check_lattice(const Scenario& scenario, Contradictions& found) {
-    if (scenario.arrangement.given()) return;
+    // Cells fit at any concentration.
+    if (scenario.arrangement.given() || scenario.shapes.kind == ShapeKind::voronoi) return;
     const double clearance = scenario.arrangement.clearance;
     const auto fitting = [&](double room, double side) {
         return std::max(0.0, std::floor((room - clearance) / (side + clearance) + length_rounding));
@@ -563,10 +554,10 @@ void check_given_floes(const Scenario& scenario, Contradictions& found) {
     if (rule.columns.empty()) {
         const auto longer = std::ranges::find_if(rule.values, [](const auto& values) { return !values.empty(); });
         if (longer == rule.values.end()) return;
-        refuse(found, keys,
-               fmt::format("arrangement.poses[{}] has more than x_m, z_m and yaw_deg; name what follows them in "
-                           "arrangement.columns",
-                           longer - rule.values.begin()));
+        refuse(
+            found, keys,
+            "arrangement.poses[{}] has more than x_m, z_m and yaw_deg; name what follows them in arrangement.columns",
+            longer - rule.values.begin());
         return;
     }
     if (rule.method != ArrangementMethod::file || rule.poses.empty()) {

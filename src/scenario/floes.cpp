@@ -29,28 +29,23 @@ namespace floes {
 
 namespace {
 
-/// Finds a value's place in a table, at the end for a new one. By a tree: a million floes may all differ.
+/// A value's place in a table, at the end for a new one. By a tree: a million floes may all differ.
 template <class Value>
-class Places {
-  public:
-    std::size_t of(const Value& value, std::vector<Value>& table) {
-        const auto [place, is_new] = places_.emplace(value, table.size());
-        if (is_new) table.push_back(value);
-        return place->second;
-    }
-
-  private:
-    std::map<Value, std::size_t> places_;
-};
+std::size_t place_of(const Value& value, std::vector<Value>& table, std::map<Value, std::size_t>& places) {
+    const auto [place, is_new] = places.emplace(value, table.size());
+    if (is_new) table.push_back(value);
+    return place->second;
+}
 
 }  // namespace
 
 FloeSet gathered(std::span<const SingleFloe> floes) {
     FloeSet set;
-    Places<FloeShape> shapes;
-    Places<Material> materials;
+    std::map<FloeShape, std::size_t> shapes;
+    std::map<Material, std::size_t> materials;
     for (const SingleFloe& one : floes)
-        set.floes.push_back({one.pose, shapes.of(one.shape, set.shapes), materials.of(one.material, set.materials)});
+        set.floes.push_back(
+            {one.pose, place_of(one.shape, set.shapes, shapes), place_of(one.material, set.materials, materials)});
     return set;
 }
 
@@ -324,9 +319,9 @@ namespace {
 
 constexpr double shortest_edge = 1e-4;  // of the root of the area; shorter ones go
 
-/// The outline about its centroid, in axes turned by `axis`.
-void give(FloeShape& shape, Corners outline, const Corner& centre, const Corner& axis) {
-    shape.outline = in_axes(outline, centre, axis);
+/// The outline about its centroid, in axes turned by `axis`. `of`: its measures.
+void give(FloeShape& shape, Corners outline, const Measures& of, const Corner& axis) {
+    shape.outline = in_axes(tidied(outline, shortest_edge * std::sqrt(of.area)), of.centroid, axis);
     const Corner size = size_of(shape.outline);
     shape.length = size.x;
     shape.breadth = size.z;
@@ -372,8 +367,7 @@ void lie_as(SingleFloe& floe, Corners outline) {
     const Measures measures = measures_of(outline);
     floe.pose = {measures.centroid.x, measures.centroid.z, yaw_of(long_axis(measures))};
     const Turn turn = turn_of(floe.pose.yaw);
-    give(floe.shape, tidied(outline, shortest_edge * std::sqrt(measures.area)), measures.centroid,
-         {turn.cos, -turn.sin});
+    give(floe.shape, outline, measures, {turn.cos, -turn.sin});
 }
 
 void check_gap(const Scenario& scenario, double offset) {
@@ -434,8 +428,7 @@ void shape_floes(const Scenario& scenario, const Draw& draw, std::vector<SingleF
         const Outline outline =
             polygon_about(floe.shape.length, floe.shape.breadth, shapes.corners, shapes.irregularity, random);
         const Measures measures = measures_of(outline);
-        give(floe.shape, tidied(outline, shortest_edge * std::sqrt(measures.area)), measures.centroid,
-             long_axis(measures));
+        give(floe.shape, outline, measures, long_axis(measures));
     }
 }
 
@@ -493,16 +486,13 @@ std::vector<SingleFloe> given_floes(const Scenario& scenario) {
     return given;
 }
 
-/// From the near edge of the field on, about the tow's line.
-SingleFloe level_sheet(const Scenario& scenario) {
-    const FloeShape shape = sheet_shape(scenario);
-    return {{scenario.field.begin + shape.length / 2, 0, 0}, shape, scenario.material()};
-}
-
 /// Floes of the sizes of the scenario in an order of this arrangement's own, without places unless they were traced.
 std::vector<SingleFloe> sized_floes(const Scenario& scenario, const Draw& draw) {
     if (scenario.arrangement.method == ArrangementMethod::traced) return floes_as_traced(scenario);
-    if (scenario.arrangement.level()) return {level_sheet(scenario)};
+    if (scenario.arrangement.level()) {  // from the near edge of the field on, about the tow's line
+        const FloeShape sheet = sheet_shape(scenario);
+        return {{{scenario.field.begin + sheet.length / 2, 0, 0}, sheet, scenario.material()}};
+    }
     std::vector<SingleFloe> sized;
     for (const FloeShape& shape : floe_sizes(scenario)) sized.push_back({{}, shape, scenario.material()});
     if (!sizes_may_differ(scenario)) return sized;
@@ -515,8 +505,7 @@ std::vector<SingleFloe> sized_floes(const Scenario& scenario, const Draw& draw) 
 }  // namespace
 
 FloeSet floes_of(const Scenario& scenario, const Draw& draw) {
-    const ArrangementRule& rule = scenario.arrangement;
-    const bool given = rule.method == ArrangementMethod::file;
+    const bool given = scenario.arrangement.method == ArrangementMethod::file;
     std::vector<SingleFloe> floes = given ? given_floes(scenario) : sized_floes(scenario, draw);
     if (floes_may_differ(scenario)) {
         shape_floes(scenario, draw, floes);

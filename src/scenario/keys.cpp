@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <utility>
 
 #include "keys/key.hpp"
 #include "scenario/tables.hpp"
@@ -20,20 +21,16 @@ std::map<std::string_view, std::string> late_texts() {
 }
 
 /// The keys of two scenarios that have an effect in one of them, in the same order.
-struct KeyPairs {
-    Keys there, here;
-};
-
-KeyPairs effective_keys(Scenario& there, Scenario& here) {
-    KeyPairs pairs;
+std::pair<Keys, Keys> effective_keys(Scenario& there, Scenario& here) {
+    std::pair<Keys, Keys> found;
     const Keys all_there = describe(there);
     const Keys all_here = describe(here);
     for (std::size_t k = 0; k < all_there.size(); ++k) {
         if (all_there[k].idle() && all_here[k].idle()) continue;
-        pairs.there.push_back(all_there[k]);
-        pairs.here.push_back(all_here[k]);
+        found.first.push_back(all_there[k]);
+        found.second.push_back(all_here[k]);
     }
-    return pairs;
+    return found;
 }
 
 }  // namespace
@@ -142,19 +139,18 @@ std::string canonical_text(const Scenario& scenario) {
 std::vector<std::string> differences(const Scenario& there, const Scenario& here) {
     Scenario one = there;
     Scenario other = here;
-    const KeyPairs keys = effective_keys(one, other);
-    return key_differences(keys.there, keys.here);
+    const auto [of_one, of_other] = effective_keys(one, other);
+    return key_differences(of_one, of_other);
 }
 
 std::vector<std::string> differing_keys(const Scenario& there, const Scenario& here) {
     Scenario one = there;
     Scenario other = here;
-    const KeyPairs keys = effective_keys(one, other);
+    const auto [of_one, of_other] = effective_keys(one, other);
     std::vector<std::string> paths;
-    for (std::size_t k = 0; k < keys.there.size(); ++k) {
-        if (keys.here[k].derived() || exact_text(keys.there[k]) == exact_text(keys.here[k])) continue;
-        paths.emplace_back(keys.here[k].path);
-    }
+    for (std::size_t k = 0; k < of_one.size(); ++k)
+        if (!of_other[k].derived() && exact_text(of_one[k]) != exact_text(of_other[k]))
+            paths.emplace_back(of_other[k].path);
     return paths;
 }
 

@@ -78,9 +78,6 @@ struct SizeBounds {
 /// Density in proportion to D^-exponent: the D (m) that a share u (0 to 1) of the floes is smaller than.
 double power_law_at(double u, double exponent, const SizeBounds& bounds);
 
-/// Mean of D^power (m^power) of that law.
-double power_law_moment(double power, double exponent, const SizeBounds& bounds);
-
 /// Lognormal with this mean (m) and standard deviation over mean before it is cut off.
 struct LognormalSizes {
     double mean = 0;

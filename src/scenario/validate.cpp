@@ -10,37 +10,21 @@ namespace floes {
 
 namespace {
 
+using Check = void (*)(const Scenario&, Contradictions&);
+
 Contradictions contradictions_of(const Scenario& scenario) {
+    // Each takes for granted what those before found nothing wrong with.
+    static const std::vector<std::vector<Check>> stages{
+        {check_traced, check_level},  // outlines of floes
+        {check_sizes, check_spread},  // laws of floes
+        {check_shapes},
+        {check_elements, check_floating, check_stress_averaging, check_proportions, check_friction, check_solver,
+         check_time, check_levels, check_averaging, check_shape, check_given_floes},
+        {check_tow, check_path, check_moorings, check_boundaries, check_wake, check_bed, check_endless, check_lattice,
+         check_poses}};
     Contradictions found;
-    check_traced(scenario, found);
-    check_level(scenario, found);
-    if (!found.empty()) return found;  // all below take floes from these outlines
-    check_sizes(scenario, found);
-    check_spread(scenario, found);
-    if (!found.empty()) return found;  // the checks below take floes from these laws
-    check_shapes(scenario, found);
-    if (!found.empty()) return found;
-    check_elements(scenario, found);
-    check_floating(scenario, found);
-    check_stress_averaging(scenario, found);
-    check_proportions(scenario, found);
-    check_friction(scenario, found);
-    check_solver(scenario, found);
-    check_time(scenario, found);
-    check_levels(scenario, found);
-    check_averaging(scenario, found);
-    check_shape(scenario, found);
-    check_given_floes(scenario, found);
-    if (!found.empty()) return found;  // the checks below would report the same again
-    check_tow(scenario, found);
-    if (found.empty()) check_path(scenario, found);
-    check_moorings(scenario, found);
-    check_boundaries(scenario, found);
-    check_wake(scenario, found);
-    check_bed(scenario, found);
-    check_endless(scenario, found);
-    if (scenario.shapes.kind != ShapeKind::voronoi) check_lattice(scenario, found);  // cells fit at any concentration
-    check_poses(scenario, found);
+    for (auto stage = stages.begin(); stage != stages.end() && found.empty(); ++stage)
+        for (const Check check : *stage) check(scenario, found);
     return found;
 }
 

@@ -29,19 +29,22 @@ double structure_over_floe(const Scenario& scenario);
 /// own where it turns, 1/m = Jᵀ M⁻¹ J over its free motions.
 double struck_over_floe(const Scenario& scenario);
 
-inline void refuse(Contradictions& found, std::vector<std::string> keys, std::string sentence) {
-    found.push_back({std::move(keys), std::move(sentence)});
+/// Adds a contradiction, its sentence as fmt::format() takes it.
+template <class... Values>
+void refuse(Contradictions& found, std::vector<std::string> keys, fmt::format_string<Values...> sentence,
+            Values&&... values) {
+    found.push_back({std::move(keys), fmt::format(sentence, std::forward<Values>(values)...)});
 }
 
 /// "<floe.element_m>" in the sentence becomes the key with its value, as given() shows it; other text in angle
 /// brackets, such as the name of an outline, stays as it is.
 std::string with_values(const Scenario& scenario, std::string_view sentence);
 
-/// Adds a contradiction whose sentence has keys with their values in it, as with_values() puts them there.
+/// The same of a sentence that has keys with their values in it, as with_values() puts them there.
 template <class... Values>
 void refuse(const Scenario& scenario, Contradictions& found, std::vector<std::string> keys,
             fmt::format_string<Values...> sentence, Values&&... values) {
-    refuse(found, std::move(keys), with_values(scenario, fmt::format(sentence, std::forward<Values>(values)...)));
+    found.push_back({std::move(keys), with_values(scenario, fmt::format(sentence, std::forward<Values>(values)...))});
 }
 
 /// The checks behind find_contradictions(), in checks_*.cpp. Each adds what it finds.
