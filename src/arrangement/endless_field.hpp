@@ -7,7 +7,6 @@
 // Part k is the same whatever the length of the run: a pure function of (scenario, seed, number, k).
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/vector.hpp"

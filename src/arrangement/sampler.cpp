@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include <fmt/format.h>
-
 #include "arrangement/crowd.hpp"
 #include "core/error.hpp"
 #include "core/turn.hpp"

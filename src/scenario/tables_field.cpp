@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "keys/key.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/tables.hpp"

@@ -1,6 +1,5 @@
 #include "shapes/moorings.hpp"
 
-#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 #include <boost/math/tools/toms748_solve.hpp>
 
