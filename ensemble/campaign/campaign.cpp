@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -130,11 +132,6 @@ void HeldNumbers::add(const Scenario& scenario) {
 
 namespace {
 
-/// What members depend on besides their scenarios.
-CampaignHead head_of(const Campaign& campaign) {
-    return {"", campaign.seed, campaign.arrangements, campaign.common_arrangements};
-}
-
 std::string cfm_text(const Case& one) {
     return one.pairing == Pairing::find_cfm ? "to be calibrated" : fmt::format("{}", one.scenario.joint.cfm);
 }
@@ -201,7 +198,8 @@ std::vector<std::string> case_differences(const Campaign& there, const Campaign&
 }  // namespace
 
 std::string fingerprint(const Campaign& campaign) {
-    CampaignHead head = head_of(campaign);
+    CampaignHead head = campaign;
+    head.name.clear();
     Keys keys = describe(head);
     // Common arrangements are not part of the text, so that campaigns from before this key keep their fingerprints.
     if (head.common_arrangements) std::erase_if(keys, [](const Key& key) { return key.path == common_path; });
@@ -225,8 +223,9 @@ bool is_part_of(const Campaign& part, const Campaign& whole) {
 }
 
 std::vector<std::string> differences(const Campaign& there, const Campaign& here) {
-    CampaignHead head_there = head_of(there);
-    CampaignHead head_here = head_of(here);
+    CampaignHead head_there = there;
+    CampaignHead head_here = here;
+    head_there.name = head_here.name;
     std::vector<std::string> lines = key_differences(describe(head_there), describe(head_here));
     const std::vector<std::string> names_there = case_names(there);
     const std::vector<std::string> names_here = case_names(here);
@@ -235,28 +234,6 @@ std::vector<std::string> differences(const Campaign& there, const Campaign& here
     }
     for (std::string& line : case_differences(there, here)) lines.push_back(std::move(line));
     return lines;
-}
-
-void KeyEffects::note(const Keys& keys, const Origins& origins) {
-    for (const Key& key : keys) {
-        if (!key.in_force) continue;
-        const std::string path(key.path);
-        const auto origin = origins.find(path);
-        if (origin == origins.end() || is_superfluous(key)) continue;
-        if (key.idle())
-            idle_.try_emplace(path, fmt::format("{}: {} = {}", origin->second, path, literal(key)), key.only_with);
-        else
-            effective_.insert(path);
-    }
-}
-
-std::vector<std::string> KeyEffects::without() const {
-    std::vector<std::string> sentences;
-    for (const auto& [path, given] : idle_)
-        if (!effective_.contains(path))
-            sentences.push_back(fmt::format("{} has no effect: it needs {}. Add that, or leave {} out.", given.first,
-                                            given.second, path));
-    return sentences;
 }
 
 }  // namespace floes

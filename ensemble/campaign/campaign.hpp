@@ -3,9 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -71,23 +69,27 @@ struct Case {
     std::string name;
     Scenario scenario;
     Pairing pairing = Pairing::settled;
-    std::string base = {};  ///< the [[case]] that a point of the design was added to; empty where there is none
-    int point = -1;         ///< of the campaign's design; -1 without a design
-    std::vector<LaidValue> laid = {};  ///< values that its text left open, and why they are so; not stored
-    bool hull_stated = true;           ///< by its text, or the paper's by what else it says of the paper; not stored
+    std::string base = {};    ///< the [[case]] that a point of the design was added to; empty where there is none
+    int point = -1;           ///< of the campaign's design; -1 without a design
+    LaidReasons laid = {};    ///< values that its text left open, and why they are so; not stored
+    bool hull_stated = true;  ///< by its text, or the paper's by what else it says of the paper; not stored
 };
 
-struct Campaign {
-    std::string name;         ///< the config file's stem
-    std::uint64_t seed = 1;   ///< of all randomness
-    int arrangements = 1;     ///< per case; the most where a stop rule may end the campaign sooner
+/// The fields of [campaign].
+struct CampaignHead {
+    std::string name;        ///< the config file's stem
+    std::uint64_t seed = 1;  ///< of all randomness
+    int arrangements = 1;    ///< per case; the most where a stop rule may end the campaign sooner
+    /// Cases of one field geometry begin from the same floes (common random numbers); otherwise each case draws its
+    /// own.
+    bool common_arrangements = true;
+};
+
+struct Campaign : CampaignHead {
     std::vector<Case> cases;  ///< at least one, names unique
     StopRule stop = {};       ///< when fewer arrangements are enough
     RunRules run = {};
     Design design = {};  ///< how the cases came about; each of them has its values already
-    /// Cases of one field geometry begin from the same floes (common random numbers); otherwise each case draws its
-    /// own.
-    bool common_arrangements = true;
 };
 
 /// Which simulation a member is: arrangement-major, so that more arrangements only add members at the end.
@@ -157,21 +159,5 @@ bool is_part_of(const Campaign& part, const Campaign& whole);
 
 /// One line a differing key: "general.iterations: 50 there, 20 here". Empty when equal.
 std::vector<std::string> differences(const Campaign& there, const Campaign& here);
-
-// Which keys of a text have an effect. One that is set and has none would be taken for one that has.
-
-class KeyEffects {
-  public:
-    /// Notes the keys that are given (`origins` tells where) and have an effect in the case that `keys` are bound to,
-    /// and those that have none though they are set to an unusual value.
-    void note(const Keys& keys, const Origins& origins);
-
-    /// A sentence for each key without effect in any case.
-    std::vector<std::string> without() const;
-
-  private:
-    std::map<std::string, std::pair<std::string, std::string>> idle_;  ///< by path: where and what, what it needs
-    std::set<std::string> effective_;
-};
 
 }  // namespace floes

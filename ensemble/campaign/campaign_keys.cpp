@@ -158,77 +158,57 @@ constexpr const char* about_cases =
 
 }  // namespace
 
-Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& rules, Scenario& scenario) {
-    Keys keys = describe(head);
-    keys.reserve(150);
-    for (Key& key : describe(design)) keys.push_back(std::move(key));
-    for (Key& key : describe(stop)) keys.push_back(std::move(key));
-    for (Key& key : describe(rules)) keys.push_back(std::move(key));
-    for (Key& key : describe(scenario)) keys.push_back(std::move(key));
-    return keys;
-}
-
 Keys describe(CampaignHead& head) {
-    Keys keys;
-    keys.push_back(text_key("campaign.name", head.name, "the file's name",
-                            "Name of the campaign; empty: the configuration file's name."));
-    keys.push_back({"campaign.seed",
-                    IntegerField{[&head] { return static_cast<std::int64_t>(head.seed); },
-                                 [&head](std::int64_t value) { head.seed = static_cast<std::uint64_t>(value); }, 0,
-                                 std::numeric_limits<std::int64_t>::max()},
-                    "any number will do",
-                    "Seed of all random numbers. Another seed gives another set of arrangements."});
-    keys.push_back(integer_key("campaign.arrangements", head.arrangements, 1, most_members, "a quick look",
-                               "Number of random arrangements; every case is run with each of them. A larger number "
-                               "only adds members: finished members stay valid."));
-    keys.push_back(switch_key(common_path, head.common_arrangements, "smaller uncertainty of differences",
-                              "true: cases whose fields have the same geometry start from the same floes (common "
-                              "random numbers), and only such cases are compared in pairs. false: each case draws its "
-                              "own arrangements, seeded by its name, and nothing is paired."));
-    return keys;
+    return {text_key("campaign.name", head.name, "the file's name",
+                     "Name of the campaign; empty: the configuration file's name."),
+            {"campaign.seed",
+             IntegerField{[&head] { return static_cast<std::int64_t>(head.seed); },
+                          [&head](std::int64_t value) { head.seed = static_cast<std::uint64_t>(value); }, 0,
+                          std::numeric_limits<std::int64_t>::max()},
+             "any number will do", "Seed of all random numbers. Another seed gives another set of arrangements."},
+            integer_key("campaign.arrangements", head.arrangements, 1, most_members, "a quick look",
+                        "Number of random arrangements; every case is run with each of them. A larger number only adds "
+                        "members: finished members stay valid."),
+            switch_key(common_path, head.common_arrangements, "smaller uncertainty of differences",
+                       "true: cases whose fields have the same geometry start from the same floes (common random "
+                       "numbers), and only such cases are compared in pairs. false: each case draws its own "
+                       "arrangements, seeded by its name, and nothing is paired.")};
 }
 
 Keys describe(StopRule& stop) {
     const std::string_view source = "Hoad, Robinson and Davies 2010";
-    Keys keys;
-    keys.push_back(
-        number_key("stop.half_width_percent", stop.half_width, unit::percent, at_least(0).below(100), "off",
-                   "The campaign ends when the half-width of the 95 % confidence interval of the mean over "
-                   "arrangements is at most this percentage of the mean (of a design load: the longer side of its "
-                   "interval, of the load); campaign.arrangements is then the maximum. 0: "
-                   "all arrangements are run. Only arrangements in index order count, whatever finishes first."));
     static const std::string stoppable = about_stop_of();
-    keys.push_back(text_key("stop.of", stop.of, "the first of Table 3", stoppable));
-    keys.push_back(text_key("stop.case", stop.case_name, "every case",
-                            "Case to which the rule applies: \"all\", \"none\", or the name of one."));
-    keys.push_back(text_key("stop.contrast", stop.contrast, "none",
-                            "Paired difference to which the rule applies, in percent of the case that is subtracted: "
-                            "\"none\", \"all\", or two cases as in \"E200 - E60\"."));
-    keys.push_back(integer_key("stop.minimum", stop.minimum, 0, 1000000, "trials",
-                               "Minimum number of arrangements before the rule is applied: with fewer, the estimate of "
-                               "the scatter is itself uncertain. 0: at least 20, and so many that a kind of member in "
-                               "a share of half_width_percent of all is among them with 95 % (59 for 5 %): such "
-                               "members with twice the load move the mean by that much. Of a design value: at "
-                               "least 59."));
-    keys.push_back(integer_key("stop.look_ahead", stop.look_ahead, 0, 1000000, source,
-                               "Number of further arrangements for which the rule must stay satisfied, so that the "
-                               "campaign does not stop by chance."));
-    keys.push_back(integer_key("stop.batch", stop.batch, 1, 1000000, "a few per core",
-                               "Number of arrangements that are handed out together, longest members first. A small "
-                               "batch wastes fewer members beyond the stop; a large one leaves fewer cores idle. A "
-                               "design value is looked at when a batch ends."));
-    keys.push_back(
-        number_key("stop.exposure_h", stop.exposure, unit::hour, at_least(1e-3).at_most(1e6), "floes design",
-                   "For design values: the time whose largest value it is, at the campaign's scale (that at full "
-                   "scale over the square root of the scale)."));
-    keys.push_back(
-        number_key("stop.averaging_s", stop.averaging, unit::one, above(0), "floes design",
-                   "For of = \"design_load\": what the load is averaged over, one of analysis.averaging_s."));
-    keys.push_back(
-        number_key("stop.quantile", stop.quantile, unit::one, at_least(0).at_most(0.99999), "floes design",
-                   "For design values: the probability that the value is not exceeded in the exposure, 0.001 or "
-                   "more. 0: the expected largest."));
-    return keys;
+    return {number_key("stop.half_width_percent", stop.half_width, unit::percent, at_least(0).below(100), "off",
+                       "The campaign ends when the half-width of the 95 % confidence interval of the mean over "
+                       "arrangements is at most this percentage of the mean (of a design load: the longer side of its "
+                       "interval, of the load); campaign.arrangements is then the maximum. 0: all arrangements are "
+                       "run. Only arrangements in index order count, whatever finishes first."),
+            text_key("stop.of", stop.of, "the first of Table 3", stoppable),
+            text_key("stop.case", stop.case_name, "every case",
+                     "Case to which the rule applies: \"all\", \"none\", or the name of one."),
+            text_key("stop.contrast", stop.contrast, "none",
+                     "Paired difference to which the rule applies, in percent of the case that is subtracted: "
+                     "\"none\", \"all\", or two cases as in \"E200 - E60\"."),
+            integer_key("stop.minimum", stop.minimum, 0, 1000000, "trials",
+                        "Minimum number of arrangements before the rule is applied: with fewer, the estimate of the "
+                        "scatter is itself uncertain. 0: at least 20, and so many that a kind of member in a share of "
+                        "half_width_percent of all is among them with 95 % (59 for 5 %): such members with twice the "
+                        "load move the mean by that much. Of a design value: at least 59."),
+            integer_key("stop.look_ahead", stop.look_ahead, 0, 1000000, source,
+                        "Number of further arrangements for which the rule must stay satisfied, so that the campaign "
+                        "does not stop by chance."),
+            integer_key("stop.batch", stop.batch, 1, 1000000, "a few per core",
+                        "Number of arrangements that are handed out together, longest members first. A small batch "
+                        "wastes fewer members beyond the stop; a large one leaves fewer cores idle. A design value is "
+                        "looked at when a batch ends."),
+            number_key("stop.exposure_h", stop.exposure, unit::hour, at_least(1e-3).at_most(1e6), "floes design",
+                       "For design values: the time whose largest value it is, at the campaign's scale (that at full "
+                       "scale over the square root of the scale)."),
+            number_key("stop.averaging_s", stop.averaging, unit::one, above(0), "floes design",
+                       "For of = \"design_load\": what the load is averaged over, one of analysis.averaging_s."),
+            number_key("stop.quantile", stop.quantile, unit::one, at_least(0).at_most(0.99999), "floes design",
+                       "For design values: the probability that the value is not exceeded in the exposure, 0.001 or "
+                       "more. 0: the expected largest.")};
 }
 
 Key method_key(Design& design) {
@@ -249,38 +229,32 @@ Key method_key(Design& design) {
 }
 
 Keys describe(Design& design) {
-    Keys keys{method_key(design)};
-    keys.push_back(integer_key("design.points", design.points, 0, static_cast<int>(most_cases), "none",
-                               "Points of latin_hypercube and sobol; a power of 2 suits sobol best."));
-    keys.push_back(text_key("design.points_file", design.points_file, "none",
-                            "Points that another program chose: a CSV file, relative to the configuration file, whose "
-                            "first line names keys of a scenario and each other line a point. Only with design.method "
-                            "= \"list\", in place of [[design.axis]], as which the points are stored."));
-    return keys;
+    return {method_key(design),
+            integer_key("design.points", design.points, 0, static_cast<int>(most_cases), "none",
+                        "Points of latin_hypercube and sobol; a power of 2 suits sobol best."),
+            text_key("design.points_file", design.points_file, "none",
+                     "Points that another program chose: a CSV file, relative to the configuration file, whose first "
+                     "line names keys of a scenario and each other line a point. Only with design.method = \"list\", "
+                     "in place of [[design.axis]], as which the points are stored.")};
 }
 
 Keys describe(RunRules& rules) {
-    Keys keys;
-    keys.push_back(word_key("run.isolation", rules.isolation, {"none", "process"}, "none is faster for short members",
-                            "Where a member is computed. none: in the process of its rank. process: in an isolated "
-                            "process, so that a crash, a hang or excessive memory does not affect other members."));
-    keys.push_back(number_key("run.member_deadline_s", rules.member_deadline, 1, at_least(0),
-                              "many times a long member",
-                              "Wall time after which an attempt at a member is ended as failed; 0: no limit."));
-    keys.push_back(number_key("run.member_memory_MiB", rules.member_memory, unit::mebibyte, at_least(0),
-                              "many times a large member",
-                              "Memory limit of a member in an isolated process; 0: no limit."));
-    keys.push_back(
-        switch_key("run.nominal_modulus", rules.nominal_modulus, "E is the ice's",
-                   "With joint.model = \"cfm\", where a case states both E and joint.cfm: true takes E for a "
-                   "name, as in the paper, and does not compare them."));
-    keys.push_back(text_key("run.base_case", rules.base_case, "none",
-                            "The case of which all others are variations, as floes vary writes them: differences are "
-                            "formed with this one alone, and summaries say what the variations do together. Empty: "
-                            "every case is compared with every other."));
-    keys.push_back(integer_key("run.attempts", rules.attempts, 1, 100, "one retry",
-                               "Number of attempts at a failing member before it is set aside as failed."));
-    return keys;
+    return {word_key("run.isolation", rules.isolation, {"none", "process"}, "none is faster for short members",
+                     "Where a member is computed. none: in the process of its rank. process: in an isolated process, "
+                     "so that a crash, a hang or excessive memory does not affect other members."),
+            number_key("run.member_deadline_s", rules.member_deadline, 1, at_least(0), "many times a long member",
+                       "Wall time after which an attempt at a member is ended as failed; 0: no limit."),
+            number_key("run.member_memory_MiB", rules.member_memory, unit::mebibyte, at_least(0),
+                       "many times a large member", "Memory limit of a member in an isolated process; 0: no limit."),
+            switch_key("run.nominal_modulus", rules.nominal_modulus, "E is the ice's",
+                       "With joint.model = \"cfm\", where a case states both E and joint.cfm: true takes E for a name, "
+                       "as in the paper, and does not compare them."),
+            text_key("run.base_case", rules.base_case, "none",
+                     "The case of which all others are variations, as floes vary writes them: differences are formed "
+                     "with this one alone, and summaries say what the variations do together. Empty: every case is "
+                     "compared with every other."),
+            integer_key("run.attempts", rules.attempts, 1, 100, "one retry",
+                        "Number of attempts at a failing member before it is set aside as failed.")};
 }
 
 Keys describe(Case& one) {
@@ -317,21 +291,11 @@ TableTitles titles() {
 }
 
 std::string default_configuration() {
-    return about_files + write_tables(DefaultKeys().keys, titles(), Comments::all) + about_cases;
+    return about_files + write_tables(CampaignTables().keys, titles(), Comments::all) + about_cases;
 }
 
 std::string reference_markdown() {
-    return reference_markdown(DefaultKeys().keys, titles());
-}
-
-std::vector<KeyDescription> reference() {
-    const DefaultKeys all{};
-    std::vector<KeyDescription> lines;
-    for (const Key& key : all.keys) {
-        lines.push_back(
-            {std::string(key.path), literal(key), allowed(key), std::string(key.doc), std::string(key.source)});
-    }
-    return lines;
+    return reference_markdown(CampaignTables().keys, titles());
 }
 
 }  // namespace floes

@@ -9,19 +9,12 @@
 #include "campaign/campaign.hpp"
 #include "keys/key.hpp"
 #include "keys/write.hpp"
+#include "scenario/keys.hpp"
 
 namespace floes {
 
 /// The sentence that says what is wrong with stop.of; none if every case measures that quantity.
 std::optional<std::string> stop_quantity_fault(const Campaign& campaign);
-
-/// The fields of [campaign].
-struct CampaignHead {
-    std::string name;
-    std::uint64_t seed = 1;
-    int arrangements = 1;
-    bool common_arrangements = true;
-};
 
 inline constexpr const char* common_path = "campaign.common_arrangements";
 
@@ -40,17 +33,18 @@ Key method_key(Design& design);
 /// The keys of [run], bound to `rules`.
 Keys describe(RunRules& rules);
 
-/// The keys of a campaign's tables, [campaign] first.
-Keys describe_all(CampaignHead& head, Design& design, StopRule& stop, RunRules& rules, Scenario& scenario);
-
-/// The same, bound to the defaults beside them.
-struct DefaultKeys {
+/// The tables of a campaign, by default, and the keys that are bound to them, [campaign] first.
+struct CampaignTables {
     CampaignHead head;
     Design design;
     StopRule stop;
-    RunRules rules;
+    RunRules run;
     Scenario scenario;
-    Keys keys = describe_all(head, design, stop, rules, scenario);
+    Keys keys = joined_keys(describe(head), describe(design), describe(stop), describe(run), describe(scenario));
+
+    CampaignTables() = default;
+    CampaignTables(const CampaignTables&) = delete;
+    CampaignTables& operator=(const CampaignTables&) = delete;
 };
 
 /// The keys that a [[case]] takes: name, design.base and design.point of a design written out, the shorthands cfm
@@ -68,16 +62,5 @@ std::string default_configuration();
 
 /// All keys as Markdown, a table for each table of the configuration. docs/configuration.md contains it.
 std::string reference_markdown();
-
-/// One line of the reference.
-struct KeyDescription {
-    std::string key;
-    std::string default_value;
-    std::string allowed;
-    std::string meaning;
-    std::string source;
-};
-
-std::vector<KeyDescription> reference();
 
 }  // namespace floes

@@ -6,8 +6,6 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -52,8 +50,8 @@ void refuse_stranger(const Block& block) {
 
 /// The block's name, checked: present, plain, and none of those `taken`.
 std::string case_name(const Block& block, std::set<std::string>& taken) {
-    const auto entry = std::ranges::find(block.entries, "name", &Entry::path);
-    if (entry == block.entries.end()) {
+    const Entry* entry = block.find("name");
+    if (entry == nullptr) {
         throw InputError("{}: this [[case]] has no name; begin it with name = \"E60\"", block.where);
     }
     std::string name;
@@ -75,9 +73,7 @@ std::string case_name(const Block& block, std::set<std::string>& taken) {
 
 /// Whether the cases are the points of a design, written out: then they have a design.point.
 bool written_out(const std::vector<CaseBlock>& cases) {
-    return std::ranges::any_of(cases, [](const CaseBlock& one) {
-        return std::ranges::find(one.block.entries, "design.point", &Entry::path) != one.block.entries.end();
-    });
+    return std::ranges::any_of(cases, [](const CaseBlock& one) { return one.block.find("design.point") != nullptr; });
 }
 
 }  // namespace

@@ -267,23 +267,10 @@ std::string hull_remark(const Campaign& campaign) {
 
 namespace {
 
-const char* placing_words(ArrangementMethod method) {
-    switch (method) {
-        case ArrangementMethod::monte_carlo:
-            return "in equilibrium";
-        case ArrangementMethod::lattice:
-            return "on a jittered lattice";
-        case ArrangementMethod::file:
-            return "as given in a file";
-        case ArrangementMethod::traced:
-            return "as traced";
-        case ArrangementMethod::level:
-            return "as one sheet";
-        case ArrangementMethod::scattered:
-            break;
-    }
-    return "scattered at random";
-}
+/// How floes lie, by ArrangementMethod.
+constexpr std::array placing_words{"in equilibrium",     "on a jittered lattice",
+                                   "as given in a file", "scattered at random",
+                                   "as traced",          "as one sheet"};
 
 /// "with sides of 10.4 to 37.4 m, mean 20 m (squares of their area)"
 Words side_words(const Scenario& scenario) {
@@ -326,7 +313,8 @@ Words floe_words(const Scenario& scenario) {
                      without_end ? Words("sheet without end,") : kind_words(scenario), size, floe.thickness,
                      scenario.spread.thickness.any() ? " on average" : "", scenario.has_cells() ? "cells" : "squares",
                      own_elements ? "a size that follows the floe" : Words::of("{:.4g} m", floe.element),
-                     scenario.field.concentration / unit::percent, placing_words(scenario.arrangement.method));
+                     scenario.field.concentration / unit::percent,
+                     placing_words.at(static_cast<std::size_t>(scenario.arrangement.method)));
 }
 
 namespace {
@@ -394,14 +382,11 @@ struct Odd {
 };
 using Oddity = Odd (*)(const Case& one);
 
-double largest_element(const Scenario& scenario) {
-    if (scenario.sizes.law == SizeLaw::one) return scenario.floe.element;
-    return std::ranges::max(floe_sizes(scenario), {}, &FloeShape::element).element;
-}
-
-double least_element(const Scenario& scenario) {
-    if (scenario.sizes.law == SizeLaw::one) return scenario.floe.element;
-    return std::ranges::min(floe_sizes(scenario), {}, &FloeShape::element).element;
+/// The least and the largest side of the elements of any floe, m.
+std::pair<double, double> element_sides(const Scenario& scenario) {
+    if (scenario.sizes.law == SizeLaw::one) return {scenario.floe.element, scenario.floe.element};
+    const auto [least, largest] = std::ranges::minmax(floe_sizes(scenario), {}, &FloeShape::element);
+    return {least.element, largest.element};
 }
 
 std::string element_words(const Scenario& scenario, double element) {
@@ -412,7 +397,7 @@ std::string element_words(const Scenario& scenario, double element) {
 Odd large_elements(const Case& one) {
     const Scenario& scenario = one.scenario;
     const double length = scenario.characteristic_length();
-    const double element = largest_element(scenario);
+    const double element = element_sides(scenario).second;
     if (one.pairing == Pairing::find_modulus || element < length) return {};
     return {
         fmt::format("{} is not below {:.3g} m, the characteristic length of ice of {:g} MPa; such elements are too "
@@ -423,7 +408,7 @@ Odd large_elements(const Case& one) {
 
 Odd thick_elements(const Case& one) {
     const Scenario& scenario = one.scenario;
-    const double element = least_element(scenario);
+    const double element = element_sides(scenario).first;
     if (scenario.floe.thickness <= element) return {};
     return {fmt::format("{} is more than {}; elements that are thicker than wide do not bend as a plate does",
                         given(scenario, "ice.thickness_m"), element_words(scenario, element)),

@@ -1,11 +1,10 @@
 #include "campaign/design.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
 #include "core/random.hpp"
+#include "core/text.hpp"
 #include "keys/key.hpp"
 #include "keys/meant.hpp"
 #include "scenario/keys.hpp"
@@ -25,7 +25,6 @@ namespace floes {
 namespace {
 
 constexpr std::size_t longest_plain_name = 24;
-constexpr int digits = 10;
 
 /// Points in the unit cube, one row a point.
 using UnitPoints = std::vector<std::vector<double>>;
@@ -78,12 +77,6 @@ UnitPoints saltelli(std::size_t base_points, std::size_t axes, std::uint64_t see
     return all;
 }
 
-double rounded(double value) {
-    const std::string text = fmt::format("{:.{}g}", value, digits);
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-}
-
 Value on_axis(const DesignAxis& axis, double unit) {
     // Half a number beyond either end: then each whole number is met equally often.
     const double beyond = axis.whole ? 0.5 : 0;
@@ -91,13 +84,8 @@ Value on_axis(const DesignAxis& axis, double unit) {
     const double high = axis.to + beyond;
     const double value =
         axis.scale == AxisScale::log ? low * std::exp(unit * std::log(high / low)) : low + unit * (high - low);
-    const double inside = std::clamp(axis.whole ? std::floor(value + 0.5) : rounded(value), axis.from, axis.to);
+    const double inside = std::clamp(axis.whole ? std::floor(value + 0.5) : to_digits(value, 10), axis.from, axis.to);
     return axis.whole ? Value{static_cast<std::int64_t>(inside)} : Value{inside};
-}
-
-/// The same in a design that has grown.
-std::string numbered(std::size_t point) {
-    return fmt::format("p{:03}", point);
 }
 
 /// "0.03_open"; empty where the values are no short name.
@@ -120,7 +108,8 @@ void name_points(std::vector<DesignPoint>& points, bool by_values) {
         if (!by_values) break;
     }
     if (by_values) return;
-    for (std::size_t p = 0; p < points.size(); ++p) points[p].name = numbered(p);
+    for (std::size_t p = 0; p < points.size(); ++p)
+        points[p].name = fmt::format("p{:03}", p);  // the same in a design that has grown
 }
 
 std::vector<DesignPoint> given_points(const Design& design) {
@@ -179,105 +168,94 @@ std::vector<DesignPoint> design_points(const Design& design, std::uint64_t seed)
 
 namespace {
 
-/// The entries of a [[design.axis]].
-struct AxisText {
-    std::optional<Entry> key;
-    std::optional<Entry> values;
-    std::optional<Entry> from;
-    std::optional<Entry> to;
-    std::optional<Entry> scale;
-
-    explicit AxisText(const Block& block) {
-        const std::vector<std::pair<std::string, std::optional<Entry>*>> known{
-            {"key", &key}, {"values", &values}, {"from", &from}, {"to", &to}, {"scale", &scale}};
-        for (const Entry& entry : block.entries) {
-            const auto found = std::ranges::find(known, entry.path, &decltype(known)::value_type::first);
-            if (found == known.end()) {
-                const auto near = std::ranges::min_element(
-                    known, {}, [&](const auto& one) { return edit_distance(one.first, entry.path); });
-                throw InputError("{}: {} = {} is not a key of an axis; did you mean {}?", entry.where, entry.path,
-                                 to_text(entry.value), near->first);
-            }
-            *found->second = entry;
-        }
+/// Throws InputError for an entry that no [[design.axis]] has.
+void refuse_strangers(const Block& block) {
+    constexpr std::array<std::string_view, 5> known{"key", "values", "from", "to", "scale"};
+    for (const Entry& entry : block.entries) {
+        if (std::ranges::find(known, entry.path) != known.end()) continue;
+        const auto distance = [&](std::string_view one) { return edit_distance(one, entry.path); };
+        throw InputError("{}: {} = {} is not a key of an axis; did you mean {}?", entry.where, entry.path,
+                         to_text(entry.value), *std::ranges::min_element(known, {}, distance));
     }
-};
+}
 
 class AxisReader {
   public:
     AxisReader(const Block& block, const Design& design)
-        : text_(block), where_(block.where), design_(design), keys_(describe(scratch_)) {}
+        : key_(block.find("key")),
+          values_(block.find("values")),
+          from_(block.find("from")),
+          to_(block.find("to")),
+          scale_(block.find("scale")),
+          where_(block.where),
+          design_(design),
+          keys_(describe(scratch_)) {}
 
     DesignAxis read() {
         const Key& key = find();
         axis_.key = key.path;
         axis_.whole = std::holds_alternative<IntegerField>(key.field);
         axis_.numeric = axis_.whole || std::holds_alternative<NumberField>(key.field);
-        if (text_.scale) {
-            Key scale = word_key("scale", axis_.scale, {"linear", "log"}, "", "");
-            assign(scale, *text_.scale);
-        }
-        if (design_.has_ranges()) {
+        if (scale_ != nullptr) assign(word_key("scale", axis_.scale, {"linear", "log"}, "", ""), *scale_);
+        if (design_.has_ranges())
             read_range(key);
-        } else {
+        else
             read_values(key);
-        }
         return axis_;
     }
 
   private:
-    InputError wrong(const std::string& where, const std::string& what) const {
-        return InputError("{}: the axis {} {}", where, axis_.key, what);
+    template <class... Values>
+    InputError wrong(const std::string& where, fmt::format_string<Values...> what, Values&&... values) const {
+        return InputError("{}: the axis {} {}", where, axis_.key, fmt::format(what, std::forward<Values>(values)...));
     }
 
     const Key& find() {
-        if (!text_.key)
+        if (key_ == nullptr)
             throw InputError("{}: this [[design.axis]] has no key; begin it with key = \"ice.thickness_m\"", where_);
         std::string path;
-        assign(text_key("key", path, "", ""), *text_.key);
-        refuse_former(keys_, path, text_.key->where);
+        assign(text_key("key", path, "", ""), *key_);
+        refuse_former(keys_, path, key_->where);
         if (const Key* key = find_key(keys_, full_path(path))) return *key;
-        throw InputError("{}: key = {} is not a key that a case takes; did you mean {}?", text_.key->where,
+        throw InputError("{}: key = {} is not a key that a case takes; did you mean {}?", key_->where,
                          text_literal(path), text_literal(nearest_path(keys_, path)));
     }
 
     void read_range(const Key& key) {
-        if (text_.values)
-            throw wrong(text_.values->where, "has values, which are for a grid or a list; give it from and to");
+        if (values_ != nullptr)
+            throw wrong(values_->where, "has values, which are for a grid or a list; give it from and to");
         if (!axis_.numeric)
-            throw wrong(text_.key->where, "takes no numbers, so it has no from and to; a grid or a list takes values");
-        if (!text_.from || !text_.to) throw wrong(where_, "wants from and to, between which its points lie");
-        axis_.from = number(key, *text_.from);
-        axis_.to = number(key, *text_.to);
+            throw wrong(key_->where, "takes no numbers, so it has no from and to; a grid or a list takes values");
+        if (from_ == nullptr || to_ == nullptr) throw wrong(where_, "wants from and to, between which its points lie");
+        axis_.from = number(key, *from_);
+        axis_.to = number(key, *to_);
         if (axis_.from >= axis_.to)
-            throw wrong(text_.to->where, fmt::format("goes from {} to {}; from must be below to",
-                                                     to_text(text_.from->value), to_text(text_.to->value)));
-        refuse_log_of(axis_.from, text_.from->where);
+            throw wrong(to_->where, "goes from {} to {}; from must be below to", to_text(from_->value),
+                        to_text(to_->value));
+        refuse_log_of(axis_.from, from_->where);
     }
 
     void read_values(const Key& key) {
-        if (text_.from || text_.to)
-            throw wrong((text_.from ? text_.from : text_.to)->where,
+        if (from_ != nullptr || to_ != nullptr)
+            throw wrong((from_ != nullptr ? from_ : to_)->where,
                         "has from or to, which are for latin_hypercube and sobol; give it values");
-        if (!text_.values) throw wrong(where_, "has no values; give it a list, as in values = [0.02, 0.03]");
-        const Entry& entry = *text_.values;
+        if (values_ == nullptr) throw wrong(where_, "has no values; give it a list, as in values = [0.02, 0.03]");
+        const Entry& entry = *values_;
         const auto* values = std::get_if<std::vector<Value>>(&entry.value.data);
         if (values == nullptr || values->empty())
-            throw wrong(entry.where,
-                        fmt::format("has values = {}; allowed: a list of one value or more", to_text(entry.value)));
+            throw wrong(entry.where, "has values = {}; allowed: a list of one value or more", to_text(entry.value));
         if (std::ssize(*values) > most_cases)
-            throw wrong(entry.where,
-                        fmt::format("has {} values; no more than {} are allowed", values->size(), most_cases));
+            throw wrong(entry.where, "has {} values; no more than {} are allowed", values->size(), most_cases);
         std::set<std::pair<std::size_t, std::string>> seen;  // kind and text
         for (const Value& value : *values) {
             assign(key, {axis_.key, value, entry.where});
             if (axis_.numeric) refuse_log_of(number(key, {axis_.key, value, entry.where}), entry.where);
             const bool repeated = !seen.emplace(value.data.index(), exact_text(key)).second;
             if (repeated && design_.method == DesignMethod::grid)
-                throw wrong(entry.where, fmt::format("has {} twice; keep one", to_text(value)));
+                throw wrong(entry.where, "has {} twice; keep one", to_text(value));
             axis_.values.push_back(value);
         }
-        if (!axis_.numeric && text_.scale) throw wrong(text_.scale->where, "takes no numbers, so it has no scale");
+        if (!axis_.numeric && scale_ != nullptr) throw wrong(scale_->where, "takes no numbers, so it has no scale");
     }
 
     /// The number in the key's unit. Throws InputError if the key does not accept it.
@@ -291,11 +269,10 @@ class AxisReader {
 
     void refuse_log_of(double value, const std::string& where) const {
         if (axis_.scale == AxisScale::log && value <= 0)
-            throw wrong(where,
-                        fmt::format("has the scale log and the value {}; a logarithm wants values above 0", value));
+            throw wrong(where, "has the scale log and the value {}; a logarithm wants values above 0", value);
     }
 
-    AxisText text_;
+    const Entry *key_, *values_, *from_, *to_, *scale_;  ///< of the block; null: it has none
     std::string where_;
     const Design& design_;
     Scenario scratch_;
@@ -303,54 +280,37 @@ class AxisReader {
     DesignAxis axis_;
 };
 
-class DesignCheck {
-  public:
-    DesignCheck(const Design& design, const Origins& origins, const std::string& file)
-        : design_(design), origins_(origins), file_(file) {}
-
-    void check() const {
-        if (design_.axes.empty())
-            throw wrong("design.method",
-                        fmt::format("{} wants axes; write [[design.axis]] with a key for each", method()));
-        if (design_.has_ranges()) {
-            if (design_.points == 0)
-                throw wrong("design.method", fmt::format("{} wants design.points, how many points it has", method()));
-        } else if (design_.points != 0) {
-            throw wrong("design.points", fmt::format("design.points = {} is not used by {}, whose axes have values",
-                                                     design_.points, method()));
-        }
-        const std::int64_t count = point_count(design_);
-        if (count == 0) throw wrong("design.method", uneven_list());
-        if (count > most_cases)
-            throw wrong("design.method", fmt::format("{} makes more than {} points; take fewer", method(), most_cases));
-    }
-
-  private:
-    InputError wrong(const std::string& key, const std::string& what) const {
-        const auto set = origins_.find(key);
-        return InputError("{}: {}", set == origins_.end() ? file_ : set->second, what);
-    }
-
-    std::string method() const {
-        Design copy = design_;
-        const Key key = method_key(copy);
-        return fmt::format("{} = {}", key.path, literal(key));
-    }
-
-    std::string uneven_list() const {
+/// Throws InputError for what the design says as a whole.
+void check_design(const Design& design, const Origins& origins, const std::string& file) {
+    Design copy = design;
+    const Key key = method_key(copy);
+    const std::string method = fmt::format("{} = {}", key.path, literal(key));
+    const auto wrong = [&]<class... Values>(const std::string& path, fmt::format_string<Values...> what,
+                                            Values&&... values) {
+        const auto set = origins.find(path);
+        return InputError("{}: {}", set == origins.end() ? file : set->second,
+                          fmt::format(what, std::forward<Values>(values)...));
+    };
+    if (design.axes.empty())
+        throw wrong("design.method", "{} wants axes; write [[design.axis]] with a key for each", method);
+    if (design.has_ranges() && design.points == 0)
+        throw wrong("design.method", "{} wants design.points, how many points it has", method);
+    if (!design.has_ranges() && design.points != 0)
+        throw wrong("design.points", "design.points = {} is not used by {}, whose axes have values", design.points,
+                    method);
+    const std::int64_t count = point_count(design);
+    if (count == 0) {
         std::vector<std::string> lengths;
-        for (const DesignAxis& axis : design_.axes)
+        for (const DesignAxis& axis : design.axes)
             lengths.push_back(fmt::format("{} has {}", axis.key, axis.values.size()));
-        return fmt::format(
-            "{} takes the axes' values side by side, so all want equally many, and {}; \"grid\" combines "
-            "them all",
-            method(), fmt::join(lengths, ", "));
+        throw wrong(
+            "design.method",
+            "{} takes the axes' values side by side, so all want equally many, and {}; \"grid\" combines them all",
+            method, fmt::join(lengths, ", "));
     }
-
-    const Design& design_;
-    const Origins& origins_;
-    const std::string& file_;
-};
+    if (count > most_cases)
+        throw wrong("design.method", "{} makes more than {} points; take fewer", method, most_cases);
+}
 
 }  // namespace
 
@@ -363,13 +323,14 @@ Origins read_axes(const std::vector<Block>& blocks, const Origins& origins, cons
                 "{}: this [[design.axis]] has no design; write [design] with method = \"grid\", \"list\", "
                 "\"latin_hypercube\" or \"sobol\"",
                 block.where);
+        refuse_strangers(block);
         design.axes.push_back(AxisReader(block, design).read());
         const std::string& key = design.axes.back().key;
         const auto [earlier, is_new] = places.emplace(key, block.where);
         if (!is_new) throw InputError("{}: {} has an axis already, at {}; keep one", block.where, key, earlier->second);
     }
     if (design.active()) {
-        DesignCheck(design, origins, file).check();
+        check_design(design, origins, file);
     } else if (design.points != 0) {
         throw InputError(
             "{}: design.points is given and no design.method; write method = \"sobol\" or another in [design]",

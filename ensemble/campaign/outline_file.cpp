@@ -226,10 +226,8 @@ std::vector<TracedFloe> read_geojson(const std::string& text, const std::string&
 }
 
 double finite_number(const std::string& cell, const std::string& where) {
-    const std::optional<double> number = number_in(cell);
-    if (!number || !std::isfinite(*number))
-        throw InputError("{}: {:?} is not a finite number", where, beginning(cell, 40));
-    return *number;
+    if (const std::optional<double> number = number_in(cell)) return *number;
+    throw InputError("{}: {:?} is not a finite number", where, beginning(cell, 40));
 }
 
 /// Where all floes end as they begin, the last one with fewer corners shows that the file was cut off.
@@ -285,14 +283,10 @@ std::vector<TracedFloe> read_outline_csv(const std::string& text, const std::str
 constexpr double smallest_map = 0.01;  // m, of all outlines together
 constexpr double largest_map = 1e5;
 
-bool ends_with(std::string file, const std::string& ending) {
-    std::ranges::transform(file, file.begin(), [](unsigned char c) { return std::tolower(c); });
-    return file.ends_with(ending);
-}
-
 std::vector<TracedFloe> floes_of(const std::string& text, const std::string& file) {
-    const bool csv = ends_with(file, ".csv");
-    if (!csv && !ends_with(file, ".geojson") && !ends_with(file, ".json"))
+    const std::string name = lower(file);
+    const bool csv = name.ends_with(".csv");
+    if (!csv && !name.ends_with(".geojson") && !name.ends_with(".json"))
         throw InputError("{}: outlines are read from .geojson, .json and .csv files; export one of these", file);
     if (text.size() > longest_outline_file)
         throw InputError("{}: this file has {} bytes, more than {}; simplify its outlines, or take a part of it", file,

@@ -25,7 +25,6 @@
 #include "core/text.hpp"
 #include "keys/csv.hpp"
 #include "keys/key.hpp"
-#include "keys/meant.hpp"
 #include "keys/read.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/layout.hpp"
@@ -143,22 +142,28 @@ std::string room_for_traced(const Scenario& scenario) {
         size.x, size.z, 100 * covered / (size.x + 2 * clearance), size.z / 2 + clearance);
 }
 
+/// A case that is read: where its keys are given, and what names it in messages.
+struct OriginCase {
+    Scenario& scenario;
+    const Origins& origins;
+    const std::string& label;
+};
+
 class GivenFiles {
   public:
     /// `configuration`: the file beside which they lie. `load_file`: nullptr where none can be read.
     GivenFiles(std::string configuration, LoadFile load_file)
         : configuration_(std::move(configuration)), load_file_(load_file) {}
 
-    // Each loads the file that a key names, where there is one, into the values of another key. `label` names the case
-    // in messages. They throw InputError.
+    // Each loads the file that a key names, where there is one, into the values of another key. They throw InputError.
 
     /// hull.file, a CAD file, into the shape's convex pieces.
-    void resolve_hull(Scenario& scenario, const Origins& origins, const std::string& label) {
-        Structure& structure = scenario.structure;
+    void resolve_hull(const OriginCase& of) {
+        Structure& structure = of.scenario.structure;
         if (structure.hull_file.path.empty()) return;
         const std::string path =
-            path_of(structure.hull_file.path, {"hull.file", "hull.pieces"}, !structure.shape.piece_rows().empty(),
-                    scenario, origins, label, structure.shape.kind() == HullKind::file ? "" : "hull.shape");
+            path_of(structure.hull_file.path, {"hull.file", "hull.pieces"}, !structure.shape.piece_rows().empty(), of,
+                    structure.shape.kind() == HullKind::file ? "" : "hull.shape");
         if (!cut_ || as_given(*cut_) != as_given(structure.hull_file)) {
             Structure fresh;
             fresh.hull_file = structure.hull_file;
@@ -174,12 +179,12 @@ class GivenFiles {
     }
 
     /// shapes.file into the outlines of floes.
-    void resolve_outlines(Scenario& scenario, const Origins& origins, const std::string& label) {
-        TracedOutlines& traced = scenario.shapes.traced;
+    void resolve_outlines(const OriginCase& of) {
+        TracedOutlines& traced = of.scenario.shapes.traced;
         if (traced.path.empty()) return;
-        if (!scenario.shapes.from_file()) return traced.path.clear();  // of another case; KeyEffects sees one of none
-        const std::string path = path_of(traced.path, {"shapes.file", "shapes.outlines"}, !traced.outlines.empty(),
-                                         scenario, origins, label);
+        if (!of.scenario.shapes.from_file())
+            return traced.path.clear();  // of another case; KeyEffects sees one of none
+        const std::string path = path_of(traced.path, {"shapes.file", "shapes.outlines"}, !traced.outlines.empty(), of);
         if (!read_ || read_path_ != traced.path || read_unit_ != traced.unit) {
             read_path_ = traced.path;
             read_unit_ = traced.unit;
@@ -195,18 +200,17 @@ class GivenFiles {
     }
 
     /// arrangement.file, CSV, into the poses.
-    std::optional<PoseFile> resolve_poses(Scenario& scenario, const Origins& origins, const std::string& label) const {
-        ArrangementRule& arrangement = scenario.arrangement;
+    std::optional<PoseFile> resolve_poses(const OriginCase& of) const {
+        ArrangementRule& arrangement = of.scenario.arrangement;
         if (arrangement.file.empty()) return {};
         const Named named{"arrangement.file", "arrangement.poses"};
-        const std::string path = path_of(arrangement.file, named, !arrangement.poses.empty(), scenario, origins, label,
+        const std::string path = path_of(arrangement.file, named, !arrangement.poses.empty(), of,
                                          arrangement.method == ArrangementMethod::file ? "" : "arrangement.method");
         PoseFile read = read_poses(load_file_(path), path);
         if (!arrangement.columns.empty() && arrangement.columns != read.columns)
-            throw refusal(named, scenario, origins, label,
-                          "has its columns in its header; leave arrangement.columns out");
+            throw refusal(named, of, "has its columns in its header; leave arrangement.columns out");
         arrangement.columns = read.columns;
-        assign(*find_key(describe(scenario), "arrangement.poses"), {"arrangement.poses", read.poses, path});
+        assign(*find_key(describe(of.scenario), "arrangement.poses"), {"arrangement.poses", read.poses, path});
         arrangement.file.clear();
         return read;
     }
@@ -236,18 +240,18 @@ class GivenFiles {
         const char* values;
     };
 
-    static InputError refusal(const Named& named, const Scenario& scenario, const Origins& origins,
-                              const std::string& label, const std::string& what) {
-        return InputError("{}: {}{} {}", origins.at(named.file), label, given(scenario, named.file), what);
+    static InputError refusal(const Named& named, const OriginCase& of, const std::string& what) {
+        return InputError("{}: {}{} {}", of.origins.at(named.file), of.label, given(of.scenario, named.file), what);
     }
 
     /// Where the file lies. `both`: the values are given, too. `unused_by`: the key that would have to be "file"; "":
     /// it is.
-    std::string path_of(const std::string& file, const Named& named, bool both, const Scenario& scenario,
-                        const Origins& origins, const std::string& label, const std::string& unused_by = "") const {
-        const auto refuse = [&](const std::string& what) { return refusal(named, scenario, origins, label, what); };
+    std::string path_of(const std::string& file, const Named& named, bool both, const OriginCase& of,
+                        const std::string& unused_by = "") const {
+        const auto refuse = [&](const std::string& what) { return refusal(named, of, what); };
         if (!unused_by.empty())
-            throw refuse(fmt::format("is not used by {}; write {} = \"file\"", given(scenario, unused_by), unused_by));
+            throw refuse(
+                fmt::format("is not used by {}; write {} = \"file\"", given(of.scenario, unused_by), unused_by));
         if (both) throw refuse(fmt::format("and {} are both given; keep one", named.values));
         if (load_file_ == nullptr) throw refuse(fmt::format("cannot be read here; give {}", named.values));
         return (std::filesystem::path(configuration_).parent_path() / file).string();
@@ -261,6 +265,39 @@ class GivenFiles {
     LengthUnit read_unit_ = LengthUnit::m;
     std::optional<TracedOutlines> read_;  ///< of it
     std::set<std::uint64_t> looked_at_;   ///< geometries of poses
+};
+
+/// Which keys of a text have an effect. One that is set and has none would be taken for one that has.
+class KeyEffects {
+  public:
+    /// Notes the keys that are given (`origins` tells where) and have an effect in the case that `keys` are bound to,
+    /// and those that have none though they are set to an unusual value.
+    void note(const Keys& keys, const Origins& origins) {
+        for (const Key& key : keys) {
+            if (!key.in_force) continue;
+            const std::string path(key.path);
+            const auto origin = origins.find(path);
+            if (origin == origins.end() || is_superfluous(key)) continue;
+            if (key.idle())
+                idle_.try_emplace(path, fmt::format("{}: {} = {}", origin->second, path, literal(key)), key.only_with);
+            else
+                effective_.insert(path);
+        }
+    }
+
+    /// A sentence for each key without effect in any case.
+    std::vector<std::string> without() const {
+        std::vector<std::string> sentences;
+        for (const auto& [path, given] : idle_)
+            if (!effective_.contains(path))
+                sentences.push_back(fmt::format("{} has no effect: it needs {}. Add that, or leave {} out.",
+                                                given.first, given.second, path));
+        return sentences;
+    }
+
+  private:
+    std::map<std::string, std::pair<std::string, std::string>> idle_;  ///< by path: where and what, what it needs
+    std::set<std::string> effective_;
 };
 
 constexpr std::string_view case_prefix = "case.";
@@ -277,7 +314,7 @@ class CampaignReader {
           document_(parse_document(source.text, source.file)),
           load_file_(load_file),
           files_(source.file, load_file) {
-        if (!source.from_user) base_ = paper_scenario();  // where it is silent
+        if (!source.from_user) tables_.scenario = paper_scenario();  // where it is silent
         for (const std::string& text : source.overrides) overrides_.push_back(parse_override(text, "--set"));
     }
 
@@ -294,31 +331,26 @@ class CampaignReader {
         read_tables();
         if (source_.without_design) leave_design_out();
         read_points_file();
-        axes_ = read_axes(document_.blocks, origins_, source_.file, design_);
-        if (source_.from_user && design_.method == DesignMethod::list) refuse_points_twice();
+        axes_ = read_axes(document_.blocks, origins_, source_.file, tables_.design);
+        if (source_.from_user && tables_.design.method == DesignMethod::list) refuse_points_twice();
         refuse_hidden();
-        std::vector<CaseBlock> given = given_cases(document_, name_of_ice(), source_.file, design_);
+        std::vector<CaseBlock> given = given_cases(document_, name_of_ice(), source_.file, tables_.design);
         find_case_overrides(given);
-        if (head_.name.empty()) head_.name = name_of_file();
-        Campaign campaign{.name = head_.name,
-                          .seed = head_.seed,
-                          .arrangements = head_.arrangements,
-                          .cases = {},
-                          .stop = stop_,
-                          .run = rules_,
-                          .design = design_,
-                          .common_arrangements = head_.common_arrangements};
-        const std::vector<CaseBlock> blocks = at_points(std::move(given), design_, axes_, head_.seed, source_.file);
+        if (tables_.head.name.empty()) tables_.head.name = name_of_file();
+        Campaign campaign{tables_.head, {}, tables_.stop, tables_.run, tables_.design};
+        const std::vector<CaseBlock> blocks =
+            at_points(std::move(given), tables_.design, axes_, tables_.head.seed, source_.file);
         refuse_members(blocks.size(), campaign.arrangements, source_.file);
         read_cases(blocks, campaign.cases);
         if (!wrong_keys_)
             for (std::string& sentence : effects_.without()) refusals_.add(std::move(sentence));
         if (refusals_.any()) return campaign;
         check_points(campaign, source_.file);
-        if (const auto fault = stop_quantity_fault(campaign))
-            throw InputError("{}: {}", origins_.contains("stop.of") ? origins_.at("stop.of") : source_.file, *fault);
+        if (const auto fault = stop_quantity_fault(campaign)) throw InputError("{}: {}", place_of("stop.of"), *fault);
         refuse_base_case(campaign);
-        if (source_.from_user) refuse_stop_cases(campaign);
+        if (source_.from_user)
+            if (const auto fault = stop_case_fault(campaign))
+                throw InputError("{}: {}", place_of(fault->key), fault->sentence);
         // The campaign is stored and sent as this text, so one that could not be read again is refused at once.
         if (source_.from_user) write_campaign(campaign, fmt::format("{}, with all keys written out", source_.file));
         return campaign;
@@ -326,7 +358,7 @@ class CampaignReader {
 
     /// The tables and the overrides that are not for one case.
     void read_tables() {
-        const Keys keys = describe_all(head_, design_, stop_, rules_, base_);
+        const Keys& keys = tables_.keys;
         for (const Entry& entry : in_order_of_reading(keys, document_.entries)) {
             if (is_case_path(entry.path)) {
                 refuse_key(
@@ -350,23 +382,25 @@ class CampaignReader {
     }
 
     void leave_design_out() {
-        design_ = {};
+        tables_.design = {};
         std::erase_if(document_.blocks, [](const Block& block) { return block.path == axis_block; });
     }
 
     /// Puts the axes of design.points_file among the blocks.
     void read_points_file() {
-        if (design_.points_file.empty()) return;
+        if (tables_.design.points_file.empty()) return;
         const auto refuse = [&](const std::string& what) {
             return InputError("{}: design.points_file = {} {}", origins_.at("design.points_file"),
-                              text_literal(design_.points_file), what);
+                              text_literal(tables_.design.points_file), what);
         };
-        if (design_.method != DesignMethod::list) throw refuse("is a list of points; write design.method = \"list\"");
+        if (tables_.design.method != DesignMethod::list)
+            throw refuse("is a list of points; write design.method = \"list\"");
         if (std::ranges::find(document_.blocks, axis_block, &Block::path) != document_.blocks.end())
             throw refuse("and [[design.axis]] are both given; keep one");
         if (load_file_ == nullptr) throw refuse("cannot be read here; give [[design.axis]] blocks");
         const std::string path =
-            (std::filesystem::path(source_.file).parent_path() / std::exchange(design_.points_file, {})).string();
+            (std::filesystem::path(source_.file).parent_path() / std::exchange(tables_.design.points_file, {}))
+                .string();
         PointFile points = read_points(load_file_(path), path);
         for (Block& axis : points.axes) document_.blocks.push_back(std::move(axis));
         point_places_ = std::move(points.places);
@@ -380,11 +414,11 @@ class CampaignReader {
         const auto place = [&](std::size_t point) {
             return point < point_places_.size()
                        ? point_places_[point]
-                       : fmt::format("{}, point {}", axes_.at(design_.axes.front().key), point);
+                       : fmt::format("{}, point {}", axes_.at(tables_.design.axes.front().key), point);
         };
-        for (std::size_t point = 0; point < design_.axes.front().values.size(); ++point) {
+        for (std::size_t point = 0; point < tables_.design.axes.front().values.size(); ++point) {
             std::vector<std::string> values;
-            for (const DesignAxis& axis : design_.axes) {
+            for (const DesignAxis& axis : tables_.design.axes) {
                 const Key& key = *find_key(keys, axis.key);
                 assign(key, {axis.key, axis.values[point], axes_.at(axis.key)});
                 values.push_back(exact_text(key));
@@ -397,17 +431,16 @@ class CampaignReader {
         }
     }
 
-    void refuse_stop_cases(const Campaign& campaign) const {
-        const std::optional<StopFault> fault = stop_case_fault(campaign);
-        if (!fault) return;
-        const auto place = origins_.find(fault->key);
-        throw InputError("{}: {}", place == origins_.end() ? source_.file : place->second, fault->sentence);
+    /// Where the tables set a key; the file where they do not.
+    const std::string& place_of(const std::string& key) const {
+        const auto place = origins_.find(key);
+        return place == origins_.end() ? source_.file : place->second;
     }
 
     void refuse_base_case(const Campaign& campaign) const {
-        if (rules_.base_case.empty() || base_case(campaign)) return;
+        if (tables_.run.base_case.empty() || base_case(campaign)) return;
         throw InputError("{}: run.base_case = {} names no case; the cases are {}", origins_.at("run.base_case"),
-                         text_literal(rules_.base_case), name_list(case_names(campaign)));
+                         text_literal(tables_.run.base_case), name_list(case_names(campaign)));
     }
 
     void refuse_key(std::string sentence) {
@@ -426,22 +459,15 @@ class CampaignReader {
 
     /// Refuses an override that would have no effect because a case or an axis sets the same key.
     void refuse_hidden() const {
-        for (const Entry& entry : overrides_) {
-            if (is_case_path(entry.path)) continue;
-            refuse_axis(entry, axes_);
-            refuse_hidden(entry);
-        }
-    }
-
-    void refuse_hidden(const Entry& override_entry) const {
-        for (const Block& block : document_.blocks) {
-            if (block.path == axis_block) continue;
-            for (const Entry& entry : block.entries) {
-                if (full_path(entry.path) != override_entry.path) continue;
-                throw InputError("{}: the [[case]] at {} sets {} itself; override it there, --set case.NAME.{}={}",
-                                 override_entry.where, block.where, override_entry.path, override_entry.path,
-                                 to_text(override_entry.value));
-            }
+        for (const Entry& hidden : overrides_) {
+            if (is_case_path(hidden.path)) continue;
+            refuse_axis(hidden, axes_);
+            for (const Block& block : document_.blocks)
+                for (const Entry& entry : block.entries)
+                    if (block.path != axis_block && full_path(entry.path) == hidden.path)
+                        throw InputError(
+                            "{}: the [[case]] at {} sets {} itself; override it there, --set case.NAME.{}={}",
+                            hidden.where, block.where, hidden.path, hidden.path, to_text(hidden.value));
         }
     }
 
@@ -494,8 +520,9 @@ class CampaignReader {
 
     /// The name of the only case, if it has none: from its E, or from its Σ where that decides E.
     std::string name_of_ice() const {
-        if (pairing(base_, origins_) == Pairing::find_modulus) return fmt::format("cfm{:.6g}", base_.joint.cfm);
-        return fmt::format("E{:.6g}", base_.ice.elastic_modulus / unit::megapascal);
+        if (pairing(tables_.scenario, origins_) == Pairing::find_modulus)
+            return fmt::format("cfm{:.6g}", tables_.scenario.joint.cfm);
+        return fmt::format("E{:.6g}", tables_.scenario.ice.elastic_modulus / unit::megapascal);
     }
 
     std::string name_of_file() const {
@@ -559,7 +586,7 @@ class CampaignReader {
 
     /// Reads a case into `one`, to which `keys` are bound.
     void read_case(const CaseBlock& block, const std::string& label, Case& one, const Keys& keys, ReadCase& about) {
-        one = {block.name, base_};
+        one = {block.name, tables_.scenario};
         Origins given;
         for (const Entry& entry : in_order_of_reading(keys, block.block.entries)) {
             refuse_campaign_key(entry);
@@ -580,10 +607,11 @@ class CampaignReader {
         const Origins own = origins_of(block);
         one.pairing = pairing(one.scenario, own);
         if (source_.from_user) effects_.note(keys, own);
-        about.file = files_.resolve_poses(one.scenario, own, label);
+        const OriginCase of{one.scenario, own, label};
+        about.file = files_.resolve_poses(of);
         if (about.file) about.file->poses = {};
-        files_.resolve_hull(one.scenario, own, label);
-        files_.resolve_outlines(one.scenario, own, label);
+        files_.resolve_hull(of);
+        files_.resolve_outlines(of);
         one.hull_stated = !source_.from_user || names_hull(one.scenario, own);
         for (std::size_t key = 0; key < laid_paths.size(); ++key)
             about.open.set(key, !own.contains(std::string(laid_paths[key])));
@@ -603,17 +631,21 @@ class CampaignReader {
     void lay(std::vector<Case>& cases, const std::vector<ReadCase>& read) const {
         std::vector<Unlaid> unlaid;
         for (std::size_t k = 0; k < cases.size(); ++k) unlaid.push_back({&cases[k].scenario, read[k].open});
-        if (head_.common_arrangements) {
+        if (tables_.head.common_arrangements)
             floes::lay(unlaid);
-        } else {
+        else
             for (Unlaid& one : unlaid) floes::lay({&one, 1});
-        }
         for (std::size_t k = 0; k < cases.size(); ++k) cases[k].laid = std::move(unlaid[k].laid);
     }
 
+    /// The message of a contradiction begins with the place of the first key involved that the text sets.
     void check_case(const CaseBlock& block, const std::string& label, const Case& one, const ReadCase& about) {
         const Origins own = origins_of(block);
-        refuse_contradictions(one.scenario, own, label);
+        for (const auto& [keys, sentence] : find_contradictions(one.scenario)) {
+            const auto set_key = std::ranges::find_if(keys, [&](const std::string& key) { return own.contains(key); });
+            const std::string& where = set_key == keys.end() ? source_.file : own.at(*set_key);
+            refusals_.add(where + ": ", label, sentence);
+        }
         if (source_.from_user && !refusals_.any()) files_.refuse_faults(one.scenario, about.file, own, label);
     }
 
@@ -623,7 +655,7 @@ class CampaignReader {
         const bool modulus = own.contains("ice.elastic_modulus_MPa");
         if (!own.contains("joint.cfm")) return source_.from_user || modulus ? Pairing::find_cfm : Pairing::settled;
         if (!modulus) return Pairing::find_modulus;
-        return source_.from_user && !rules_.nominal_modulus ? Pairing::check : Pairing::settled;
+        return source_.from_user && !tables_.run.nominal_modulus ? Pairing::check : Pairing::settled;
     }
 
     static void refuse_campaign_key(const Entry& entry) {
@@ -633,26 +665,12 @@ class CampaignReader {
                          to_text(entry.value), table);
     }
 
-    /// The message begins with the place of the first key involved that the text sets.
-    void refuse_contradictions(const Scenario& scenario, const Origins& origins, const std::string& label) {
-        for (const auto& [keys, sentence] : find_contradictions(scenario)) {
-            const auto is_set = [&](const std::string& key) { return origins.contains(key); };
-            const auto set_key = std::ranges::find_if(keys, is_set);
-            const std::string& where = set_key == keys.end() ? source_.file : origins.at(*set_key);
-            refusals_.add(where + ": ", label, sentence);
-        }
-    }
-
     const CampaignSource& source_;
     Document document_;
     LoadFile load_file_;
     std::vector<Entry> overrides_;
     std::vector<std::pair<Entry, std::string>> overridden_;  ///< keys of a scenario, with the text that each then has
-    CampaignHead head_;
-    StopRule stop_;
-    RunRules rules_;
-    Scenario base_;
-    Design design_;
+    CampaignTables tables_;
     Origins origins_;
     std::vector<std::string> point_places_;                      ///< of points from a file: where each is given
     Origins axes_;                                               ///< where each axis of the design is given

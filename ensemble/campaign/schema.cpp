@@ -171,7 +171,7 @@ std::string configuration_schema() {
                        {"description", "Every key has its unit in its name. A key that is left out has its default."},
                        {"type", "object"},
                        {"additionalProperties", false}};
-    schema["properties"] = properties_of(DefaultKeys().keys, true);
+    schema["properties"] = properties_of(CampaignTables().keys, true);
     schema["properties"]["design"]["properties"]["axis"] = list_of(axis_schema());
     schema["properties"]["case"] = list_of(case_schema());
     return schema.dump(1) + "\n";

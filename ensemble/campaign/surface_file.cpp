@@ -31,16 +31,6 @@ constexpr std::size_t most_triangles = 20'000;
 constexpr std::size_t most_polygon_corners = 300;
 constexpr std::string_view blanks = " \t\v\f";
 
-std::string lower(std::string_view text) {
-    std::string made(text);
-    std::ranges::transform(made, made.begin(), [](unsigned char c) { return std::tolower(c); });
-    return made;
-}
-
-std::string ending_of(const std::string& file) {
-    return lower(std::string_view(file).substr(std::min(file.rfind('.'), file.size() - 1) + 1));
-}
-
 /// A surface as it is read: points that are one by their places, groups by their names, and how it is rounded.
 class SurfaceMaker {
   public:
@@ -419,9 +409,9 @@ class ObjText {
 }  // namespace
 
 Surface read_surface(const std::string& bytes, const std::string& file) {
-    const std::string ending = ending_of(file);
-    if (ending == "stl") return read_stl(bytes, file);
-    if (ending == "obj") return ObjText(bytes, file).read();
+    const std::string name = lower(file);
+    if (name.ends_with(".stl")) return read_stl(bytes, file);
+    if (name.ends_with(".obj")) return ObjText(bytes, file).read();
     throw InputError("{}: hulls are read from .stl and .obj files; export one of these", file);
 }
 

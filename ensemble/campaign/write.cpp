@@ -14,6 +14,7 @@
 
 #include "campaign/campaign_keys.hpp"
 #include "campaign/design.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "keys/document.hpp"
 #include "keys/key.hpp"
@@ -85,7 +86,7 @@ std::string axes_text(const Design& design, const Keys& keys) {
 }  // namespace
 
 std::string write_campaign(const Campaign& campaign, const std::string& where) {
-    CampaignHead head{campaign.name, campaign.seed, campaign.arrangements, campaign.common_arrangements};
+    CampaignHead head = campaign;
     const std::vector<Case>& cases = campaign.cases;
     Scenario scenario = cases.front().scenario;
     const Keys keys = describe(scenario);  // only once, because it takes longer than the rest of a case
@@ -93,12 +94,8 @@ std::string write_campaign(const Campaign& campaign, const std::string& where) {
     StopRule stop = campaign.stop;
     RunRules rules = campaign.run;
     Design design = campaign.design;
-    Keys tables = describe(head);
-    if (design.active()) {
-        for (Key& key : describe(design)) tables.push_back(std::move(key));
-    }
-    for (Key& key : describe(stop)) tables.push_back(std::move(key));
-    for (Key& key : describe(rules)) tables.push_back(std::move(key));
+    Keys tables =
+        joined_keys(describe(head), design.active() ? describe(design) : Keys(), describe(stop), describe(rules));
     scenario = cases.front().scenario;
     for (const Key& key : keys) {
         if (!varying.contains(key.path) && !is_superfluous(key)) tables.push_back(key);
@@ -127,8 +124,8 @@ namespace {
 
 /// Why the case's key has its value; empty of one that was stated.
 std::string_view reason_of(const Case& one, std::string_view path) {
-    for (const LaidValue& value : one.laid)
-        if (laid_paths.at(static_cast<std::size_t>(value.key)) == path) return value.reason;
+    for (const auto& [key, reason] : one.laid)
+        if (laid_paths.at(static_cast<std::size_t>(key)) == path) return reason;
     return {};
 }
 
@@ -168,11 +165,6 @@ std::string resolved_text(const Campaign& campaign) {
 namespace {
 
 constexpr std::string_view base_name = "base";
-
-/// Rounded to so many significant digits.
-double to_digits(double value, int digits) {
-    return std::stod(fmt::format("{:.{}g}", value, digits));
-}
 
 bool in_range(const Key& key) {
     if (const auto* number = std::get_if<NumberField>(&key.field))
@@ -302,28 +294,22 @@ double tough(const Scenario& scenario) {
 /// The keys that are not as by default, without comments. `base`: the case whose variations all others are; may be
 /// empty.
 std::string tables_text(const Campaign& campaign, const Scenario& scenario, std::string_view base) {
-    CampaignHead head{"", campaign.seed, campaign.arrangements, campaign.common_arrangements};  // named by its file
-    RunRules rules = campaign.run;
-    rules.base_case = base;
-    Scenario own = scenario;
-    Keys keys = describe(head);
-    for (Key& key : describe(rules)) keys.push_back(std::move(key));
-    for (Key& key : describe(own)) keys.push_back(std::move(key));
-
-    CampaignHead usual_head;
-    RunRules usual_rules;
-    Scenario usual_scenario;
-    Keys usual = describe(usual_head);
-    for (Key& key : describe(usual_rules)) usual.push_back(std::move(key));
-    for (Key& key : describe(usual_scenario)) usual.push_back(std::move(key));
+    CampaignTables own;
+    own.head = campaign;
+    own.head.name.clear();  // named by its file
+    own.run = campaign.run;
+    own.run.base_case = base;
+    own.scenario = scenario;
+    const CampaignTables usual;
 
     // Keys that a reader would lay anew are stated, as they are here.
-    const bool laid = lays_itself(own);
+    const bool laid = lays_itself(scenario);
     Keys written;
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-        if (keys[k].derived() || keys[k].idle()) continue;
-        const bool stated = laid && std::ranges::find(laid_paths, keys[k].path) != laid_paths.end();
-        if (stated || exact_text(keys[k]) != exact_text(usual[k])) written.push_back(std::move(keys[k]));
+    for (std::size_t k = 0; k < own.keys.size(); ++k) {
+        const Key& key = own.keys[k];
+        if (key.derived() || key.idle()) continue;
+        const bool stated = laid && std::ranges::find(laid_paths, key.path) != laid_paths.end();
+        if (stated || exact_text(key) != exact_text(usual.keys[k])) written.push_back(key);
     }
     return write_tables(written, {}, Comments::none);
 }

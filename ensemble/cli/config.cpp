@@ -142,20 +142,20 @@ struct ConfigOptions {
 
 /// Throws InputError for a table that no key is in; "": all of them.
 void expect_table(const std::string& table) {
-    std::vector<std::string> tables;
-    for (const KeyDescription& one : reference())
-        if (const std::string name = one.key.substr(0, one.key.find('.')); tables.empty() || tables.back() != name)
-            tables.push_back(name);
+    const CampaignTables all;
+    std::vector<std::string_view> tables;
+    for (const Key& key : all.keys)
+        if (tables.empty() || tables.back() != key.table()) tables.push_back(key.table());
     if (!table.empty() && std::ranges::find(tables, table) == tables.end())
         throw InputError(fmt::format("there is no table {}; the tables are {}.", table, fmt::join(tables, ", ")));
 }
 
 std::string reference_json(const std::string& table) {
-    std::vector<KeyDescription> wanted = reference();
-    std::erase_if(wanted, [&](const auto& one) { return !table.empty() && !one.key.starts_with(table + "."); });
+    CampaignTables all;
+    std::erase_if(all.keys, [&](const Key& key) { return !table.empty() && key.table() != table; });
     const Results keys =
-        list("keys", "key default allowed meaning source", wanted, [](const KeyDescription& one) -> std::vector<Datum> {
-            return {one.key, one.default_value, one.allowed, one.meaning, one.source};
+        list("keys", "key default allowed meaning source", all.keys, [](const Key& key) -> std::vector<Datum> {
+            return {std::string(key.path), literal(key), allowed(key), std::string(key.doc), std::string(key.source)};
         });
     return json(std::vector{Section{.results = {keys}}});
 }

@@ -16,6 +16,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/trial.hpp"
 #include "hydro/rows.hpp"
 
@@ -53,11 +54,12 @@ class Dataset {
     Dataset(const Dataset&) = delete;
     Dataset& operator=(const Dataset&) = delete;
 
-    InputError wrong(const std::string& what) const {
+    template <class... Values>
+    InputError wrong(fmt::format_string<Values...> what, Values&&... values) const {
         return InputError(
             "{}: {}; Capytaine's files have added_mass and radiation_damping over radiating_dof, influenced_dof and a "
             "frequency",
-            file_, what);
+            file_, fmt::format(what, std::forward<Values>(values)...));
     }
 
     std::optional<Variable> find(const char* name) const {
@@ -74,13 +76,13 @@ class Dataset {
             dimension.name = text.data();
         }
         constexpr std::size_t most = 1 << 24;  // far more than a body has
-        if (found.size() > most) throw wrong(fmt::format("{} has {} numbers", name, found.size()));
+        if (found.size() > most) throw wrong("{} has {} numbers", name, found.size());
         return found;
     }
 
     Variable need(const char* name) const {
         const std::optional<Variable> found = find(name);
-        if (!found) throw wrong(fmt::format("has no variable {}", name));
+        if (!found) throw wrong("has no variable {}", name);
         return *found;
     }
 
@@ -94,7 +96,7 @@ class Dataset {
         const std::optional<Variable> variable = find(name);
         if (!variable) return {};
         if (variable->size() != 1)
-            throw wrong(fmt::format("has {} values of {}, and a file of one is read", variable->size(), name));
+            throw wrong("has {} values of {}, and a file of one is read", variable->size(), name);
         return numbers(*variable).front();
     }
 
@@ -119,7 +121,7 @@ class Dataset {
             return found;
         }
         if (variable.type != NC_CHAR || variable.dimensions.empty() || variable.dimensions.back().length == 0)
-            throw wrong(fmt::format("{} has no names", name));
+            throw wrong("{} has no names", name);
         std::vector<char> letters(variable.size());
         check(nc_get_var_text(id_, variable.id, letters.data()));
         const std::size_t length = variable.dimensions.back().length;
@@ -132,7 +134,7 @@ class Dataset {
 
   private:
     void check(int status) const {
-        if (status != NC_NOERR) throw wrong(fmt::format("cannot be read as NetCDF ({})", nc_strerror(status)));
+        if (status != NC_NOERR) throw wrong("cannot be read as NetCDF ({})", nc_strerror(status));
     }
 
     std::string file_;
@@ -154,17 +156,16 @@ std::vector<int> motions_of(const Dataset& data, const char* name) {
             bodies.insert(word.substr(0, end));
             word.erase(0, end + 2);
         }
-        std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        const auto motion = std::ranges::find(hydrodynamic_motions, std::string_view(word));
+        word = lower(word);
+        const auto motion = std::ranges::find(hydrodynamic_motions, word);
         if (motion == hydrodynamic_motions.end())
-            throw data.wrong(
-                fmt::format("has a motion \"{}\", and surge, sway, heave, roll, pitch and yaw are read", word));
+            throw data.wrong("has a motion \"{}\", and surge, sway, heave, roll, pitch and yaw are read", word);
         const auto number = static_cast<int>(motion - hydrodynamic_motions.begin());
-        if (std::ranges::find(found, number) != found.end()) throw data.wrong(fmt::format("has {} twice", word));
+        if (std::ranges::find(found, number) != found.end()) throw data.wrong("has {} twice", word);
         found.push_back(number);
     }
     if (bodies.size() > 1)
-        throw data.wrong(fmt::format("is of the bodies {}, and a file of one body is read", fmt::join(bodies, ", ")));
+        throw data.wrong("is of the bodies {}, and a file of one body is read", fmt::join(bodies, ", "));
     return found;
 }
 
@@ -174,8 +175,7 @@ std::vector<double> frequencies_of(const Dataset& data, std::size_t rows) {
     const auto numbers = [&](const char* name, const char* unit) {
         const Variable variable = data.need(name);
         const std::string said = data.unit_of(variable);
-        if (!said.empty() && said != unit)
-            throw data.wrong(fmt::format("has {} in {}, and Capytaine's is in {}", name, said, unit));
+        if (!said.empty() && said != unit) throw data.wrong("has {} in {}, and Capytaine's is in {}", name, said, unit);
         return data.numbers(variable);
     };
     std::vector<double> found;
@@ -186,8 +186,7 @@ std::vector<double> frequencies_of(const Dataset& data, std::size_t rows) {
     } else {
         for (const double value : numbers("period", "s")) found.push_back(turn / value);
     }
-    if (found.size() != rows)
-        throw data.wrong(fmt::format("has {} frequencies for {} rows of added mass", found.size(), rows));
+    if (found.size() != rows) throw data.wrong("has {} frequencies for {} rows of added mass", found.size(), rows);
     return found;
 }
 
@@ -213,12 +212,12 @@ std::vector<Mat6> matrices_of(const Dataset& data, const char* name, const std::
         else if (is_frequency(dimension->name))
             by_frequency = axis;
         else if (dimension->length != 1)
-            throw data.wrong(fmt::format("has {} along {} of {}, and a file of one is read", dimension->length,
-                                         dimension->name, name));
+            throw data.wrong("has {} along {} of {}, and a file of one is read", dimension->length, dimension->name,
+                             name);
     }
     if (by_radiating.length != radiating.size() || by_influenced.length != influenced.size())
-        throw data.wrong(fmt::format("{} has {} by {} motions for {} and {} names", name, by_influenced.length,
-                                     by_radiating.length, influenced.size(), radiating.size()));
+        throw data.wrong("{} has {} by {} motions for {} and {} names", name, by_influenced.length, by_radiating.length,
+                         influenced.size(), radiating.size());
     const std::vector<double> numbers = data.numbers(variable);
     std::vector<Mat6> found;
     for (std::size_t row = 0; row < by_frequency.length; ++row) {
@@ -250,7 +249,7 @@ std::string missing_motions(const std::vector<int>& radiating) {
 RadiationFile read(std::string_view bytes, const std::string& file) {
     const Dataset data(bytes, file);
     if (const double speed = data.number("forward_speed").value_or(0); speed != 0)
-        throw data.wrong(fmt::format("is of a hull at a forward speed of {:g} m/s, and one at rest is read", speed));
+        throw data.wrong("is of a hull at a forward speed of {:g} m/s, and one at rest is read", speed);
     const std::vector<int> radiating = motions_of(data, "radiating_dof");
     const std::vector<int> influenced = motions_of(data, "influenced_dof");
     const std::vector<Mat6> added = matrices_of(data, "added_mass", radiating, influenced);
@@ -269,12 +268,11 @@ RadiationFile read(std::string_view bytes, const std::string& file) {
             left_out.push_back(frequency);
             continue;
         }
-        if (frequency < 0) throw data.wrong(fmt::format("has a frequency of {:g} rad/s", frequency));
+        if (frequency < 0) throw data.wrong("has a frequency of {:g} rad/s", frequency);
         if (const auto other = given.other_line(frequency, {added[row], limit ? Mat6::Zero() : damping[row]}, row + 1))
             throw data.wrong(
-                fmt::format("has a frequency of {:.6g} rad/s, a period of {:.6g} s, twice with other values, "
-                            "rows {} and {}",
-                            frequency, 2 * std::numbers::pi / frequency, *other, row + 1));
+                "has a frequency of {:.6g} rad/s, a period of {:.6g} s, twice with other values, rows {} and {}",
+                frequency, 2 * std::numbers::pi / frequency, *other, row + 1);
         if (!seen.insert(frequency).second) continue;
         if (frequency == 0)
             found.at_zero = added[row];

@@ -52,10 +52,10 @@ Mat6 read_hydrostatics(std::string_view text, const std::string& file, const Wam
     std::size_t number = 0;
     for (const std::string_view line : lines_of(text)) {
         ++number;
-        const auto wrong = [&](const std::string& what) {
+        const auto wrong = [&]<class... Values>(fmt::format_string<Values...> what, Values&&... values) {
             return InputError(
                 "{}:{}: {}; a row of WAMIT's .hst is i, j and the stiffness, one of NEMOH's KH.dat six of them", file,
-                number, what);
+                number, fmt::format(what, std::forward<Values>(values)...));
         };
         const std::optional<std::vector<double>> row = numbers_of(line);
         if (row && row->empty()) continue;
@@ -69,10 +69,10 @@ Mat6 read_hydrostatics(std::string_view text, const std::string& file, const Wam
             continue;
         }
         if (row->size() == of_nemoh && !any) throw wrong("is a seventh row");
-        if (row->size() != of_wamit || rows_of_nemoh > 0) throw wrong(fmt::format("has {} numbers", row->size()));
+        if (row->size() != of_wamit || rows_of_nemoh > 0) throw wrong("has {} numbers", row->size());
         const auto [a, b] = motions_in((*row)[0], (*row)[1], "first two columns", wrong);
         if (const auto other = once.other_line({a, b}, (*row)[2], number))
-            throw wrong(fmt::format("gives the element {} {} another value than line {}", a + 1, b + 1, *other));
+            throw wrong("gives the element {} {} another value than line {}", a + 1, b + 1, *other);
         any = true;
         given.at(static_cast<std::size_t>(a)).at(static_cast<std::size_t>(b)) = true;
         found(a, b) = (*row)[2] * units.density * gravity * std::pow(units.length, 2 + turns_of(a, b));  // ρgL^k

@@ -47,7 +47,7 @@ void refuse_another(const MooringSections& file, Once& once, const MooringRow& r
         plain.push_back(number ? fmt::format("{}", *number) : word);
     }
     if (const auto other = once.other_line(row.words[0], plain, row.line))
-        throw file.wrong(row, fmt::format("gives {} {} again, otherwise than line {}", what, row.words[0], *other));
+        throw file.wrong(row, "gives {} {} again, otherwise than line {}", what, row.words[0], *other);
 }
 
 std::optional<std::size_t> column_of(const MooringSection& section, std::initializer_list<const char*> names) {
@@ -83,9 +83,9 @@ std::map<std::string, Point> points_of(const MooringSections& file, std::vector<
             };
             const bool anchor = is({"FIX", "FIXED", "ANCHOR"});
             if (!anchor && !is({"VESSEL", "COUPLED", "FAIRLEAD", "BODY1", "VES", "CPLD"}))
-                throw file.wrong(row, fmt::format("has a point that is {}; lines go from a fairlead on the vessel to a "
-                                                  "fixed anchor here",
-                                                  row.words[1]));
+                throw file.wrong(
+                    row, "has a point that is {}; lines go from a fairlead on the vessel to a fixed anchor here",
+                    row.words[1]);
             const std::string more =
                 anchor ? "" : present(*section, row, {"M", "MASS", "V", "VOLUME", "FX", "FY", "FZ"});
             if (!more.empty())
@@ -144,7 +144,7 @@ void look_at_depth(const MooringSections& file, const Line& line, const MooringF
     if (std::abs(depth - *options.depth) <= rounding * *options.depth) return;
     const std::string what =
         fmt::format("has its anchor {:g} m deep, in water of {:g} m by the options", depth, *options.depth);
-    if (depth > *options.depth) throw file.wrong(line.row, what + "; which of the two is right?");
+    if (depth > *options.depth) throw file.wrong(line.row, "{}; which of the two is right?", what);
     remarks.push_back(fmt::format("{}:{}: {}: the bottom is taken at the anchor", file.file(), line.row.line, what));
 }
 
@@ -160,19 +160,18 @@ Line line_of(const MooringSections& file, const MooringSection& section, const M
     file.refuse_other_unit(section, length, "m");
     if (row.words.size() <= std::max({from, to, length})) throw file.wrong(row, "is no line: words are missing");
     const auto type = parts.types.find(row.words[1]);
-    if (type == parts.types.end()) throw file.wrong(row, fmt::format("has no line type {} above it", row.words[1]));
+    if (type == parts.types.end()) throw file.wrong(row, "has no line type {} above it", row.words[1]);
     const auto a = parts.points.find(row.words[from]);
     const auto b = parts.points.find(row.words[to]);
     if (a == parts.points.end() || b == parts.points.end())
-        throw file.wrong(
-            row, fmt::format("ends at {} and {}, of which one is no point above it", row.words[from], row.words[to]));
+        throw file.wrong(row, "ends at {} and {}, of which one is no point above it", row.words[from], row.words[to]);
     if (a->second.anchor == b->second.anchor)
-        throw file.wrong(row, a->second.anchor ? "goes from anchor to anchor" : "goes from fairlead to fairlead");
+        throw file.wrong(row, "goes from {0} to {0}", a->second.anchor ? "anchor" : "fairlead");
     const auto& [anchor, fairlead] = a->second.anchor ? std::tie(*a, *b) : std::tie(*b, *a);
     const Vec3 way = anchor.second.place - fairlead.second.place;
     const double area = std::numbers::pi / 4 * type->second.diameter * type->second.diameter;
     const double weight = parts.options.gravity * (type->second.mass - parts.options.density * area);
-    if (!(weight > 0)) throw file.wrong(row, fmt::format("floats: it weighs {:.4g} N/m in water", weight));
+    if (!(weight > 0)) throw file.wrong(row, "floats: it weighs {:.4g} N/m in water", weight);
     parts.used_types.insert(type->first);
     parts.used_points.insert({a->first, b->first});
     return {{.fairlead = fairlead.second.place,
@@ -193,18 +192,16 @@ void take_failures(const MooringSections& file, std::vector<Line>& lines) {
         for (const MooringRow& row : section->rows) {
             const double time = file.number(row, 3, "the time of failure");
             const double tension = file.number(row, 4, "the tension of failure");
-            if (time > 0)
-                throw file.wrong(row, fmt::format("has a failure at {:g} s; lines fail by their tension here", time));
+            if (time > 0) throw file.wrong(row, "has a failure at {:g} s; lines fail by their tension here", time);
             if (!(tension > 0)) continue;
             const auto line = std::ranges::find(lines, row.words[2], [](const Line& one) { return one.row.words[0]; });
             if (line == lines.end() || line->fairlead != row.words[1])
-                throw file.wrong(
-                    row, fmt::format("has the failure of {} at point {}; one line that breaks at its own fairlead is "
-                                     "read",
-                                     row.words[2], row.words[1]));
+                throw file.wrong(row,
+                                 "has the failure of {} at point {}; one line that breaks at its own fairlead is read",
+                                 row.words[2], row.words[1]);
             if (const auto other = once.other_line(row.words[2], tension, row.line))
-                throw file.wrong(row, fmt::format("has line {} fail at another tension than line {} of the file",
-                                                  row.words[2], *other));
+                throw file.wrong(row, "has line {} fail at another tension than line {} of the file", row.words[2],
+                                 *other);
             line->hanging.break_load = tension;
         }
     }
@@ -229,7 +226,7 @@ void name_other_sections(const MooringSections& file, std::vector<std::string>& 
 
 void refuse(const MooringSections& file, const std::string& name, const char* why) {
     for (const MooringSection* section : file.all(name))
-        if (!section->rows.empty()) throw file.wrong(section->rows.front(), why);
+        if (!section->rows.empty()) throw file.wrong(section->rows.front(), "{}", why);
 }
 
 }  // namespace

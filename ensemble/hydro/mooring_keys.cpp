@@ -25,9 +25,8 @@ namespace floes {
 
 namespace {
 
-/// What the file does not say, by the request and the configuration of the hull.
+/// What the file does not say, by the request and its hull.
 struct Surroundings {
-    std::optional<Scenario> hull{};
     WamitUnits units{};
     double gravity = 9.80665;
     double depth = std::numeric_limits<double>::infinity();
@@ -38,10 +37,9 @@ Surroundings surroundings(const MooringKeysRequest& request) {
     Surroundings found;
     found.units.length = request.length;
     if (request.hull) {
-        found.hull = request.hull;
-        found.units.density = found.hull->water.density;
-        found.gravity = found.hull->general.gravity;
-        found.waterplane = hydrostatics(found.hull->structure.shape).waterplane;
+        found.units.density = request.hull->water.density;
+        found.gravity = request.hull->general.gravity;
+        found.waterplane = hydrostatics(request.hull->structure.shape).waterplane;
     }
     found.units.density = request.density.value_or(found.units.density);
     found.gravity = request.gravity.value_or(found.gravity);
@@ -55,11 +53,8 @@ Surroundings surroundings(const MooringKeysRequest& request) {
 /// itself, as yaw of a round hull, by a hundredth of what the others of its kind have.
 Mat6 without_rounding(const Mat6& matrix) {
     constexpr double least = 1e-3;
-    constexpr double next_to_nothing = 1e-2;
     Mat6 found = 0.5 * (matrix + matrix.transpose());
-    Vec6 own = found.diagonal().cwiseAbs().cwiseSqrt();
-    own.head<3>() = own.head<3>().cwiseMax(next_to_nothing * own.head<3>().maxCoeff());
-    own.tail<3>() = own.tail<3>().cwiseMax(next_to_nothing * own.tail<3>().maxCoeff());
+    const Vec6 own = no_less_than(found.diagonal().cwiseAbs().cwiseSqrt(), 1e-2);
     for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j)
             if (std::abs(found(i, j)) < least * own[i] * own[j]) found(i, j) = 0;
@@ -96,7 +91,7 @@ std::string guard(const MooringKeysRequest& request, const Surroundings& here, c
                                                  : "its own stiffness";
     // Below a hull of the draught d waves of the number k are weaker by e^(-kd), which alone makes S too small.
     const double radius = std::sqrt(known / std::numbers::pi);
-    const double draught = here.hull ? here.hull->structure.shape.draught() : 6 * radius;
+    const double draught = request.hull ? request.hull->structure.shape.draught() : 6 * radius;
     if (*implied < known && wave < 2 * std::numbers::pi / std::log(most) * std::max(radius, draught))
         return text + fmt::format(
                           ", not of the {:.4g} m² of {}; they are {:.4g} m long, too short to know it, if its "
@@ -146,8 +141,8 @@ std::string radiation_text(const MooringKeysRequest& request, const Surroundings
                              shortest, longest, *request.period);
         frequencies.fill(2 * std::numbers::pi / *request.period);
         when = fmt::format("at {:g} s", *request.period);
-    } else if (here.hull && here.hull->moorings.give_way()) {
-        frequencies = natural_frequencies(radiation, reference, *here.hull);
+    } else if (request.hull && request.hull->moorings.give_way()) {
+        frequencies = natural_frequencies(radiation, reference, *request.hull);
         std::vector<std::string> periods;
         for (std::size_t k = 0; k < frequencies.size(); ++k)
             periods.push_back(fmt::format("{} {:.4g} s", hydrodynamic_motions.at(k), period_of(frequencies.at(k))));
@@ -186,10 +181,10 @@ std::string hydrostatic_text(const MooringKeysRequest& request, const Surroundin
         "# {}, weight {}, is no key: floes has the water's stiffness from the hull\n"
         "# waterplane {:.5g} m²\n",
         request.file, request.weight, theirs(2, 2) / (here.units.density * here.gravity));
-    if (!here.hull) return out + "# give --hull to compare it with that hull\n";
+    if (!request.hull) return out + "# give --hull to compare it with that hull\n";
     const bool inside = request.weight == "inside";
-    const Moorings& moorings = here.hull->moorings;
-    const Mat6 ours = water_stiffness(hydrostatics(here.hull->structure.shape), here.units.density, here.gravity,
+    const Moorings& moorings = request.hull->moorings;
+    const Mat6 ours = water_stiffness(hydrostatics(request.hull->structure.shape), here.units.density, here.gravity,
                                       inside ? moorings.mass : 0, inside ? moorings.height : 0);
     constexpr std::array<Motion, 3> compared{Motion::heave, Motion::roll, Motion::pitch};
     constexpr double most = 0.05;

@@ -108,7 +108,7 @@ MooringFileOptions mooring_options(const MooringSections& file, double density, 
                                               row.line, name));
             if (use == Use::none) continue;
             if (const auto other = once.other_line(use, {value, value ? "" : word}, row.line))
-                throw file.wrong(row, fmt::format("gives {} another value than line {}", name, *other));
+                throw file.wrong(row, "gives {} another value than line {}", name, *other);
             if (use == Use::density) found.density = file.number(option, 0, "density");
             if (use == Use::gravity) found.gravity = file.number(option, 0, "gravity");
             if (use == Use::friction) found.friction = file.number(option, 0, "friction");

@@ -7,8 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "hydro/rows.hpp"
 
 namespace floes {
@@ -144,15 +142,11 @@ MooringSections::MooringSections(std::string_view text, std::string file)
             file_);
 }
 
-InputError MooringSections::wrong(const MooringRow& row, const std::string& what) const {
-    return InputError("{}:{}: {}", file_, row.line, what);
-}
-
 double MooringSections::number(const MooringRow& row, std::size_t column, const char* name) const {
-    if (column >= row.words.size()) throw wrong(row, fmt::format("has {} words and no {}", row.words.size(), name));
+    if (column >= row.words.size()) throw wrong(row, "has {} words and no {}", row.words.size(), name);
     const std::optional<double> value = number_of(row.words[column]);
     if (!value || !std::isfinite(*value))
-        throw wrong(row, fmt::format("has {} for {}, which is no number", row.words[column], name));
+        throw wrong(row, "has {} for {}, which is no number", row.words[column], name);
     return *value;
 }
 

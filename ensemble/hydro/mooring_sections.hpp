@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.hpp"
@@ -36,7 +37,10 @@ class MooringSections {
     /// without its line of units.
     MooringSections(std::string_view text, std::string file);
 
-    InputError wrong(const MooringRow& row, const std::string& what) const;
+    template <class... Values>
+    InputError wrong(const MooringRow& row, fmt::format_string<Values...> what, Values&&... values) const {
+        return InputError("{}:{}: {}", file_, row.line, fmt::format(what, std::forward<Values>(values)...));
+    }
 
     /// The number in a column, counted from 0. Throws InputError for a word that is none.
     double number(const MooringRow& row, std::size_t column, const char* name) const;

@@ -18,32 +18,23 @@ namespace {
 
 /// The largest that each motion has in the file; of one that has next to nothing itself, as yaw of a round hull, a
 /// hundredth of what the others of its kind have.
-std::array<double, 6> largest_of(const RadiationFile& radiation, Mat6 RadiationPoint::*matrix) {
-    constexpr double next_to_nothing = 1e-4;
-    std::array<double, 6> found{};
-    for (int k = 0; k < 6; ++k)
-        for (const RadiationPoint& point : radiation.points)
-            found.at(static_cast<std::size_t>(k)) =
-                std::max(found.at(static_cast<std::size_t>(k)), std::abs((point.*matrix)(k, k)));
-    for (const auto kind : {found.begin(), found.begin() + 3}) {
-        const double least = next_to_nothing * *std::max_element(kind, kind + 3);
-        std::transform(kind, kind + 3, kind, [&](double value) { return std::max(value, least); });
-    }
-    return found;
+Vec6 largest_of(const RadiationFile& radiation, Mat6 RadiationPoint::*matrix) {
+    Vec6 found = Vec6::Zero();
+    for (const RadiationPoint& point : radiation.points) found = found.cwiseMax((point.*matrix).diagonal().cwiseAbs());
+    return no_less_than(found, 1e-4);
 }
 
 /// A hull at rest has symmetric matrices; one half of a contradiction is wrong, and so is the mean of both.
 void look_at_halves(RadiationFile& found, const std::string& file, const char* name, Mat6 RadiationPoint::*matrix) {
     constexpr double much = 0.1;   // of the root of what the two motions have themselves
     constexpr double gross = 0.5;  // NEMOH's cylinder (WEC-Sim) has 0.24 at its highest frequencies
-    const std::array<double, 6> largest = largest_of(found, matrix);
+    const Vec6 largest = largest_of(found, matrix);
     double worst = 0;
     for (const RadiationPoint& point : found.points) {
         const Mat6& m = point.*matrix;
         for (int i = 0; i < 6; ++i) {
             for (int j = 0; j < i; ++j) {
-                const double own =
-                    std::sqrt(largest.at(static_cast<std::size_t>(i)) * largest.at(static_cast<std::size_t>(j)));
+                const double own = std::sqrt(largest[i] * largest[j]);
                 const double apart = std::abs(m(i, j) - m(j, i));
                 if (apart > gross * own)
                     throw InputError(
@@ -103,6 +94,12 @@ double wave_number(double frequency, double gravity, double depth) {
 }
 
 }  // namespace
+
+Vec6 no_less_than(Vec6 own, double share) {
+    own.head<3>() = own.head<3>().cwiseMax(share * own.head<3>().maxCoeff());
+    own.tail<3>() = own.tail<3>().cwiseMax(share * own.tail<3>().maxCoeff());
+    return own;
+}
 
 bool is_radiation(std::string_view bytes) {
     return is_netcdf(bytes) || is_nemoh(bytes);
@@ -213,10 +210,11 @@ Doubt doubt_in(const RadiationFile& radiation, int motion, double frequency, dou
 std::string doubts(const RadiationFile& radiation, const std::string& file, const std::array<double, 6>& frequencies) {
     constexpr double said = 0.1;
     constexpr double refused = 0.5;
-    const std::array<double, 6> largest = largest_of(radiation, &RadiationPoint::damping);
+    const Vec6 largest = largest_of(radiation, &RadiationPoint::damping);
     std::map<std::string, std::vector<std::string>> found;
-    for (std::size_t k = 0; k < largest.size(); ++k) {
-        const auto [share, where] = doubt_in(radiation, static_cast<int>(k), frequencies.at(k), largest.at(k));
+    for (std::size_t k = 0; k < frequencies.size(); ++k) {
+        const int motion = static_cast<int>(k);
+        const auto [share, where] = doubt_in(radiation, motion, frequencies.at(k), largest[motion]);
         if (share > refused)
             throw InputError(
                 "{}: has no period near enough to know the damping in {} {}; take a file with more periods there, or a "

@@ -53,6 +53,9 @@ struct RadiationFile {
     friend bool operator==(const RadiationFile&, const RadiationFile&) = default;
 };
 
+/// Of what motions have themselves, each at least a share of the largest of its kind, along axes or about them.
+Vec6 no_less_than(Vec6 own, double share);
+
 /// What was read, in one line: periods, elements, limits.
 std::string extent_of(const RadiationFile& radiation);
 

@@ -133,23 +133,24 @@ class NemohZones {
     const std::string& unit() const { return unit_.name; }
 
   private:
-    InputError wrong(std::size_t number, const std::string& what) const {
+    template <class... Values>
+    InputError wrong(std::size_t number, fmt::format_string<Values...> what, Values&&... values) const {
         return InputError(
             "{}:{}: {}; a row of NEMOH's radiation coefficients is the frequency and an added mass and a damping for "
             "each of six forces",
-            file_, number, what);
+            file_, number, fmt::format(what, std::forward<Values>(values)...));
     }
 
     void add(const std::vector<double>& row, std::size_t number) {
         if (moves_ == 0 || moves_ > 6) throw wrong(number, "is outside the zones of six motions");
-        if (row.size() != 13) throw wrong(number, fmt::format("has {} numbers", row.size()));
+        if (row.size() != 13) throw wrong(number, "has {} numbers", row.size());
         for (const double value : row)
             if (!std::isfinite(value))
                 throw wrong(number, "has a number that is not finite, as at very low frequencies");
-        if (!(row.front() > 0)) throw wrong(number, fmt::format("has {:g} ({}), not above 0", row.front(), unit_.name));
+        if (!(row.front() > 0)) throw wrong(number, "has {:g} ({}), not above 0", row.front(), unit_.name);
         if (const auto other = once_.other_line({moves_, row.front()}, row, number))
-            throw wrong(number, fmt::format("gives {:g} ({}) other values than line {} of the same zone", row.front(),
-                                            unit_.name, *other));
+            throw wrong(number, "gives {:g} ({}) other values than line {} of the same zone", row.front(), unit_.name,
+                        *other);
         Matrices& block = blocks_[unit_.in_rad_s(row.front())];
         rows_ += std::isnan(block.added(0, moves_ - 1)) ? 1 : 0;
         for (int force = 0; force < 6; ++force) {
@@ -166,7 +167,7 @@ class NemohZones {
             throw wrong(number, "is of a second body, and one body of six motions is read");
         const int motion = number_behind("DoF", head);
         if (motion > 0 && motion != moves_)
-            throw wrong(number, fmt::format("is the zone of motion {}, and that of motion {} is due", motion, moves_));
+            throw wrong(number, "is the zone of motion {}, and that of motion {} is due", motion, moves_);
     }
 
     void end_zone() {
@@ -198,10 +199,10 @@ RadiationFile read_wamit(std::string_view text, const std::string& file, const W
     std::size_t number = 0;
     for (const std::string_view line : lines_of(text)) {
         ++number;
-        const auto wrong = [&](const std::string& what) {
+        const auto wrong = [&]<class... Values>(fmt::format_string<Values...> what, Values&&... values) {
             return InputError(
                 "{}:{}: {}; a row of WAMIT's .1 is period, i, j, added mass and, but for the limits, damping", file,
-                number, what);
+                number, fmt::format(what, std::forward<Values>(values)...));
         };
         const std::optional<std::vector<double>> row = numbers_of(line);
         if (row && row->empty()) continue;
@@ -209,14 +210,14 @@ RadiationFile read_wamit(std::string_view text, const std::string& file, const W
         if (!row) throw wrong("has a word that is no number");
         const bool limit = row->front() <= 0;
         if (row->size() != (limit ? 4U : 5U) && !(limit && row->size() == 5))
-            throw wrong(fmt::format("has {} numbers", row->size()));
+            throw wrong("has {} numbers", row->size());
         for (const double value : *row)
             if (!std::isfinite(value)) throw wrong("has a number that is not finite, as at very low frequencies");
         const auto [a, b] = motions_in((*row)[1], (*row)[2], "second and third column", wrong);
         const double period = row->front() < 0 ? -1.0 : row->front();
         if (const auto other = once.other_line({period, a, b}, *row, number))
-            throw wrong(fmt::format("gives the element {} {} of {} other values than line {}", a + 1, b + 1,
-                                    period_name(period), *other));
+            throw wrong("gives the element {} {} of {} other values than line {}", a + 1, b + 1, period_name(period),
+                        *other);
         Matrices& block = periods[period];
         const double scale = units.density * std::pow(units.length, 3 + turns_of(a, b));  // ρL^k
         block.added(a, b) = (*row)[3] * scale;

@@ -4,8 +4,6 @@
 #include <charconv>
 #include <set>
 
-#include <fmt/format.h>
-
 #include "core/error.hpp"
 #include "keys/meant.hpp"
 
@@ -36,19 +34,6 @@ std::string as_in_c(std::string_view text) {
 }
 
 }  // namespace
-
-std::vector<std::string_view> lines_of(std::string_view text) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    std::vector<std::string_view> lines;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-        lines.push_back(text.substr(0, end));
-        text.remove_prefix(end);
-        text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
-    }
-    return lines;
-}
 
 std::vector<std::string> words_of(std::string_view line) {
     const std::vector<std::string_view> words = words_between(line, blanks);

@@ -1,5 +1,5 @@
 #pragma once
-// Lines, words and numbers of the texts that other programs write.
+// Words and numbers of the texts that other programs write, whose lines are those of lines_of().
 
 #include <cstddef>
 #include <map>
@@ -9,10 +9,9 @@
 #include <utility>
 #include <vector>
 
-namespace floes {
+#include "keys/csv.hpp"
 
-/// Without line ends (\n, \r\n or \r) and without a byte order mark before the first.
-std::vector<std::string_view> lines_of(std::string_view text);
+namespace floes {
 
 std::vector<std::string> words_of(std::string_view line);
 

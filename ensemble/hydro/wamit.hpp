@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 namespace floes {
 
 /// What a WAMIT file does not say; NEMOH's is in SI.
@@ -23,7 +21,7 @@ inline int turns_of(int i, int j) {
 template <class Wrong>
 std::pair<int, int> motions_in(double i, double j, const char* where, const Wrong& wrong) {
     if (i != std::floor(i) || j != std::floor(j) || i < 1 || j < 1)
-        throw wrong(fmt::format("has something other than numbers of motions in its {}", where));
+        throw wrong("has something other than numbers of motions in its {}", where);
     if (i > 6 || j > 6) throw wrong("is of a second body, and one body of six motions is read");
     return {static_cast<int>(i) - 1, static_cast<int>(j) - 1};
 }

@@ -30,7 +30,7 @@ double to_two_digits(double value) {
 
 /// A campaign of one case.
 Campaign alone(const Campaign& campaign, const Scenario& scenario) {
-    Campaign one{.name = campaign.name, .seed = campaign.seed, .arrangements = 1, .cases = {}};
+    Campaign one{{campaign.name, campaign.seed, 1}, {}};
     one.cases.push_back({"one", scenario});
     return one;
 }

@@ -46,7 +46,8 @@ std::vector<std::string> endings(Source source) {
 
 std::string keys_to_set() {
     std::vector<std::string> keys;
-    for (const KeyDescription& key : reference()) keys.push_back(key.key + "=");
+    const CampaignTables all;
+    for (const Key& key : all.keys) keys.push_back(std::string(key.path) + "=");
     return fmt::format("{}", fmt::join(keys, " "));
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 
@@ -58,6 +60,18 @@ std::string_view beginning(std::string_view text, std::size_t most) {
     std::size_t end = most;
     while (end > 0 && most - end < most_further && is_further(text[end])) --end;
     return text.substr(0, is_further(text[end]) ? most : end);
+}
+
+double to_digits(double value, int digits) {
+    const std::string text = fmt::format("{:.{}g}", value, digits);
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+std::string lower(std::string_view text) {
+    std::string made(text);
+    std::ranges::transform(made, made.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return made;
 }
 
 std::string_view trimmed(std::string_view text, std::string_view blanks) {

@@ -31,6 +31,12 @@ std::string in_a_file_name(std::string name);
 /// Blanks for control characters, so that it stays in its line.
 std::string in_one_line(std::string text);
 
+/// A number rounded to so many significant digits.
+double to_digits(double value, int digits);
+
+/// With small letters, of ASCII.
+std::string lower(std::string_view text);
+
 /// Without outer blanks.
 std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
 

@@ -21,15 +21,6 @@ std::string_view without_blanks(std::string_view text, char divider = ',') {
     return trimmed(text, divider == '\t' ? " " : " \t");
 }
 
-/// The line that the text begins with; takes it off the text, with its line feed, carriage return or both.
-std::string_view take_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end);
-    text.remove_prefix(text.starts_with("\r\n") ? 2 : text.empty() ? 0 : 1);
-    return line;
-}
-
 /// "sep=;", which spreadsheets write and read as the first line; nothing for any other line.
 std::optional<char> named_divider(std::string_view line) {
     if (line.size() != 5) return {};
@@ -137,15 +128,27 @@ void drop_empty_ends(std::vector<CsvLine>& lines) {
 
 }  // namespace
 
+std::vector<std::string_view> lines_of(std::string_view text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    std::vector<std::string_view> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+        lines.push_back(text.substr(0, end));
+        text.remove_prefix(end);
+        text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text.size()));
+    }
+    return lines;
+}
+
 std::vector<CsvLine> csv_lines(std::string_view text, const std::string& file) {
     if (is_utf16(text)) throw InputError("{}: this is text in UTF-16; save it in UTF-8", file);
     if (!is_utf8(text)) throw InputError("{}: this is no text in UTF-8; save it as such", file);
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     std::optional<char> divider;
     std::vector<CsvLine> lines;
-    for (int number = 1; !text.empty(); ++number) {
-        const std::string_view line = take_line(text);
+    int number = 0;
+    for (const std::string_view line : lines_of(text)) {
+        ++number;
         if (without_blanks(line).empty()) continue;
         if (!divider) {
             divider = named_divider(line);

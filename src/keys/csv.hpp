@@ -1,5 +1,5 @@
 #pragma once
-// CSV as lines of cells.
+// Texts of other programs as lines, and CSV as lines of cells.
 
 #include <optional>
 #include <string>
@@ -7,6 +7,9 @@
 #include <vector>
 
 namespace floes {
+
+/// Without line ends (\n, \r\n or \r) and without a byte order mark before the first.
+std::vector<std::string_view> lines_of(std::string_view text);
 
 struct CsvLine {
     int number = 0;                  ///< in the text, from 1

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <ranges>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -74,52 +76,43 @@ InputError given_twice(const std::string& where, const std::string& what, const 
     return InputError("{}: {} is given twice{}; keep one", where, what, first.empty() ? "" : ", first at " + first);
 }
 
-/// An entry with its position in the text.
-struct Placed {
-    Entry entry;
-    toml::source_position at;
-};
-
-/// Walks a toml++ document, which is sorted by name, and keeps the positions that restore the order of the text.
+/// Walks a toml++ document, which is sorted by name, and restores the order of the text.
 class Flattener {
   public:
     explicit Flattener(const std::string& file) : file_(file) {}
 
     /// Entries of a table and the tables in it. Arrays of tables become blocks, except inside a block.
     std::vector<Entry> entries_of(const toml::table& table, bool in_block) {
-        std::vector<Placed> placed;
+        Placed<Entry> placed;
         collect(table, "", in_block, placed);
-        std::ranges::stable_sort(placed, {},
-                                 [](const Placed& item) { return std::pair(item.at.line, item.at.column); });
         refuse_doubles(placed);
-        std::vector<Entry> entries;
-        for (Placed& item : placed) entries.push_back(std::move(item.entry));
-        return entries;
+        return in_order(placed);
     }
 
-    std::vector<Block> take_blocks() {
-        std::ranges::stable_sort(blocks_, {}, [](const PlacedBlock& item) { return item.line; });
-        std::vector<Block> blocks;
-        for (PlacedBlock& item : blocks_) blocks.push_back(std::move(item.block));
-        return blocks;
-    }
+    std::vector<Block> take_blocks() { return in_order(blocks_); }
 
   private:
-    struct PlacedBlock {
-        Block block;
-        toml::source_index line;
-    };
+    /// By line and column.
+    template <class Item>
+    using Placed = std::multimap<std::pair<toml::source_index, toml::source_index>, Item>;
+
+    template <class Item>
+    static std::vector<Item> in_order(Placed<Item>& placed) {
+        std::vector<Item> items;
+        for (auto& [at, item] : placed) items.push_back(std::move(item));
+        return items;
+    }
 
     /// "ice.thickness_m" = 0.03 in quotes is another key of TOML than thickness_m below [ice], and the same of floes.
-    void refuse_doubles(const std::vector<Placed>& placed) const {
-        std::map<std::string_view, toml::source_position> seen;
-        for (const Placed& item : placed) {
-            const auto [first, is_new] = seen.emplace(item.entry.path, item.at);
-            if (!is_new) throw given_twice(item.entry.where, item.entry.path, where(first->second));
+    static void refuse_doubles(const Placed<Entry>& placed) {
+        std::map<std::string_view, std::string_view> seen;
+        for (const auto& [at, entry] : placed) {
+            const auto [first, is_new] = seen.emplace(entry.path, entry.where);
+            if (!is_new) throw given_twice(entry.where, entry.path, std::string(first->second));
         }
     }
 
-    void collect(const toml::table& table, const std::string& prefix, bool in_block, std::vector<Placed>& placed) {
+    void collect(const toml::table& table, const std::string& prefix, bool in_block, Placed<Entry>& placed) {
         for (const auto& [key, node] : table) {
             const std::string path = prefix + std::string(key.str());
             const toml::source_position at = key.source().begin;
@@ -131,30 +124,30 @@ class Flattener {
             } else if (array != nullptr && !in_block && array->is_array_of_tables()) {
                 for (const toml::node& item : *array) add_block(path, *item.as_table());
             } else {
-                placed.push_back(
-                    {{path, inner ? Value{Value::Strange{"an empty table"}} : to_value(node), where(at)}, at});
+                Value value = inner ? Value{Value::Strange{"an empty table"}} : to_value(node);
+                placed.emplace(std::pair(at.line, at.column), Entry{path, std::move(value), where(at)});
             }
         }
     }
 
     void add_block(const std::string& path, const toml::table& table) {
         const toml::source_position at = table.source().begin;
-        blocks_.push_back({{path, where(at), entries_of(table, true)}, at.line});
+        blocks_.emplace(std::pair(at.line, 0), Block{path, where(at), entries_of(table, true)});
     }
 
     std::string where(const toml::source_position& at) const { return fmt::format("{}:{}", file_, at.line); }
 
     const std::string& file_;
-    std::vector<PlacedBlock> blocks_;
+    Placed<Block> blocks_;
 };
 
+/// Of TOML, without line feeds.
+using Lines = std::vector<std::string_view>;
+
 /// The name of the last [table] at or above a line (counted from 1), with a dot; empty when there is none.
-std::string table_above(std::string_view text, toml::source_index line) {
+std::string table_above(const Lines& lines, std::size_t line) {
     std::string name;
-    for (toml::source_index number = 1; number <= line && !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view here = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
+    for (const std::string_view here : std::span(lines).first(std::min(line, lines.size()))) {
         const std::size_t open = here.find_first_not_of(" \t");
         if (open == std::string_view::npos || here[open] != '[') continue;
         const std::size_t first = here.find_first_not_of("[ \t", open);
@@ -165,28 +158,22 @@ std::string table_above(std::string_view text, toml::source_index line) {
     return name;
 }
 
-/// "thickness_m = 0,033: write 0.033, with a point", if a line (counted from 1) has such a number; otherwise empty.
-std::string decimal_comma(std::string_view text, toml::source_index line) {
-    for (toml::source_index number = 1; number < line; ++number)
-        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-    text = text.substr(0, text.find('\n'));
-    const std::size_t equals = text.find('=');
+/// "thickness_m = 0,033: write 0.033, with a point", if a line has such a number; otherwise empty.
+std::string decimal_comma(std::string_view line) {
+    const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos) return {};
-    const std::string_view key = trimmed(text.substr(0, equals));
-    std::string value(trimmed(text.substr(equals + 1)));
+    const std::string_view key = trimmed(line.substr(0, equals));
+    std::string value(trimmed(line.substr(equals + 1)));
     value.resize(std::min(value.find_first_of(" \t\r#"), value.size()));
     const std::string pointed = with_decimal_point(value);
     return pointed.empty() ? "" : fmt::format("{} = {}: write {}, with a point", key, value, pointed);
 }
 
 /// The line before `last` (counted from 1) that has [name], or the key of that name below the same header; 0 for none.
-toml::source_index first_line_of(std::string_view text, const std::string& name, bool is_table,
-                                 toml::source_index last) {
-    toml::source_index found = 0;
-    for (toml::source_index number = 1; number < last && !text.empty(); ++number) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = trimmed(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
+std::size_t first_line_of(const Lines& lines, const std::string& name, bool is_table, std::size_t last) {
+    std::size_t found = 0;
+    for (std::size_t number = 1; number < last && number <= lines.size(); ++number) {
+        const std::string_view line = trimmed(lines[number - 1]);
         const bool header = line.starts_with('[');
         if (header && !is_table) found = 0;
         const std::string_view here = header ? line.substr(1, line.find(']') - 1) : line.substr(0, line.find('='));
@@ -199,6 +186,8 @@ toml::source_index first_line_of(std::string_view text, const std::string& name,
 /// toml++ says "…: cannot redefine existing integer 'thickness_m'"; the rest of its messages say what it expected.
 InputError syntax_error(const toml::parse_error& error, std::string_view text, const std::string& file) {
     const toml::source_position at = error.source().begin;
+    Lines lines;
+    for (const auto line : std::views::split(text, '\n')) lines.emplace_back(line.begin(), line.end());
     std::string description(error.description());
     std::ranges::replace(description, '\n', ' ');
     const std::size_t open = description.find('\'');
@@ -206,12 +195,13 @@ InputError syntax_error(const toml::parse_error& error, std::string_view text, c
     if (description.find("cannot redefine existing") != std::string::npos && close > open) {
         const bool is_table = description.find("table header") != std::string::npos;
         const std::string name = description.substr(open + 1, close - open - 1);
-        const toml::source_index first = first_line_of(text, name, is_table, at.line);
+        const std::size_t first = first_line_of(lines, name, is_table, at.line);
         return given_twice(fmt::format("{}:{}", file, at.line),
-                           is_table ? fmt::format("[{}]", name) : table_above(text, at.line) + name,
+                           is_table ? fmt::format("[{}]", name) : table_above(lines, at.line) + name,
                            first == 0 ? "" : fmt::format("{}:{}", file, first));
     }
-    if (const std::string comma = decimal_comma(text, at.line); !comma.empty())
+    const std::string_view here = at.line > 0 && at.line <= lines.size() ? lines[at.line - 1] : std::string_view();
+    if (const std::string comma = decimal_comma(here); !comma.empty())
         return InputError("{}:{}: {}", file, at.line, comma);
     constexpr std::string_view prefix = "Error while ";
     if (description.starts_with(prefix)) description.erase(0, prefix.size());
@@ -291,63 +281,46 @@ namespace {
 constexpr std::ptrdiff_t most_values = 4'000'000;
 constexpr int most_parts = 16;  // of a dotted key; ours have three at most
 
-bool is_quote(char character) {
-    return character == '"' || character == '\'';
-}
-
 bool is_of_key(char character) {
     return std::isalnum(static_cast<unsigned char>(character)) || character == '_' || character == '-' ||
            character == ' ' || character == '\t';
 }
 
-/// Scans a text just far enough to tell strings and comments from the rest.
-class Scan {
-  public:
-    explicit Scan(std::string_view text) : text_(text) {
-        if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // byte order mark
-        while (at_ < text_.size()) step();
+/// Behind the string that begins there. A one-line string ends with its line at the latest; without a closing quote the
+/// text is not TOML anyway.
+std::size_t behind_string(std::string_view text, std::size_t at) {
+    const char quote = text[at];
+    const std::string three(3, quote);
+    const bool many_lines = text.substr(at, 3) == three;
+    for (at += many_lines ? 3 : 1; at < text.size(); ++at) {
+        if (quote == '"' && text[at] == '\\')
+            ++at;
+        else if (many_lines && text.substr(at, 3) == three)
+            return std::min(text.find_first_not_of(quote, at), text.size());  // the string itself may end with quotes
+        else if (!many_lines && (text[at] == quote || text[at] == '\n'))
+            return at + 1;
     }
+    return at;
+}
 
-    /// The most parts of a dotted key; a number with a point counts as two.
-    int most_parts() const { return most_; }
-
-  private:
-    void step() {
-        const char character = text_[at_];
+/// The most parts of a dotted key; a number with a point counts as two.
+int most_parts_in(std::string_view text) {
+    int parts = 1;
+    int most = 1;
+    for (std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0; at < text.size();) {  // byte order mark
+        const char character = text[at];
         if (character == '#') {
-            at_ = std::min(text_.find('\n', at_), text_.size());
-            return;
-        }
-        if (is_quote(character)) return skip_string(character);
-        parts_ = character == '.' ? parts_ + 1 : is_of_key(character) ? parts_ : 1;
-        most_ = std::max(most_, parts_);
-        ++at_;
-    }
-
-    /// A one-line string ends with its line at the latest; without a closing quote the text is not TOML anyway.
-    void skip_string(char quote) {
-        const char quotes[]{quote, quote, quote};
-        const std::string_view three(quotes, 3);
-        const bool many_lines = text_.substr(at_, 3) == three;
-        for (at_ += many_lines ? 3 : 1; at_ < text_.size(); ++at_) {
-            if (quote == '"' && text_[at_] == '\\') {
-                ++at_;
-            } else if (many_lines && text_.substr(at_, 3) == three) {
-                at_ = std::min(text_.find_first_not_of(quote, at_),
-                               text_.size());  // the string itself may end with quotes
-                return;
-            } else if (!many_lines && (text_[at_] == quote || text_[at_] == '\n')) {
-                ++at_;
-                return;
-            }
+            at = std::min(text.find('\n', at), text.size());
+        } else if (character == '"' || character == '\'') {
+            at = behind_string(text, at);
+        } else {
+            parts = character == '.' ? parts + 1 : is_of_key(character) ? parts : 1;
+            most = std::max(most, parts);
+            ++at;
         }
     }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-    int parts_ = 1;
-    int most_ = 1;
-};
+    return most;
+}
 
 }  // namespace
 
@@ -361,7 +334,7 @@ void refuse_what_cannot_be_held(std::string_view text, const std::string& where)
             "{}: a text with {} lines and commas has more values than can be held; allowed: {}; take fewer cases, "
             "poses or values",
             where, values, most_values);
-    if (const int parts = Scan(text).most_parts(); parts > most_parts)
+    if (const int parts = most_parts_in(text); parts > most_parts)
         throw InputError("{}: a key with {} parts between dots is none of floes; ours have three at most", where,
                          parts);
 }

@@ -71,18 +71,10 @@ std::string to_text(const Range& range) {
     return range.infinity_included ? bounds + ", or inf" : bounds;
 }
 
-namespace {
-
-/// TOML tells floats from integers by the decimal point, so a number is always written with one.
-std::string with_point(std::string text) {
-    if (text.find_first_of(".en") == std::string::npos) text += ".0";
-    return text;
-}
-
-}  // namespace
-
 std::string number_literal(double number) {
-    return with_point(fmt::format("{}", number));
+    std::string text = fmt::format("{}", number);
+    if (text.find_first_of(".en") == std::string::npos) text += ".0";  // tells floats of TOML from integers
+    return text;
 }
 
 std::string number_literal(double in_si, double unit) {

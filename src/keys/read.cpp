@@ -29,6 +29,13 @@ struct Assigner {
                           allowed(key), reason.empty() ? "" : fmt::format(" ({})", reason));
     }
 
+    /// What the entry's value is. `otherwise`: what is wrong with another.
+    template <class Data>
+    const Data& need(std::string_view otherwise) const {
+        if (const auto* data = std::get_if<Data>(&entry.value.data)) return *data;
+        throw wrong(otherwise);
+    }
+
     void operator()(const NumberField& field) const {
         const std::optional<double> number = number_of(entry.value);
         if (!number) throw wrong("is not a number" + with_a_point(entry.value), field.range.reason);
@@ -40,10 +47,9 @@ struct Assigner {
     }
 
     void operator()(const NumbersField& field) const {
-        const auto* list = std::get_if<std::vector<Value>>(&entry.value.data);
-        if (list == nullptr) throw wrong("is not a list");
+        const auto& list = need<std::vector<Value>>("is not a list");
         std::vector<double> numbers;
-        for (const Value& item : *list) {
+        for (const Value& item : list) {
             const std::optional<double> number = number_of(item);
             if (!number) throw wrong(fmt::format("has {}, which is not a number", to_text(item)));
             if (!field.range.contains(*number)) throw wrong(fmt::format("has {}, out of range", to_text(item)));
@@ -53,63 +59,49 @@ struct Assigner {
     }
 
     void operator()(const IntegerField& field) const {
-        const auto* integer = std::get_if<std::int64_t>(&entry.value.data);
-        if (integer == nullptr) throw wrong("is not a whole number");
-        if (*integer < field.low || *integer > field.high) throw wrong("is out of range");
-        field.set(*integer);
+        const auto integer = need<std::int64_t>("is not a whole number");
+        if (integer < field.low || integer > field.high) throw wrong("is out of range");
+        field.set(integer);
     }
 
-    void operator()(const SwitchField& field) const {
-        const auto* boolean = std::get_if<bool>(&entry.value.data);
-        if (boolean == nullptr) throw wrong("is neither true nor false");
-        *field.value = *boolean;
-    }
+    void operator()(const SwitchField& field) const { *field.value = need<bool>("is neither true nor false"); }
 
     void operator()(const WordField& field) const {
-        const auto* text = std::get_if<std::string>(&entry.value.data);
-        if (text == nullptr) throw wrong("is not a word in quotes");
-        const auto found = std::ranges::find(field.words, *text);
-        if (found == field.words.end()) {
-            throw InputError(wrong("is not a word of this key").what() + hint(field.words, *text));
-        }
-        field.set(static_cast<std::size_t>(found - field.words.begin()));
+        field.set(
+            number_of_word(field.words, need<std::string>("is not a word in quotes"), "is not a word of this key"));
     }
 
     void operator()(const WordsField& field) const {
-        const auto* list = std::get_if<std::vector<Value>>(&entry.value.data);
-        if (list == nullptr) throw wrong("is not a list");
+        const auto& list = need<std::vector<Value>>("is not a list");
         std::vector<bool> chosen(field.words.size(), false);
-        for (const Value& item : *list) {
+        for (const Value& item : list) {
             const auto* text = std::get_if<std::string>(&item.data);
             if (text == nullptr) throw wrong(fmt::format("has {}, which is not a word in quotes", to_text(item)));
-            const auto found = std::ranges::find(field.words, *text);
-            if (found == field.words.end())
-                throw InputError(wrong(fmt::format("has {}, which is none of its words", to_text(item))).what() +
-                                 hint(field.words, *text));
-            chosen[static_cast<std::size_t>(found - field.words.begin())] = true;
+            chosen[number_of_word(field.words, *text,
+                                  fmt::format("has {}, which is none of its words", to_text(item)))] = true;
         }
         field.set(chosen);
     }
 
-    /// The word that was mistyped, or else what the words mean.
-    std::string hint(const std::vector<std::string_view>& words, const std::string& text) const {
+    /// `otherwise`: what is wrong with a text that is none of the words. Behind it stands the word that was mistyped,
+    /// or else what the words mean.
+    std::size_t number_of_word(const std::vector<std::string_view>& words, const std::string& text,
+                               const std::string& otherwise) const {
+        const auto found = std::ranges::find(words, text);
+        if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
         const auto distance = [&](std::string_view word) { return edit_distance(word, text); };
         const std::string_view near = *std::ranges::min_element(words, {}, distance);
-        if (2 * distance(near) <= near.size()) return fmt::format("; did you mean {}?", text_literal(near));
-        return fmt::format(" ({})", key.doc.substr(0, key.doc.find('.')));
+        throw InputError(wrong(otherwise).what() + (2 * distance(near) <= near.size()
+                                                        ? fmt::format("; did you mean {}?", text_literal(near))
+                                                        : fmt::format(" ({})", key.doc.substr(0, key.doc.find('.')))));
     }
 
-    void operator()(const TextField& field) const {
-        const auto* text = std::get_if<std::string>(&entry.value.data);
-        if (text == nullptr) throw wrong("is not text");
-        *field.value = *text;
-    }
+    void operator()(const TextField& field) const { *field.value = need<std::string>("is not text"); }
 
     void operator()(const RowsField& field) const {
-        const auto* list = std::get_if<std::vector<Value>>(&entry.value.data);
-        if (list == nullptr) throw wrong("is not a list");
+        const auto& list = need<std::vector<Value>>("is not a list");
         std::vector<std::vector<double>> rows;
-        for (const Value& item : *list) rows.push_back(row(field, item, rows.size()));
+        for (const Value& item : list) rows.push_back(row(field, item, rows.size()));
         field.set(rows);
     }
 

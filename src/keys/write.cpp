@@ -1,6 +1,7 @@
 #include "keys/write.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -102,9 +103,7 @@ std::string canonical_text(std::span<const Key> keys) {
     std::vector<std::string> lines;
     for (const Key& key : keys) lines.push_back(fmt::format("{} = {}\n", key.path, exact_text(key)));
     std::ranges::sort(lines);
-    std::string text;
-    for (const std::string& line : lines) text += line;
-    return text;
+    return fmt::format("{}", fmt::join(lines, ""));
 }
 
 namespace {

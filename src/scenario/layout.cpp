@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
+#include "core/text.hpp"
 #include "scenario/floes.hpp"
 #include "scenario/keys.hpp"
 #include "scenario/validate.hpp"
@@ -42,7 +43,7 @@ constexpr double farthest_edge = 1e5;  // m
 double rounded_up(double value) {
     if (!(value > 0)) return 0;
     const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
-    return std::stod(fmt::format("{:.2g}", digit * std::ceil(value / digit - 1e-9)));
+    return to_digits(digit * std::ceil(value / digit - 1e-9), 2);
 }
 
 /// The words of the larger of two numbers.
@@ -126,26 +127,10 @@ SlowestSwing slowest_swing(const Scenario& scenario) {
 struct Wish {
     double value = 0;
     std::string reason;
-
-    /// The same, as far as its key allows.
-    Wish within(double most) const { return {std::min(value, most), reason}; }
-
-    void take_larger(const Wish& other) {
-        if (other.value > value) *this = other;
-    }
 };
 
-struct Wishes {
-    Wish sheet_width, half_width, ahead, behind, length;
-
-    void take_larger(const Wishes& other) {
-        sheet_width.take_larger(other.sheet_width);
-        half_width.take_larger(other.half_width);
-        ahead.take_larger(other.ahead);
-        behind.take_larger(other.behind);
-        length.take_larger(other.length);
-    }
-};
+/// Of the keys that it is for; of field.floes, the length of the field.
+using Wishes = std::map<LaidKey, Wish>;
 
 /// Lays one case.
 class Layout {
@@ -186,19 +171,15 @@ class Layout {
         Analysis& analysis = scenario_.analysis;
         lay_steady_start();
         lay_window();
-        const bool both = is_open(LaidKey::steady_start) && is_open(LaidKey::window);
-        if (path_time_ > 0) {
-            end_after(both, path_time_, fmt::format("until the path ends after {:.6g} s", path_time_));
-        } else if (analysis.steady_start + analysis.window > longest_time) {
-            end_after(both, longest_time, "as long as a window may be");
-        }
+        if (path_time_ > 0)
+            end_after(path_time_, fmt::format("until the path ends after {:.6g} s", path_time_));
+        else if (analysis.steady_start + analysis.window > longest_time)
+            end_after(longest_time, "as long as a window may be");
     }
 
     /// Lengths that it needs by itself. Its path is no longer known in detail then.
     const Wishes& wish() {
-        const Wishes all = wishes();
-        own_ = {all.sheet_width.within(widest), all.half_width.within(widest), all.ahead.within(farthest_edge),
-                all.behind.within(farthest_edge), all.length};
+        own_ = wishes();
         places_ = {};
         return own_;
     }
@@ -206,35 +187,29 @@ class Layout {
     /// `shared`: of all cases.
     void lay_field(const Wishes& shared) {
         Field& field = scenario_.field;
-        take(LaidKey::sheet_width, field.sheet_width, shared.sheet_width, own_.sheet_width);
-        take(LaidKey::half_width, field.half_width, shared.half_width, own_.half_width);
+        take(LaidKey::sheet_width, field.sheet_width, shared);
+        take(LaidKey::half_width, field.half_width, shared);
         if (field.endless() && !scenario_.arrangement.level()) {
-            take(LaidKey::ahead, field.ahead, shared.ahead, own_.ahead);
-            take(LaidKey::behind, field.behind, shared.behind, own_.behind);
+            take(LaidKey::ahead, field.ahead, shared);
+            take(LaidKey::behind, field.behind, shared);
         }
-        lay_floes(shared.length);
+        lay_floes(shared.at(LaidKey::floes));
         lay_lattice();
         if (!field.endless() && (!is_open(LaidKey::floes) || scenario_.arrangement.given())) end_with_field();
         lay_segments();
-        std::ranges::sort(one_.laid, {}, &LaidValue::key);
     }
 
   private:
     static constexpr std::size_t index(LaidKey key) { return static_cast<std::size_t>(key); }
     bool is_open(LaidKey key) const { return one_.open.test(index(key)); }
 
-    void tell(LaidKey key, std::string reason) {
-        const auto told = std::ranges::find(one_.laid, key, &LaidValue::key);
-        if (told == one_.laid.end())
-            one_.laid.push_back({key, std::move(reason)});
-        else
-            told->reason = std::move(reason);
-    }
+    void tell(LaidKey key, std::string reason) { one_.laid[key] = std::move(reason); }
 
-    void take(LaidKey key, double& field, const Wish& shared, const Wish& own) {
+    void take(LaidKey key, double& field, const Wishes& shared) {
         if (!is_open(key)) return;
-        field = shared.value;
-        tell(key, shared.reason + (own.value < shared.value ? ", in the case that needs most" : ""));
+        const auto& [value, reason] = shared.at(key);
+        field = value;
+        tell(key, reason + (own_.at(key).value < value ? ", in the case that needs most" : ""));
     }
 
     Wishes wishes() const {
@@ -244,25 +219,27 @@ class Layout {
         const double side = swings_round ? hull_.around : hull_.aside;
         const double beside = std::max(breadths_beside * hull_.breadth(), floes_beside * floes_.side);
         const double room = room_ahead();
+        const double way = way_into_field();
+        const auto within = [](double length, double most) { return std::min(rounded_up(length), most); };
         Wishes wishes;
-        wishes.sheet_width = {rounded_up(floes_.diagonal),
-                              fmt::format("the diagonal of the largest floe, {:.4g} m", floes_.diagonal)};
-        wishes.half_width = {
-            rounded_up(aside_ + side + beside),
+        wishes[LaidKey::sheet_width] = {within(floes_.diagonal, widest),
+                                        fmt::format("the diagonal of the largest floe, {:.4g} m", floes_.diagonal)};
+        wishes[LaidKey::half_width] = {
+            within(aside_ + side + beside, widest),
             fmt::format(
                 "{}the hull reaches {:.4g} m aside, and beside it {}",
                 aside_ > 0 ? fmt::format("the path goes {:.4g} m aside, ", aside_) : "", side,
                 larger_of(breadths_beside * hull_.breadth(), fmt::format("is its breadth of {:.4g} m", hull_.breadth()),
                           floes_beside * floes_.side, fmt::format("are two floes of {:.4g} m", floes_.side)))};
-        wishes.ahead = {rounded_up(hull_.around + room),
-                        fmt::format("the hull reaches {:.4g} m, and {}", hull_.around, room_words())};
-        wishes.behind = {
-            rounded_up(window_least(scenario_) + floes_.side + back_),
+        wishes[LaidKey::ahead] = {within(hull_.around + room, farthest_edge),
+                                  fmt::format("the hull reaches {:.4g} m, and {}", hull_.around, room_words())};
+        wishes[LaidKey::behind] = {
+            within(window_least(scenario_) + floes_.side + back_, farthest_edge),
             fmt::format("the hull and the floes about it reach {:.4g} m, and a floe more{}", window_least(scenario_),
                         back_ > 0 ? fmt::format(", and the path comes back by {:.4g} m", back_) : "")};
-        const double way = way_into_field();
-        wishes.length = {rounded_up(way + hull_.around + room - scenario_.field.begin + scenario_.structure.start),
-                         fmt::format("a way of {:.4g} m, the hull, and {}", way, room_words())};
+        wishes[LaidKey::floes] = {
+            rounded_up(way + hull_.around + room - scenario_.field.begin + scenario_.structure.start),
+            fmt::format("a way of {:.4g} m, the hull, and {}", way, room_words())};
         return wishes;
     }
 
@@ -309,15 +286,15 @@ class Layout {
         constexpr double rounding = 1e-9;
         const double count = (up ? rounded_up(time) : time) / step / static_cast<double>(parts);
         const double whole = up ? std::ceil(count * (1 - rounding)) : std::floor(count * (1 + rounding));
-        return std::stod(fmt::format("{:.10g}", step * static_cast<double>(parts) * whole));
+        return to_digits(step * static_cast<double>(parts) * whole, 10);
     }
 
     /// Likewise of whole segments, which are to two figures.
     double whole_window(double time, bool up) const {
         const std::int64_t segments = scenario_.analysis.segments;
         const std::int64_t parts = stride_ / std::gcd(std::int64_t{stride_}, segments);
-        return std::stod(fmt::format(
-            "{:.10g}", static_cast<double>(segments) * whole(time / static_cast<double>(segments), parts, up)));
+        const auto count = static_cast<double>(segments);
+        return to_digits(count * whole(time / count, parts, up), 10);
     }
 
     void lay_steady_start() {
@@ -372,9 +349,10 @@ class Layout {
         return times == Analysis{}.averaging || times.empty() ? 0 : times.back();
     }
 
-    /// Lets the run end then, as far as its times are open. `both`: they are, and neither is to leave the other none.
-    void end_after(bool both, double time, const std::string& reason) {
+    /// Lets the run end then, as far as its times are open. If both are, neither is to leave the other none.
+    void end_after(double time, const std::string& reason) {
         Analysis& analysis = scenario_.analysis;
+        const bool both = is_open(LaidKey::steady_start) && is_open(LaidKey::window);
         const bool shorter = analysis.steady_start + analysis.window > time;
         const double least =
             analysis.segments * std::max(2.0 * stride_ * scenario_.general.time_step, longest_average());
@@ -456,7 +434,7 @@ class Layout {
     void lay_lattice() {
         constexpr int most_rows = 200;
         constexpr double rounding = 1e-6;
-        if (scenario_.arrangement.given() || scenario_.shapes.kind == ShapeKind::voronoi || lies_on_lattice()) return;
+        if (lies_on_lattice()) return;
         Field& field = scenario_.field;
         const Field before = field;
         const double row = scenario_.floe.breadth + scenario_.arrangement.clearance;
@@ -466,23 +444,21 @@ class Layout {
             static_cast<int>(is_open(LaidKey::half_width) ? std::ceil(rows_inside) : std::floor(rows_inside));
         for (int rows = std::max(1, first); rows < first + most_rows; ++rows) {
             if (is_open(LaidKey::half_width))
-                field.half_width = std::stod(
-                    fmt::format("{:.6g}", (1 + rounding) * (rows * row + scenario_.arrangement.clearance) / 2));
+                field.half_width = to_digits((1 + rounding) * (rows * row + scenario_.arrangement.clearance) / 2, 6);
             if (is_open(LaidKey::floes)) {
                 const int wanted = std::max(floes_for(needed_), fewest_of_list());
                 field.floes = std::min(most_floes, (wanted + rows - 1) / rows * rows);
             }
             if (lies_on_lattice()) {
                 if (is_open(LaidKey::half_width))
-                    tell(LaidKey::half_width, fmt::format("{} rows of floes, as {}", rows, told(LaidKey::half_width)));
+                    tell(LaidKey::half_width,
+                         fmt::format("{} rows of floes, as {}", rows, one_.laid.at(LaidKey::half_width)));
                 return;
             }
             if (!is_open(LaidKey::half_width)) break;
         }
         field = before;
     }
-
-    std::string told(LaidKey key) const { return std::ranges::find(one_.laid, key, &LaidValue::key)->reason; }
 
     /// Where the floes are stated, the run ends before they do.
     void end_with_field() {
@@ -491,8 +467,7 @@ class Layout {
         const double time = room / speed_through_ice();
         const Analysis& analysis = scenario_.analysis;
         if (!(time > 0) || analysis.steady_start + analysis.window <= time) return;
-        end_after(is_open(LaidKey::steady_start) && is_open(LaidKey::window), time,
-                  fmt::format("until the ice of {} floes ends, {:.4g} m on", scenario_.field.floes, room));
+        end_after(time, fmt::format("until the ice of {} floes ends, {:.4g} m on", scenario_.field.floes, room));
     }
 
     void lay_segments() {
@@ -554,7 +529,8 @@ void lay(std::span<Unlaid> cases) {
         }
         layout.lay_places();
         layout.lay_times();
-        shared.take_larger(layout.wish());
+        for (const auto& [key, wish] : layout.wish())
+            if (wish.value > shared[key].value) shared[key] = wish;
     }
     for (Layout& layout : layouts) layout.lay_field(shared);
 }

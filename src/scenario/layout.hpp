@@ -4,10 +4,10 @@
 
 #include <array>
 #include <bitset>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "scenario/scenario.hpp"
 
@@ -22,17 +22,14 @@ inline constexpr std::array<std::string_view, 10> laid_paths{
 /// By LaidKey: which of them a text does not state.
 using OpenKeys = std::bitset<laid_paths.size()>;
 
-/// What a key got, in the scenario, and why: "the diagonal of the largest floe, 63.6 m".
-struct LaidValue {
-    LaidKey key{};
-    std::string reason;
-};
+/// Why keys have the values that they got: "the diagonal of the largest floe, 63.6 m".
+using LaidReasons = std::map<LaidKey, std::string>;
 
 /// One case of a campaign, before and after.
 struct Unlaid {
     Scenario* scenario = nullptr;  ///< not owned; its open keys get their values
     OpenKeys open;
-    std::vector<LaidValue> laid{};  ///< in the order of LaidKey
+    LaidReasons laid{};
 };
 
 /// Whether the hull is of another breadth at the waterline than the paper's, by more than 1 %, so that the paper's

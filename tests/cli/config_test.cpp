@@ -38,9 +38,10 @@ TEST(Config, ReferenceOfOneTableHasItsKeysAlone) {
     EXPECT_NE(reference_markdown().find(stop), std::string::npos);
     EXPECT_TRUE(stop.starts_with("## [stop]\n")) << stop;
     std::size_t rows = 0;
-    for (const KeyDescription& one : reference()) {
-        const bool has = stop.find("| `" + one.key + "` |") != std::string::npos;
-        EXPECT_EQ(has, one.key.starts_with("stop.")) << one.key;
+    const CampaignTables all;
+    for (const Key& key : all.keys) {
+        const bool has = stop.find("| `" + std::string(key.path) + "` |") != std::string::npos;
+        EXPECT_EQ(has, key.table() == "stop") << key.path;
         rows += has ? 1 : 0;
     }
     const nlohmann::json keys = nlohmann::json::parse(config({"--reference", "stop", "--format", "json"})).at("keys");
@@ -51,14 +52,15 @@ TEST(Config, ReferenceOfOneTableHasItsKeysAlone) {
 
 TEST(Config, ReferenceAsJsonHasEveryKey) {
     const nlohmann::json keys = nlohmann::json::parse(config({"--reference", "--format", "json"})).at("keys");
-    const std::vector<KeyDescription> expected = reference();
-    ASSERT_EQ(keys.size(), expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        EXPECT_EQ(keys[i].at("key"), expected[i].key);
-        EXPECT_EQ(keys[i].at("default"), expected[i].default_value);
-        EXPECT_EQ(keys[i].at("allowed"), expected[i].allowed);
-        EXPECT_EQ(keys[i].at("meaning"), expected[i].meaning);
-        EXPECT_EQ(keys[i].at("source"), expected[i].source);
+    const CampaignTables all;
+    ASSERT_EQ(keys.size(), all.keys.size());
+    for (std::size_t i = 0; i < all.keys.size(); ++i) {
+        const Key& key = all.keys[i];
+        EXPECT_EQ(keys[i].at("key"), std::string(key.path));
+        EXPECT_EQ(keys[i].at("default"), literal(key));
+        EXPECT_EQ(keys[i].at("allowed"), allowed(key));
+        EXPECT_EQ(keys[i].at("meaning"), std::string(key.doc));
+        EXPECT_EQ(keys[i].at("source"), std::string(key.source));
     }
 }
 

@@ -51,7 +51,7 @@ TEST(ExpectedMembers, TakeAsLongAsTheirCostSays) {
 
 // The paper's tank, by what an element in a step costs: half the side is four times the elements.
 TEST(CostWords, SayWhatOtherElementsAndWindowsCost) {
-    Campaign campaign{.name = "tank", .arrangements = 1, .cases = {}};
+    Campaign campaign{{.name = "tank"}, {}};
     Scenario scenario;
     scenario.ice.elastic_modulus = 60e6;
     scenario.analysis.window = 1500;
@@ -79,7 +79,7 @@ TEST(CostWords, SayWhatOtherElementsAndWindowsCost) {
 
 // What a sheet costs grows faster than with its elements.
 TEST(CostWords, CountTheElementsOfASheet) {
-    Campaign campaign{.name = "sheet", .arrangements = 1, .cases = {{"one", test::level_strip(0.8, 0.1, 60)}}};
+    Campaign campaign{{.name = "sheet"}, {{"one", test::level_strip(0.8, 0.1, 60)}}};
     campaign.cases[0].scenario.analysis.window = 499.96;
     const double elements = sheet_shape(campaign.cases[0].scenario).elements();
     EXPECT_THAT(cost_words(campaign),

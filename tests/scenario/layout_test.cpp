@@ -67,7 +67,7 @@ void moor(Scenario& scenario) {
     moorings.yaw = moorings.mass * 25 * 25 * std::pow(2 * std::numbers::pi / 20, 2);
 }
 
-std::vector<LaidValue> lay_one(Scenario& scenario, OpenKeys open) {
+LaidReasons lay_one(Scenario& scenario, OpenKeys open) {
     Unlaid one{&scenario, open};
     lay({&one, 1});
     return one.laid;
@@ -80,9 +80,7 @@ Scenario laid(Scenario scenario, OpenKeys open = all()) {
 
 std::string reason(const Scenario& scenario, LaidKey key, OpenKeys open = all()) {
     Scenario copy = scenario;
-    for (const LaidValue& value : lay_one(copy, open))
-        if (value.key == key) return value.reason;
-    return "";
+    return lay_one(copy, open)[key];
 }
 
 TEST(Layout, OfTheConeInClosedForm) {
@@ -250,7 +248,7 @@ TEST(Layout, FieldsAreAlikeInAllCases) {
     EXPECT_EQ(small.field.begin, large.field.begin);
     EXPECT_EQ(small.field.floes, large.field.floes);
     EXPECT_GT(small.structure.start, large.structure.start);
-    EXPECT_THAT(cases[0].laid[1].reason, HasSubstr(", in the case that needs most"));
+    EXPECT_THAT(cases[0].laid.at(LaidKey::half_width), HasSubstr(", in the case that needs most"));
     EXPECT_THAT(find_contradictions(small), IsEmpty());
 }
 
