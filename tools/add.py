@@ -118,9 +118,10 @@ def add_finding(name, title):
     write_new(folder / f"{name}.cpp", FINDING.format(name=name, title=title))
     write_new(ROOT / f"tests/findings/{name}_test.cpp", FINDING_TEST.format(name=name, title=title, camel=camel(name)))
     insert(folder / "sections.hpp", "}  // namespace floes", f"/// {title}.\nSection {name}_section(Evidence& evidence);\n\n")
-    insert(folder / "catalogue.cpp", "    Finding{.name = \"members\"",
-           f'    Finding{{"{name}", one<{name}_section>, never, "{title}", always}},\n')
-    print("Left: what it computes; whether it is shown unasked (never) and its place in catalogue.cpp; CHANGELOG.md.")
+    insert(folder / "catalogue.cpp", "    {.name = \"members\"",
+           f'    {{"{name}", one<{name}_section>, "{title}", always, "{title}"}},\n')
+    print("Left: what it computes; what its sheet of a workbook holds, when it is shown unasked (never) and its "
+          "place in catalogue.cpp; CHANGELOG.md.")
 
 
 def add_key(path):

@@ -249,7 +249,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, const Memb
     }
     if (status != exit_stopped && options.places.part.of == 1 && !verb.no_file) {
         Evidence evidence = read_evidence(options.places.campaign_file);
-        print({overview_section(evidence, sensitivity_of(evidence)), next_commands(evidence, typed_program(program))},
+        print({overview_section(evidence), next_commands(evidence, typed_program(program))},
               "table", evidence.units);
     }
     return status;

@@ -25,91 +25,10 @@ std::string sheet_name(std::string_view part) {
     return part == "design" ? "design loads" : std::string(part);
 }
 
-/// Parts in the order of their sheets, and what a sheet holds.
-constexpr auto kinds = std::to_array<std::pair<std::string_view, std::string_view>>({
-    {"cases",
-     "a line for each case: means over arrangements with their 95 % intervals: _low and _high by "
-     "Student's t, _prediction_ of one further run"},
-    {"answer", "the first page of the report: a line for each case, with differences to the base case"},
-    {"members", "a line for each simulation"},
-    {"pairs", "differences of two cases within the same arrangements, with their 95 % intervals and tests"},
-    {"points", "the points of the design with their results"},
-    {"long", "a line for each value of each simulation"},
-    {"design", "the largest load in an exposure"},
-    {"sensitivity", "which keys decide the load"},
-    {"extremes", "fits of the maxima, and return levels"},
-    {"exceedance", "how often maxima exceed a load"},
-    {"fatigue", "rainflow cycles, equivalent ranges, and time above levels"},
-    {"moored", "a hull on moorings: offset, mooring force and amplification, and these over its natural period"},
-    {"lines", "the largest tension of each mooring line, over its break load"},
-    {"steady", "when the load became steady"},
-    {"energy", "where the work of the tow goes, over the distance towed"},
-    {"hull", "loads on the parts of the hull, and moments on it about its axis at the waterline"},
-    {"model", "what the model leaves open, from the cases of floes vary"},
-    {"control", "means corrected for the order of the floes and the coverage ahead"},
-    {"pieces", "sizes of the ice at the start and at the end"},
-});
-
-auto kind_of(std::string_view part) {
-    return std::ranges::find(kinds, part, [](const auto& one) { return one.first; });
-}
-
-std::string_view about(std::string_view part) {
-    const auto* found = kind_of(part);
-    return found == kinds.end() ? "" : found->second;
-}
-
-bool is_wanted(const Finding& finding, const std::vector<std::string>& parts, const Campaign& campaign) {
-    if (!parts.empty()) return std::ranges::find(parts, finding.name) != parts.end();
-    if (finding.name == "moored") return finding.unasked(campaign);
-    if (finding.name == "pairs") return campaign.cases.size() > 1 && finding.unasked(campaign);
-    return finding.name == "cases" || finding.name == "members" ||
-           (finding.name == "points" && campaign.design.active());
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (const auto line : std::views::split(text, '\n'))
-        if (!line.empty()) lines.emplace_back(line.begin(), line.end());
-    return lines;
-}
-
-/// The overview of the screen.
-FrontSheet front_sheet(Evidence& evidence) {
-    Section overview = overview_section(evidence, sensitivity_of(evidence));
-    FrontSheet front{.name = "overview", .above = lines_of(overview.before), .table = {}, .below = overview.notes};
-    if (!overview.results.empty()) front.table = std::move(overview.results.front());
-    for (std::string& line : lines_of(overview.after)) front.below.push_back(std::move(line));
-    return front;
-}
-
-/// `parts`: names of findings; empty: cases, members, pairs, the points of a design, and hulls that give way. The first
-/// sheet says what the others hold.
-std::vector<Sheet> workbook_sheets(Evidence& evidence, const std::vector<std::string>& parts) {
-    using Line = std::pair<std::string, std::string>;
-    std::vector<Line> contents{{"campaign", evidence.sample.title}, {"made by", "floes " + floes_version()}};
-    std::vector<Sheet> sheets;
-    std::vector<Finding> wanted;
-    for (const Finding& finding : findings())
-        if (!finding.name.empty() && is_wanted(finding, parts, evidence.campaign)) wanted.push_back(finding);
-    std::ranges::stable_sort(wanted, {}, [](const Finding& one) { return kind_of(one.name); });
-    for (const Finding& finding : wanted) {
-        std::size_t of_this = 0;
-        for (Section& section : finding.sections(evidence))
-            for (DataRows& records : records_of(section)) {
-                if (!records.in_csv) continue;
-                const std::string name = sheet_name(finding.name);
-                sheets.push_back({++of_this == 1 ? name : fmt::format("{} {}", name, of_this), std::move(records)});
-                contents.emplace_back(sheets.back().name, of_this == 1 ? about(finding.name) : "");
-            }
-    }
-    contents.emplace_back("units", "SI: N, m, s, Pa; shares are not in percent");
-    sheets.insert(sheets.begin(),
-                  {"contents", data_rows(list("", "sheet holds", contents, [](const Line& one) -> std::vector<Datum> {
-                       return {one.first, one.second};
-                   }))});
-    return sheets;
-}
+/// Parts in the order of their sheets; others follow.
+constexpr auto sheet_order = std::to_array<std::string_view>(
+    {"cases", "answer", "members", "pairs", "points", "long", "design", "sensitivity", "extremes", "exceedance",
+     "fatigue", "moored", "lines", "steady", "energy", "hull", "model", "control", "pieces"});
 
 struct SummarizeOptions {
     std::vector<std::string> files;
@@ -126,13 +45,57 @@ struct SummarizeOptions {
 };
 
 /// What is shown unless parts are named: one screen as a table, with --full and as JSON the parts suited to the
-/// campaign, and the cases as CSV.
+/// campaign, the cases as CSV, and in a workbook these, members, pairs, the points of a design and hulls that give way.
 bool is_wanted(const Finding& finding, const SummarizeOptions& options, const Campaign& campaign) {
     if (!options.parts.empty()) return std::ranges::find(options.parts, finding.name) != options.parts.end();
     if (options.format == "table" && !options.full) return finding.name == overview_part;
-    if (options.format == "json" && finding.unasked_in_json != nullptr && finding.unasked_in_json(campaign))
-        return true;
-    return options.format == "csv" ? finding.name == findings().front().name : finding.unasked(campaign);
+    if (options.format == "csv") return finding.name == findings().front().name;
+    const auto holds = [&](When when) { return when != nullptr && when(campaign); };
+    if (options.format == "xlsx") return holds(finding.unasked_in_workbook);
+    return holds(finding.unasked) || (options.format == "json" && holds(finding.unasked_in_json));
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (const auto line : std::views::split(text, '\n'))
+        if (!line.empty()) lines.emplace_back(line.begin(), line.end());
+    return lines;
+}
+
+/// The overview of the screen.
+FrontSheet front_sheet(Evidence& evidence) {
+    Section overview = overview_section(evidence);
+    FrontSheet front{.name = "overview", .above = lines_of(overview.before), .table = {}, .below = overview.notes};
+    if (!overview.results.empty()) front.table = std::move(overview.results.front());
+    for (std::string& line : lines_of(overview.after)) front.below.push_back(std::move(line));
+    return front;
+}
+
+/// The first one says what the others hold.
+std::vector<Sheet> workbook_sheets(const SummarizeOptions& options, Evidence& evidence) {
+    using Line = std::pair<std::string, std::string>;
+    std::vector<Line> contents{{"campaign", evidence.sample.title}, {"made by", "floes " + floes_version()}};
+    std::vector<Sheet> sheets;
+    std::vector<Finding> wanted;
+    for (const Finding& finding : findings())
+        if (!finding.name.empty() && is_wanted(finding, options, evidence.campaign)) wanted.push_back(finding);
+    std::ranges::stable_sort(wanted, {}, [](const Finding& one) { return std::ranges::find(sheet_order, one.name); });
+    for (const Finding& finding : wanted) {
+        std::size_t of_this = 0;
+        for (Section& section : finding.sections(evidence))
+            for (DataRows& records : records_of(section)) {
+                if (!records.in_csv) continue;
+                const std::string name = sheet_name(finding.name);
+                sheets.push_back({++of_this == 1 ? name : fmt::format("{} {}", name, of_this), std::move(records)});
+                contents.emplace_back(sheets.back().name, of_this == 1 ? finding.holds : "");
+            }
+    }
+    contents.emplace_back("units", "SI: N, m, s, Pa; shares are not in percent");
+    sheets.insert(sheets.begin(),
+                  {"contents", data_rows(list("", "sheet holds", contents, [](const Line& one) -> std::vector<Datum> {
+                       return {one.first, one.second};
+                   }))});
+    return sheets;
 }
 
 std::vector<Section> find(const SummarizeOptions& options, Evidence& evidence) {
@@ -168,7 +131,7 @@ void write(const SummarizeOptions& options, Evidence& evidence, const std::strin
     }
     const std::string aside = options.output + ".tmp";
     const FrontSheet front = front_sheet(evidence);
-    write_workbook(aside, workbook_sheets(evidence, options.parts), evidence.units, &front);
+    write_workbook(aside, workbook_sheets(options, evidence), evidence.units, &front);
     rename_into_place(aside, options.output);
 }
 

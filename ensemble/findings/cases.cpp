@@ -437,7 +437,8 @@ const char* status_word(RowStatus status) {
 
 }  // namespace
 
-Section members_section(const Sample& sample) {
+Section members_section(const Evidence& evidence) {
+    const Sample& sample = evidence.sample;
     Results results{.columns = program_columns("member case arrangement status"), .in_json = false};
     const std::vector<Quantity> known = sample.quantities();
     std::vector<Quantity> shown;
@@ -464,7 +465,8 @@ Section members_section(const Sample& sample) {
     return {.results = {std::move(results)}};
 }
 
-Section long_section(const Sample& sample) {
+Section long_section(const Evidence& evidence) {
+    const Sample& sample = evidence.sample;
     Results results{.columns = program_columns("case arrangement quantity unit value"), .in_json = false};
     const std::vector<Quantity> known = sample.quantities();
     for (std::size_t member = 0; member < sample.members(); ++member)

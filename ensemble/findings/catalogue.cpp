@@ -19,35 +19,39 @@ namespace floes {
 namespace {
 
 constexpr auto always = [](const Campaign&) { return true; };
-constexpr auto never = [](const Campaign&) { return false; };
 constexpr auto of_a_design = [](const Campaign& campaign) { return campaign.design.active(); };
 constexpr auto without_design = [](const Campaign& campaign) { return !campaign.design.active(); };
 constexpr auto with_base_case = [](const Campaign& campaign) { return base_case(campaign).has_value(); };
 
-/// Cases that somebody wrote down to compare them with each other; the points of a design are told by their axes.
+/// Points of a design are told by their axes.
+constexpr auto of_written_cases = [](const Campaign& campaign) {
+    return campaign.cases.size() > 1 && !campaign.design.active();
+};
+
+/// Cases that somebody wrote down to compare them with each other.
 constexpr auto to_be_compared = [](const Campaign& campaign) {
-    return campaign.cases.size() > 1 && !campaign.design.active() && !with_base_case(campaign);
+    return of_written_cases(campaign) && !with_base_case(campaign);
 };
 
-constexpr auto with_levels = [](const Campaign& campaign) {
-    return std::ranges::any_of(campaign.cases,
-                               [](const Case& one) { return !one.scenario.analysis.exceedance_levels.empty(); });
-};
+bool any(const Campaign& campaign, bool (*has)(const Scenario&)) {
+    return std::ranges::any_of(campaign.cases, has, &Case::scenario);
+}
 
-constexpr auto with_parts = [](const Campaign& campaign) {
-    return std::ranges::any_of(campaign.cases,
-                               [](const Case& one) { return one.scenario.structure.shape.parts().size() > 1; });
-};
+bool with_levels(const Campaign& campaign) {
+    return any(campaign, [](const Scenario& one) { return !one.analysis.exceedance_levels.empty(); });
+}
 
-constexpr auto with_moorings = [](const Campaign& campaign) {
-    return std::ranges::any_of(campaign.cases, [](const Case& one) { return one.scenario.moorings.give_way(); });
-};
+bool with_parts(const Campaign& campaign) {
+    return any(campaign, [](const Scenario& one) { return one.structure.shape.parts().size() > 1; });
+}
 
-constexpr auto with_lines = [](const Campaign& campaign) {
-    return std::ranges::any_of(campaign.cases, [](const Case& one) {
-        return one.scenario.moorings.give_way() && one.scenario.moorings.line_count() > 0;
-    });
-};
+bool with_moorings(const Campaign& campaign) {
+    return any(campaign, [](const Scenario& one) { return one.moorings.give_way(); });
+}
+
+bool with_lines(const Campaign& campaign) {
+    return any(campaign, [](const Scenario& one) { return one.moorings.give_way() && one.moorings.line_count() > 0; });
+}
 
 /// A finding of one section, which `section` makes of the evidence.
 template <auto section>
@@ -59,10 +63,6 @@ Section cases(Evidence& evidence) {
     Section section = summary_section(evidence.summary, evidence.reference);
     section.before = warning_lines(warnings_of(evidence.sample, evidence.summary)) + section.before;
     return section;
-}
-
-const SteadyReport& steady_of(Evidence& evidence) {
-    return evidence.kept.once([&] { return find_steady(evidence.file, evidence.sample); });
 }
 
 const std::vector<CaseExtremes>& extremes_of(Evidence& evidence) {
@@ -114,53 +114,85 @@ std::vector<Section> design(Evidence& evidence) {
     return sections;
 }
 
-constexpr std::array all{
-    Finding{"cases", one<cases>, always},
-    Finding{overview_part, one<[](Evidence& e) { return overview_section(e, sensitivity_of(e)); }>, never},
-    Finding{"answer", one<answer>, never},
-    Finding{"points", one<points_section>, of_a_design, "What decides the load?", of_a_design},
-    Finding{"sensitivity", sensitivity, of_a_design, "What decides the load?", of_a_design},
-    Finding{"", one<[](Evidence& e) { return Section{.before = unasked_text(e.summary) + "\n"}; }>, of_a_design,
-            "What decides the load?", of_a_design},
-    Finding{"", one<averaged_section>, never, loads_title, always},
-    Finding{"", one<table3_section>, never, loads_title, always},
-    Finding{"", one<what_was_run>, never, "What was run", always},
-    Finding{.name = "pairs",
-            .sections = one<pairs>,
-            .unasked = without_design,
-            .page_title = "Do the cases differ?",
-            .on_page = to_be_compared,
-            .unasked_in_json = in_detail},
-    Finding{"model", one<model_section>, with_base_case, "What does the model leave open?", with_base_case},
-    Finding{"", one<histories_section>, never, "Load over time", always},
-    Finding{"", one<load_map_section>, never, "Where the load acts", always},
-    Finding{"hull", parts_sections, with_parts, "Parts of the hull", with_parts},
-    Finding{"energy", one<energy_section>, never, "Where the work goes", always},
-    Finding{"design", design, never, "Design load", in_detail},
-    Finding{"extremes", one<[](Evidence& e) { return extremes_section(e.summary, extremes_of(e)); }>, in_detail,
-            "Extremes", in_detail},
-    Finding{"", one<levels>, never, "Extremes", with_levels},
-    Finding{"exceedance", exceedance, never},
-    Finding{"fatigue", fatigue_sections, never},
-    Finding{"lines", lines, with_lines},
-    Finding{"moored", moored_sections, with_moorings, "On moorings", in_detail},
-    Finding{"steady", one<[](Evidence& e) { return steady_section(e.summary, e.sample, steady_of(e)); }>, never},
-    Finding{"control", one<control_section>, never},
-    Finding{"", one<convergence_section>, never, "Uncertainty of the mean", always},
-    Finding{"", one<failures_section>, never, "Broken floes", always},
-    Finding{"pieces", one<piece_sizes_section>, never, "Broken floes", always},
-    Finding{"", one<joint_failures_section>, never, "Where floes fail", always},
-    Finding{"", one<largest_load_section>, never, "The arrangement with the largest load", always},
-    Finding{"", one<closed_formulas_section>, never, "Elastic modulus and closed formulas", always},
-    Finding{.name = "members",
-            .sections = one<[](Evidence& e) { return members_section(e.sample); }>,
-            .unasked = never,
-            .for_csv_alone = true},
-    Finding{.name = "long",
-            .sections = one<[](Evidence& e) { return long_section(e.sample); }>,
-            .unasked = never,
-            .for_csv_alone = true},
-};
+constexpr auto all = std::to_array<Finding>({
+    {.name = "cases",
+     .sections = one<cases>,
+     .holds = "a line for each case: means over arrangements with their 95 % intervals: _low and _high by Student's t, "
+              "_prediction_ of one further run",
+     .unasked = always,
+     .unasked_in_workbook = always},
+    {overview_part, one<overview_section>},
+    {.name = "answer",
+     .sections = one<answer>,
+     .holds = "the first page of the report: a line for each case, with differences to the base case"},
+    {.name = "points",
+     .sections = one<points_section>,
+     .page_title = "What decides the load?",
+     .on_page = of_a_design,
+     .holds = "the points of the design with their results",
+     .unasked = of_a_design,
+     .unasked_in_workbook = of_a_design},
+    {"sensitivity", sensitivity, "What decides the load?", of_a_design, "which keys decide the load", of_a_design},
+    {"", one<[](Evidence& e) { return Section{.before = unasked_text(e.summary) + "\n"}; }>, "What decides the load?",
+     of_a_design, "", of_a_design},
+    {"", one<averaged_section>, loads_title, always},
+    {"", one<table3_section>, loads_title, always},
+    {"", one<what_was_run>, "What was run", always},
+    {.name = "pairs",
+     .sections = one<pairs>,
+     .page_title = "Do the cases differ?",
+     .on_page = to_be_compared,
+     .holds = "differences of two cases within the same arrangements, with their 95 % intervals and tests",
+     .unasked = without_design,
+     .unasked_in_json = in_detail,
+     .unasked_in_workbook = of_written_cases},
+    {"model", one<model_section>, "What does the model leave open?", with_base_case,
+     "what the model leaves open, from the cases of floes vary", with_base_case},
+    {"", one<histories_section>, "Load over time", always},
+    {"", one<load_map_section>, "Where the load acts", always},
+    {"hull", parts_sections, "Parts of the hull", with_parts,
+     "loads on the parts of the hull, and moments on it about its axis at the waterline", with_parts},
+    {"energy", one<energy_section>, "Where the work goes", always,
+     "where the work of the tow goes, over the distance towed"},
+    {"design", design, "Design load", in_detail, "the largest load in an exposure"},
+    {"extremes", one<[](Evidence& e) { return extremes_section(e.summary, extremes_of(e)); }>, "Extremes", in_detail,
+     "fits of the maxima, and return levels", in_detail},
+    {"", one<levels>, "Extremes", with_levels},
+    {.name = "exceedance", .sections = exceedance, .holds = "how often maxima exceed a load"},
+    {.name = "fatigue",
+     .sections = fatigue_sections,
+     .holds = "rainflow cycles, equivalent ranges, and time above levels"},
+    {.name = "lines",
+     .sections = lines,
+     .holds = "the largest tension of each mooring line, over its break load",
+     .unasked = with_lines},
+    {.name = "moored",
+     .sections = moored_sections,
+     .page_title = "On moorings",
+     .on_page = in_detail,
+     .holds = "a hull on moorings: offset, mooring force and amplification, and these over its natural period",
+     .unasked = with_moorings,
+     .unasked_in_workbook = with_moorings},
+    {.name = "steady", .sections = one<steady_section>, .holds = "when the load became steady"},
+    {.name = "control",
+     .sections = one<control_section>,
+     .holds = "means corrected for the order of the floes and the coverage ahead"},
+    {"", one<convergence_section>, "Uncertainty of the mean", always},
+    {"", one<failures_section>, "Broken floes", always},
+    {"pieces", one<piece_sizes_section>, "Broken floes", always, "sizes of the ice at the start and at the end"},
+    {"", one<joint_failures_section>, "Where floes fail", always},
+    {"", one<largest_load_section>, "The arrangement with the largest load", always},
+    {"", one<closed_formulas_section>, "Elastic modulus and closed formulas", always},
+    {.name = "members",
+     .sections = one<members_section>,
+     .holds = "a line for each simulation",
+     .unasked_in_workbook = always,
+     .for_csv_alone = true},
+    {.name = "long",
+     .sections = one<long_section>,
+     .holds = "a line for each value of each simulation",
+     .for_csv_alone = true},
+});
 
 }  // namespace
 

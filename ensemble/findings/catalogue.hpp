@@ -1,7 +1,7 @@
 #pragma once
 // The findings of a campaign file by name, as `floes summarize --parts` takes them and as the report shows them. A new
-// finding is a source, the declaration of its section in sections.hpp, and a line in catalogue.cpp. Those that read the
-// file throw as read_campaign_file() does.
+// finding is a source, the declaration of its section in sections.hpp, and a line in catalogue.cpp: nothing else lists
+// them. Those that read the file throw as read_campaign_file() does.
 
 #include <span>
 #include <string_view>
@@ -11,14 +11,19 @@
 
 namespace floes {
 
+/// Whether a finding is shown for this campaign; null: for none.
+using When = bool (*)(const Campaign&);
+
 struct Finding {
     std::string_view name;                        ///< of the part; empty: only the report has it
     std::vector<Section> (*sections)(Evidence&);  ///< may keep in the evidence what other findings need too
-    bool (*unasked)(const Campaign&);             ///< whether it is shown for this campaign when no parts are named
     std::string_view page_title = {};             ///< of its section of the report, which may go on in the next finding
-    bool (*on_page)(const Campaign&) = nullptr;   ///< whether the report of this campaign has it; with a page_title
+    When on_page = nullptr;                       ///< in the report; with a page_title
+    std::string_view holds = {};                  ///< what its sheet of a workbook holds
+    When unasked = nullptr;                       ///< as text and JSON when no parts are named
+    When unasked_in_json = nullptr;               ///< where JSON has it in further campaigns
+    When unasked_in_workbook = nullptr;           ///< in a workbook when no parts are named
     bool for_csv_alone = false;
-    bool (*unasked_in_json)(const Campaign&) = nullptr;  ///< where JSON has it in further campaigns
 };
 
 /// The part that fits on one screen.

@@ -13,6 +13,7 @@
 #include "findings/moored.hpp"
 #include "findings/page_one.hpp"
 #include "findings/pairs.hpp"
+#include "findings/points.hpp"
 
 namespace floes {
 
@@ -123,7 +124,7 @@ void add_extreme_points(const Summary& summary, const std::vector<LoadColumn>& l
 
 }  // namespace
 
-Section overview_section(Evidence& evidence, const Sensitivity& sensitivity) {
+Section overview_section(Evidence& evidence) {
     const Summary& summary = evidence.summary;
     const std::vector<LoadColumn> loads = load_columns(summary);
     Section section{.before = heading(evidence) + warning_lines(warnings_of(evidence.sample, summary)) + "\n"};
@@ -143,7 +144,7 @@ Section overview_section(Evidence& evidence, const Sensitivity& sensitivity) {
         } else {
             section.results.push_back(point_rows(find_points(evidence.campaign), summary, loads));
         }
-        std::ranges::move(change_sentences(sensitivity, evidence.units, most_changes),
+        std::ranges::move(change_sentences(sensitivity_of(evidence), evidence.units, most_changes),
                           std::back_inserter(section.notes));
     } else if (const std::optional<ModelWidth> width = find_model_width(evidence)) {
         section.results.push_back(variations_table(summary, *width, most_overview_rows));

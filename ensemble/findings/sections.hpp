@@ -76,10 +76,10 @@ Section energy_section(Evidence& evidence);
 
 /// In CSV: member,case,arrangement,status,…: the quantities of a case's summary under the same names, the maximum of
 /// each segment, and whether the load was steady. Fields are empty where a member failed or is missing.
-Section members_section(const Sample& sample);
+Section members_section(const Evidence& evidence);
 
 /// In CSV: case,arrangement,quantity,unit,value: a line for each quantity of each done member, as far as it is known.
-Section long_section(const Sample& sample);
+Section long_section(const Evidence& evidence);
 
 // The pressure of ice over the area of each part of a hull.
 //

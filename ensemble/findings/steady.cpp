@@ -159,7 +159,13 @@ CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable tabl
     return measured_anew(file, std::move(table), windows);
 }
 
-Section steady_section(const Summary& summary, const Sample& sample, const SteadyReport& steady) {
+const SteadyReport& steady_of(Evidence& evidence) {
+    return evidence.kept.once([&] { return find_steady(evidence.file, evidence.sample); });
+}
+
+Section steady_section(Evidence& evidence) {
+    const Summary& summary = evidence.summary;
+    const SteadyReport& steady = steady_of(evidence);
     const auto seconds = [](const std::optional<double>& time) { return time ? Datum(*time) : Named{"", "none"}; };
     Results cases{
         .place = "steady/cases",
@@ -180,8 +186,8 @@ Section steady_section(const Summary& summary, const Sample& sample, const Stead
                    one.median_effective_samples});
     }
     for (const MemberSteady& one : steady.members)
-        members.add({one.member, summary.name_of(sample.case_of(static_cast<std::size_t>(one.member))),
-                     seconds(one.start), one.decorrelation_time, one.effective_samples});
+        members.add({one.member, summary.name_of(evidence.case_of(one.member)), seconds(one.start),
+                     one.decorrelation_time, one.effective_samples});
     if (steady.members.empty()) {
         cases.view = Results::View::none;
         return {.results = {std::move(cases), std::move(members)},

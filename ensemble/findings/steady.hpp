@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign_file/read.hpp"
-#include "findings/summary.hpp"
+#include "findings/evidence.hpp"
 #include "inference/paired.hpp"
 
 namespace floes {
@@ -53,7 +52,10 @@ SteadyReport find_steady(const CampaignFile& file, const Sample& sample);
 /// need every step.
 CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable table, const SteadyReport& steady);
 
+/// Of the evidence's file, found once.
+const SteadyReport& steady_of(Evidence& evidence);
+
 /// Text has a row for each case, JSON a record for each case and each member, CSV a line for each member.
-Section steady_section(const Summary& summary, const Sample& sample, const SteadyReport& steady);
+Section steady_section(Evidence& evidence);
 
 }  // namespace floes

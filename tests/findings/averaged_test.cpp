@@ -116,7 +116,8 @@ TEST(Averaged, HasALineForEachCaseAndTimeOnThePage) {
 }
 
 TEST(Averaged, IsInTheLineOfEachMember) {
-    EXPECT_THAT(csv(std::vector{members_section(averaged())}), HasSubstr(",mean_maximum,mean_maximum_0.5s,"));
+    EXPECT_THAT(csv(std::vector{members_section(evidence_of({}, averaged()))}),
+                HasSubstr(",mean_maximum,mean_maximum_0.5s,"));
 }
 
 }  // namespace averaged_test

@@ -171,7 +171,7 @@ TEST(Findings, HaveALineAMemberInCsv) {
     CampaignTable table = example::campaign();
     table.members[0].load.segment_maximum = {120.5, 80, 111.25};
     table.members[1].load.segment_maximum = {70, 90};  // a case of two segments
-    const std::string text = csv(std::vector{members_section(table)});
+    const std::string text = csv(std::vector{members_section(evidence_of({}, table))});
     EXPECT_TRUE(text.starts_with("member,case,arrangement,status,mean_load,sd_load,maximum_load,mean_maximum,"));
     EXPECT_THAT(text, HasSubstr(",segment_1_maximum,segment_2_maximum,segment_3_maximum,trend_p\n"));
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), table.members.size() + 1);

@@ -39,7 +39,7 @@ Evidence evidence_with(const CampaignTable& table) {
 }
 
 std::string overview(Evidence evidence, int width) {
-    return text(std::vector{overview_section(evidence, {}), next_commands(evidence, "floes")}, width);
+    return text(std::vector{overview_section(evidence), next_commands(evidence, "floes")}, width);
 }
 
 TEST(Overview, FitsAScreen) {
@@ -55,7 +55,7 @@ TEST(Overview, FitsAScreen) {
 TEST(Overview, IsNoWiderThanTheScreen) {
     for (const int width : {60, 80, 120}) {
         Evidence evidence = evidence_with(whole());
-        std::string text = floes::text(std::vector{overview_section(evidence, {})}, width);
+        std::string text = floes::text(std::vector{overview_section(evidence)}, width);
         for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n')) {
             EXPECT_LE(text_width(text.substr(0, end)), static_cast<std::size_t>(width)) << text.substr(0, end);
             text.erase(0, end + 1);
@@ -166,7 +166,7 @@ TEST(LoadColumns, TakeTheLoadOverOneSecondInTheUnitOfTheCampaign) {
     }
     Evidence evidence = evidence_with(table);
     EXPECT_EQ(load_columns(evidence.summary)[1].words, "largest over 1 s");
-    const std::string text = floes::text(std::vector{overview_section(evidence, {})}, 100, evidence.units);
+    const std::string text = floes::text(std::vector{overview_section(evidence)}, 100, evidence.units);
     EXPECT_THAT(text, ContainsRegex("mean load, MN +largest over 1 s, MN"));
     EXPECT_THAT(text, ContainsRegex("E30 +4 +27\\.0 ± 4\\.1 +4\\.0 in all"));
 }

@@ -123,7 +123,7 @@ TEST_F(MooredPageOne, RefusesEachFigureByItsOwnTrend) {
 }
 
 TEST_F(MooredPageOne, IsTheTableOfTheScreen) {
-    const Section screen = overview_section(evidence_, {});
+    const Section screen = overview_section(evidence_);
     const auto printed = [](const Results& table) { return text(std::vector{Section{.results = {table}}}, 100); };
     EXPECT_EQ(printed(screen.results.at(0)), printed(page_.table.results.at(0)));
     EXPECT_THAT(screen.after, HasSubstr(page_.table.after));

@@ -128,7 +128,7 @@ TEST(Points, WithoutAResultAreNotDrawn) {
 // The headline, the table and the page give one number for one range.
 TEST(Points, ChangeByTheSameFromOneEndToTheOther) {
     Evidence evidence = evidence_with(grid);
-    const std::string overview = text(std::vector{overview_section(evidence, find_sensitivity(evidence))}, 100);
+    const std::string overview = text(std::vector{overview_section(evidence)}, 100);
     const char* const change = "Thickness from 0.02 to 0.04 m changes the mean load by +8 N";
     EXPECT_THAT(overview, HasSubstr(change));
     EXPECT_THAT(overview, Not(HasSubstr("mean - ")));
@@ -162,7 +162,7 @@ TEST(Answer, ComparesTheMeansOfCasesWithOtherFloes) {
     // Of four values 1 N apart each, s = 1.291; Welch's t of 6 degrees of freedom.
     EXPECT_NEAR(difference.high - difference.value, 2.4469 * 1.2910 * std::sqrt(2.0 / 4), 1e-3);
     EXPECT_THAT(page.after, HasSubstr("begin from other floes"));
-    const std::string overview = text(std::vector{overview_section(evidence, find_sensitivity(evidence))}, 200);
+    const std::string overview = text(std::vector{overview_section(evidence)}, 200);
     EXPECT_THAT(overview, HasSubstr("differences are of means (Welch)"));
     EXPECT_THAT(answer.basis, testing::Contains(HasSubstr("Varies: sizes law one (alike), lognormal (mixed).")));
     EXPECT_THAT(answer.basis, Not(testing::Contains(HasSubstr("largest"))));
@@ -175,7 +175,7 @@ TEST(Answer, NamesTheCasesThatHaveOtherFloes) {
         "0.02\n[[case]]\nname = \"mixed\"\nsizes.law = \"lognormal\"\nsizes.largest_m = 1.0\n");
     for (MemberRow& row : evidence.table.members) row.arrangement += row.case_index == 2 ? 4 : 0;
     evidence = evidence_of(evidence.campaign, evidence.table);
-    const std::string overview = text(std::vector{overview_section(evidence, find_sensitivity(evidence))}, 200);
+    const std::string overview = text(std::vector{overview_section(evidence)}, 200);
     EXPECT_THAT(overview, testing::ContainsRegex("mixed begins\\sfrom other floes: differences are of means .Welch."));
     EXPECT_THAT(find_page_one(evidence).table.after,
                 HasSubstr("by pairs over the same arrangements; of cases that begin from other floes, of their means"));

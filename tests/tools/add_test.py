@@ -31,7 +31,7 @@ class Add(unittest.TestCase):
         made = self.add("finding", "wind_rose", "Loads by direction")
         self.assertEqual(made.returncode, 0, made.stderr)
         self.has("ensemble/findings/sections.hpp", "Section wind_rose_section(Evidence& evidence);")
-        self.has("ensemble/findings/catalogue.cpp", 'Finding{"wind_rose", one<wind_rose_section>')
+        self.has("ensemble/findings/catalogue.cpp", '{"wind_rose", one<wind_rose_section>, ')
         self.has("ensemble/findings/wind_rose.cpp", "// Loads by direction.\n")
         self.has("tests/findings/wind_rose_test.cpp", "TEST(WindRose, ")
         self.assertIn("is there already", self.add("finding", "wind_rose", "Again").stderr)
