@@ -43,22 +43,6 @@ Axis axis_around(std::string label, std::span<const double> values, bool with_ze
             .unit = std::move(unit)};
 }
 
-void Figure::dot(double x_value, double y_value, std::string style, double radius) {
-    marks.emplace_back(Dot{x_value, y_value, std::move(style), radius, false});
-}
-
-void Figure::cross(double x_value, double y_value, std::string style, double radius) {
-    marks.emplace_back(Dot{x_value, y_value, std::move(style), radius, true});
-}
-
-void Figure::cell(double left, double low, double width, double height, double share, std::string style) {
-    marks.emplace_back(Cell{left, low, width, height, share, std::move(style)});
-}
-
-void Figure::text(double x_value, double y_value, std::string words, std::string anchor, std::string style) {
-    marks.emplace_back(Words{x_value, y_value, std::move(words), std::move(anchor), std::move(style)});
-}
-
 void Figure::band(Points low, const Points& high, std::string style) {
     low.insert(low.end(), high.rbegin(), high.rend());
     area(std::move(low), std::move(style));

@@ -76,10 +76,18 @@ struct Figure {
 
     void line(Points points, std::string style) { marks.emplace_back(Line{std::move(points), std::move(style)}); }
     void area(Points outline, std::string style) { marks.emplace_back(Area{std::move(outline), std::move(style)}); }
-    void dot(double x_value, double y_value, std::string style, double radius = 3.5);
-    void cross(double x_value, double y_value, std::string style, double radius = 4);
-    void cell(double left, double low, double width, double height, double share, std::string style);
-    void text(double x_value, double y_value, std::string words, std::string anchor, std::string style = {});
+    void dot(double x_value, double y_value, std::string style, double radius = 3.5) {
+        marks.emplace_back(Dot{x_value, y_value, std::move(style), radius, false});
+    }
+    void cross(double x_value, double y_value, std::string style, double radius = 4) {
+        marks.emplace_back(Dot{x_value, y_value, std::move(style), radius, true});
+    }
+    void cell(double left, double low, double width, double height, double share, std::string style) {
+        marks.emplace_back(Cell{left, low, width, height, share, std::move(style)});
+    }
+    void text(double x_value, double y_value, std::string words, std::string anchor, std::string style = {}) {
+        marks.emplace_back(Words{x_value, y_value, std::move(words), std::move(anchor), std::move(style)});
+    }
     /// A vertical line over the whole figure.
     void upright(double x_value, std::string style) { line({{x_value, y.low}, {x_value, y.high}}, std::move(style)); }
     /// A horizontal one.

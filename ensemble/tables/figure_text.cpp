@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <ranges>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -27,12 +28,8 @@ constexpr Signs in_unicode{"█", "░", "⣿", "─", "━", "·", "●", "×",
 constexpr Signs in_ascii{"#", "%", "o", "-", "=", ".", "@", "x", "-", "|"};
 
 bool has_word(std::string_view style, std::string_view word) {
-    for (std::size_t at = 0; at <= style.size();) {
-        const std::size_t end = std::min(style.find(' ', at), style.size());
-        if (style.substr(at, end - at) == word) return true;
-        at = end + 1;
-    }
-    return false;
+    return std::ranges::any_of(std::views::split(style, ' '),
+                               [&](const auto& one) { return std::ranges::equal(one, word); });
 }
 
 /// Dots, two by four to a character, and signs over them.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -124,16 +125,6 @@ int few_decimals(double largest) {
     return largest >= 100 ? 0 : largest >= 1 ? 1 : largest >= 0.1 ? 2 : largest > 0 ? 3 : 1;
 }
 
-/// "–" where undefined.
-std::string with_decimals(double value, int decimals) {
-    return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "–";
-}
-
-/// "0.034", "<0.001"; "–" where undefined.
-std::string p_text(double p) {
-    return !std::isfinite(p) ? "–" : p < 0.001 ? "<0.001" : fmt::format("{:.3f}", p);
-}
-
 /// The magnitude that decides decimals; 0 of what is no number.
 struct Magnitude {
     double operator()(double value) const { return std::isfinite(value) ? std::abs(value) : 0; }
@@ -172,10 +163,10 @@ struct ToCell {
     double factor;
 
     std::string number(double value) const {
-        if (column.p) return p_text(value);
         if (!std::isfinite(value)) return "–";
+        if (column.p) return value < 0.001 ? "<0.001" : fmt::format("{:.3f}", value);
         return column.digits > 0 ? significant(factor * value, column.digits)
-                                 : without_minus_zero(with_decimals(factor * value, decimals));
+                                 : without_minus_zero(fmt::format("{:.{}f}", factor * value, decimals));
     }
     std::string limits(double low, double high, bool said) const {
         return said && (std::isfinite(low) || std::isfinite(high)) ? fmt::format("[{}, {}]", number(low), number(high))
@@ -204,6 +195,11 @@ struct ToCell {
     Cell operator()(const Named& one) const { return one.label; }
     Cell operator()(const std::string& text) const { return text; }
 };
+
+/// A number in the unit of its column with so many decimals.
+Cell shown_cell(const Datum& value, const ResultColumn& column, int decimals, const Units& units) {
+    return std::visit(ToCell{column, decimals, units.of(column.unit).factor}, value.get());
+}
 
 struct ToData {
     std::vector<Datum>& row;
@@ -351,11 +347,7 @@ Results object(std::string place, std::vector<std::pair<std::string, Datum>> val
 
 std::vector<ResultColumn> program_columns(std::string_view keys) {
     std::vector<ResultColumn> columns;
-    for (std::size_t first = 0; first < keys.size();) {
-        const std::size_t end = std::min(keys.find(' ', first), keys.size());
-        columns.push_back({std::string{keys.substr(first, end - first)}});
-        first = end + 1;
-    }
+    for (const auto key : std::views::split(keys, ' ')) columns.push_back({std::string(key.begin(), key.end())});
     return columns;
 }
 
@@ -367,10 +359,6 @@ std::vector<ResultColumn> operator+(std::vector<ResultColumn> first, const std::
 std::vector<Datum> operator+(std::vector<Datum> first, const std::vector<Datum>& second) {
     first.insert(first.end(), second.begin(), second.end());
     return first;
-}
-
-Cell shown_cell(const Datum& value, const ResultColumn& column, int decimals, const Units& units) {
-    return std::visit(ToCell{column, decimals, units.of(column.unit).factor}, value.get());
 }
 
 Table shown_table(const Results& results, const Units& units, Results::For whom) {

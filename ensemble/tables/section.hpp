@@ -39,6 +39,9 @@ struct Estimate {
 
     /// What stands behind "±".
     double longer_side() const { return std::max(high - value, value - low); }
+    friend Estimate operator*(double factor, const Estimate& one) {
+        return {factor * one.value, factor * one.low, factor * one.high, one.said};
+    }
 };
 
 /// An interval without a value of its own, such as that of one further run.
@@ -226,9 +229,6 @@ DataRows data_rows(const Results& results);
 /// rows, for people alone; `cells`: keys of the columns that are put beside each other in a cell's place.
 Results pivot(const Results& results, std::string_view down, std::string_view across,
               const std::vector<std::string>& cells);
-
-/// What one cell shows: a number in the unit of its column with so many decimals.
-Cell shown_cell(const Datum& value, const ResultColumn& column, int decimals, const Units& units);
 
 /// A finding as output.
 struct Section {

@@ -32,13 +32,9 @@ std::vector<std::vector<std::string>> texts_of(const Table& table) {
             const Cell& cell = table[r][k];
             const std::string range = cell.range.value_or("");
             std::string& text = rows[r].emplace_back(cell.value);
-            if (r == 0) {
-                if (!range.empty()) text += " " + range;
-            } else if (range_width > 0 && k > 0) {
-                text += " " + range + spaces(range_width, range);
-            } else if (!range.empty()) {
-                text += " " + range;
-            }
+            const bool aligned = r > 0 && k > 0 && range_width > 0;
+            if (aligned || !range.empty()) text += " " + range;
+            if (aligned) text += spaces(range_width, range);
         }
     }
     return rows;
