@@ -27,7 +27,7 @@ Estimate estimate_of(const CaseSummary& row, const Quantity& quantity) {
 Bracket one_further_run(const CaseSummary& row, const Quantity& quantity) {
     const CaseEstimate& known = row.of(quantity);
     const Limits limits{known.prediction_low, known.prediction_high};
-    return {limits, says_something(quantity, known.estimate, limits, row.done)};
+    return {limits, says_something(known.estimate, limits, row.done, kind_of(quantity))};
 }
 
 ResultColumn LoadColumn::column() const {
@@ -316,9 +316,9 @@ Results profiles(const Summary& summary) {
 }
 
 Results about(const Summary& summary, Reference reference) {
-    Results object{.columns = program_columns("campaign complete reference"), .object = true, .in_csv = false};
-    object.add({summary.title, summary.complete(), reference ? Datum(summary.name_of(*reference)) : Absent{}});
-    return object;
+    return object("", {{"campaign", summary.title},
+                       {"complete", summary.complete()},
+                       {"reference", reference ? Datum(summary.name_of(*reference)) : Absent{}}});
 }
 
 }  // namespace
@@ -332,21 +332,15 @@ Section summary_section(const Summary& summary, Reference reference) {
 
 namespace {
 
-/// The first name at the top.
-std::vector<std::string> names_from_the_bottom(const Summary& summary) {
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < summary.cases.size(); ++k) names.push_back(summary.label_of(k));
-    std::ranges::reverse(names);
-    return names;
-}
-
-/// Every arrangement as a dot, a strip for each case; below them the mean and its intervals.
+/// Every arrangement as a dot, a strip for each case, the first at the top; below them the mean and its intervals.
 Figure strips(const Evidence& evidence, const Quantity& quantity, std::string caption) {
     const auto& cases = evidence.summary.cases;
     const double count = static_cast<double>(cases.size());
     std::vector<std::vector<double>> runs;
     std::vector<double> all;
+    std::vector<std::string> names;
     for (std::size_t i = 0; i < cases.size(); ++i) {
+        names.insert(names.begin(), evidence.summary.label_of(i));
         const std::vector<double>& values =
             runs.emplace_back(evidence.sample.values(evidence.sample.done(i), quantity));
         all.insert(all.end(), values.begin(), values.end());
@@ -357,7 +351,7 @@ Figure strips(const Evidence& evidence, const Quantity& quantity, std::string ca
     }
     Figure figure{.description = fmt::format("{} of every arrangement, with the mean of each case", quantity.label),
                   .x = axis_around(std::string(quantity.label.view()), all, true, unit_of(quantity)),
-                  .y = {"", 0, count, false, names_from_the_bottom(evidence.summary)},
+                  .y = {"", 0, count, false, std::move(names)},
                   .size = {720, 70 + 34 * count},
                   .caption = std::move(caption)};
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -410,39 +404,29 @@ Section averaged_section(Evidence& evidence) {
 Section table3_section(Evidence& evidence) {
     const bool papers =
         std::ranges::any_of(evidence.campaign.cases, [](const Case& one) { return paper_row(one) != nullptr; });
-    const bool each = in_detail(evidence.campaign);  // a design of many points has figures of its own
-    return {
+    Section section{
         .results = {table3(evidence.campaign, evidence.summary)},
         .after = fmt::format(
             "Mean over arrangements with its 95 % confidence interval; below it the 95 % prediction interval of one "
             "further arrangement; –: one that would say nothing.{}",
             papers ? " The paper's figures are one run each, and the experiment's maximum is one value. Maxima are of "
                      "single steps here, as the paper's: they depend on the time step."
-                   : ""),
-        .figures = !each ? std::vector<Figure>{}
-                         : std::vector<Figure>{
-                               strips(evidence, quantity("mean_load"),
-                                      "Each dot is one arrangement. Below the dots: mean, its 95 % confidence interval "
-                                      "(thick), and the 95 % prediction interval of one further run (dashed)."),
-                               strips(evidence, headline_maximum(evidence.summary.quantities),
-                                      "The same for the mean of the segments' maxima."),
-                               strips(evidence, quantity("failure_ratio"), "The same for the share of broken floes.")}};
+                   : "")};
+    if (in_detail(evidence.campaign))  // a design of many points has figures of its own
+        section.figures = {
+            strips(evidence, quantity("mean_load"),
+                   "Each dot is one arrangement. Below the dots: mean, its 95 % confidence interval (thick), and the "
+                   "95 % prediction interval of one further run (dashed)."),
+            strips(evidence, headline_maximum(evidence.summary.quantities),
+                   "The same for the mean of the segments' maxima."),
+            strips(evidence, quantity("failure_ratio"), "The same for the share of broken floes.")};
+    return section;
 }
-
-namespace {
-
-const char* status_word(RowStatus status) {
-    return status == RowStatus::done ? "done" : status == RowStatus::failed ? "failed" : "missing";
-}
-
-}  // namespace
 
 Section members_section(const Evidence& evidence) {
     const Sample& sample = evidence.sample;
     Results results{.columns = program_columns("member case arrangement status"), .in_json = false};
-    const std::vector<Quantity> known = sample.quantities();
-    std::vector<Quantity> shown;
-    for (const Quantity& quantity : shown_in(known, Shown::in_summary)) shown.push_back(quantity);
+    auto shown = shown_in(evidence.summary.quantities, Shown::in_summary);
     for (const Quantity& quantity : shown) results.columns.push_back({std::string{quantity.key.view()}});
     const auto maxima_of = [&](std::size_t member) { return sample.along("members/segment_maximum", member); };
     std::size_t segments = 0;  // largest number in any case
@@ -451,15 +435,17 @@ Section members_section(const Evidence& evidence) {
     for (std::size_t k = 0; k < sample.members(); ++k) segments = std::max(segments, maxima_of(k).size());
     for (std::size_t k = 0; k < segments; ++k) results.columns.push_back({fmt::format("segment_{}_maximum", k + 1)});
     results.columns.push_back({"trend_p"});
-    shown.push_back(quantity("trend_p"));
     for (std::size_t member = 0; member < sample.members(); ++member) {
+        const RowStatus status = sample.status(member);
         std::vector<Datum> line{member, sample.cases.at(sample.case_of(member)).name, sample.number_of(member),
-                                status_word(sample.status(member))};
+                                status == RowStatus::done     ? "done"
+                                : status == RowStatus::failed ? "failed"
+                                                              : "missing"};
         for (const Quantity& quantity : shown) line.emplace_back(sample.value(member, quantity));
-        for (std::size_t k = 0; k < segments; ++k) {
-            const std::span<const double> maxima = maxima_of(member);
-            line.insert(line.end() - 1, k < maxima.size() ? Datum(maxima[k]) : Datum(Absent{}));
-        }
+        const std::span<const double> maxima = maxima_of(member);
+        for (std::size_t k = 0; k < segments; ++k)
+            line.push_back(k < maxima.size() ? Datum(maxima[k]) : Datum(Absent{}));
+        line.emplace_back(sample.value(member, quantity("trend_p")));
         results.add(std::move(line));
     }
     return {.results = {std::move(results)}};
@@ -468,9 +454,8 @@ Section members_section(const Evidence& evidence) {
 Section long_section(const Evidence& evidence) {
     const Sample& sample = evidence.sample;
     Results results{.columns = program_columns("case arrangement quantity unit value"), .in_json = false};
-    const std::vector<Quantity> known = sample.quantities();
     for (std::size_t member = 0; member < sample.members(); ++member)
-        for (const Quantity& quantity : known)
+        for (const Quantity& quantity : evidence.summary.quantities)
             if (const double value = sample.value(member, quantity); std::isfinite(value))
                 results.add({sample.cases.at(sample.case_of(member)).name, sample.number_of(member),
                              quantity.key.view(), quantity.unit, value});
@@ -545,9 +530,6 @@ Section control_section(Evidence& evidence) {
 
 namespace {
 
-/// The interval of two arrangements is too wide to draw.
-constexpr std::size_t fewest_drawn = 3;
-
 struct Curve {
     std::size_t of_case = 0;
     Figure::Points mean = {}, low = {}, high = {};
@@ -556,6 +538,7 @@ struct Curve {
 }  // namespace
 
 Section convergence_section(Evidence& evidence) {
+    constexpr std::size_t fewest_drawn = 3;  // the interval of two arrangements is too wide to draw
     Figure figure{.description = "Mean load over the number of arrangements, with its interval",
                   .x = {"arrangements", 0, 2},
                   .legend = case_legend(evidence.summary),

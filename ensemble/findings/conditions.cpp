@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <ranges>
 #include <utility>
 
 #include <fmt/format.h>
@@ -24,14 +25,8 @@ namespace {
 // appearance.
 void add_condition(const Summary& summary, std::string_view name, const std::function<Words(const CaseRow&)>& words,
                    std::vector<std::string>& lines) {
-    std::vector<std::pair<Words, std::vector<std::string>>> wordings;
-    for (std::size_t k = 0; k < summary.cases.size(); ++k) {
-        const Words wording = words(summary.cases[k].about);
-        auto found = std::ranges::find(wordings, wording, &decltype(wordings)::value_type::first);
-        if (found == wordings.end()) found = wordings.insert(found, {wording, {}});
-        found->second.push_back(summary.label_of(k));
-    }
     constexpr std::size_t most_wordings = 4;
+    const auto wordings = grouped(summary.cases.size(), [&](std::size_t k) { return words(summary.cases[k].about); });
     if (wordings.size() > most_wordings) {
         std::vector<Words> all;
         for (const auto& [wording, cases] : wordings) all.push_back(wording);
@@ -40,13 +35,13 @@ void add_condition(const Summary& summary, std::string_view name, const std::fun
             return;
         }
         lines.push_back(fmt::format("{}: {} different ones, as {} ({}).", name, wordings.size(),
-                                    wordings.front().first.text(), name_list(wordings.front().second)));
+                                    wordings.front().first.text(), label_list(summary, wordings.front().second)));
         return;
     }
-    for (const auto& [wording, cases] : wordings) {
-        lines.push_back(wordings.size() == 1 ? fmt::format("{}: {}.", name, wording.text())
-                                             : fmt::format("{}: {} ({}).", name, wording.text(), name_list(cases)));
-    }
+    for (const auto& [wording, cases] : wordings)
+        lines.push_back(wordings.size() == 1
+                            ? fmt::format("{}: {}.", name, wording.text())
+                            : fmt::format("{}: {} ({}).", name, wording.text(), label_list(summary, cases)));
 }
 
 /// The word of an enumerator.
@@ -57,6 +52,11 @@ std::string_view word(const std::array<std::string_view, count>& words, Enum val
 
 /// In the order of FieldSides.
 constexpr std::array<std::string_view, 3> side_words{"between ice sheets", "open at its sides", "between smooth walls"};
+
+/// In the order of FarEnd: for people, and as the configuration has them.
+constexpr std::array<std::string_view, 3> far_end_words{"an ice sheet", "open",
+                                                        "none: ice comes from ahead as long as the run lasts"};
+constexpr std::array<std::string_view, 3> far_end_keys{"ice_sheet", "open", "never"};
 
 /// "2.5 m wide (2.0 times the hull), field 4.61 m long, between ice sheets that press with 20 N/m".
 Words channel_words(const CaseRow& row) {
@@ -96,17 +96,6 @@ Words joint_words(const CaseRow& row) {
     if (!has_beam_joints(row)) return "they follow Σ";
     return Words::of("elastic beams, solved exactly; they fail by {}",
                      row.joint.fails_by_stress() ? "the stress in the ice" : "moment");
-}
-
-std::string far_end_words(FarEnd far_end) {
-    if (far_end == FarEnd::never) return "none: ice comes from ahead as long as the run lasts";
-    return far_end == FarEnd::ice_sheet ? "an ice sheet" : "open";
-}
-
-/// The key's value in the configuration.
-std::string far_end_key(FarEnd far_end) {
-    if (far_end == FarEnd::never) return "never";
-    return far_end == FarEnd::ice_sheet ? "ice_sheet" : "open";
 }
 
 /// "for 150 s, from 80 s after the tow began, in 3 segments": clear, too, where cases differ in both.
@@ -170,7 +159,7 @@ std::vector<std::string> condition_lines(const Summary& summary) {
     add("Structure wall", hull_words);
     if (!any([](Row row) { return !(row.field_length > 0); })) add("Channel", channel_words);
     if (any([](Row row) { return row.gap.has_value(); })) add("Gap", gap_words);
-    add("Far end", [](Row row) { return far_end_words(row.far_end); });
+    add("Far end", [](Row row) { return std::string(word(far_end_words, row.far_end)); });
     if (any([](Row row) { return !(drift_words(row) == "none"); })) add("Drift", drift_words);
     if (any(has_beam_joints)) add("Joints", joint_words);
     add("Contacts", [](Row row) { return contact_words(row.contact); });
@@ -183,7 +172,7 @@ std::vector<Condition> conditions() {
     return {{"structure_wall", [](Row row) { return Datum(row.shape.words().text()); }},
             {"gap", [](Row row) { return row.gap ? Datum(row.gap->breadth) : Datum(Absent{}); }},
             {"gap_floes", [](Row row) { return row.gap ? Datum(row.gap->floes) : Datum(Absent{}); }},
-            {"far_end", [](Row row) { return Datum(far_end_key(row.far_end)); }},
+            {"far_end", [](Row row) { return Datum(word(far_end_keys, row.far_end)); }},
             {"contact_erp", [](Row row) { return Datum(row.contact.erp); }},
             {"friction", [](Row row) { return Datum(word(friction_words, row.contact.friction)); }},
             {"contact_law", [](Row row) { return Datum(word(normal_law_words, row.contact.normal)); }},
@@ -201,43 +190,35 @@ std::vector<Condition> conditions() {
 
 namespace {
 
-/// Values of a key, each with the names of its cases, in order of appearance.
-using Values = std::vector<std::pair<std::string, std::vector<std::string>>>;
-
 std::string value_of(const Key& key) {
     const std::string text = literal(key);
     return text.starts_with('"') ? text.substr(1, text.size() - 2) : text;
 }
 
-/// The value of every key in each case, empty where it has no effect. Lists and profiles are left to the conditions,
-/// which draw or name them.
-std::vector<std::pair<std::string, std::vector<std::string>>> values_by_key(const Campaign& campaign) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> all;
+/// A key in which cases differ.
+struct VariedKey {
+    std::string path;
+    std::vector<std::string> values;                                       ///< in each case; empty without an effect
+    std::vector<std::pair<std::string, std::vector<std::size_t>>> groups;  ///< each value once, with its cases
+};
+
+/// Lists and profiles are left to the conditions, which draw or name them.
+std::vector<VariedKey> varied_keys(const Campaign& campaign) {
+    std::vector<VariedKey> all;
     for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
         Scenario scenario = campaign.cases[k].scenario;
         std::size_t place = 0;
         for (const Key& key : describe(scenario)) {
             if (key.derived() || key.replaced || std::holds_alternative<RowsField>(key.field)) continue;
-            if (k == 0) all.emplace_back(std::string(key.path), std::vector<std::string>{});
-            all.at(place++).second.push_back(key.idle() ? std::string{} : value_of(key));
+            if (k == 0) all.push_back({std::string(key.path), {}, {}});
+            all.at(place++).values.push_back(key.idle() ? std::string{} : value_of(key));
         }
     }
-    return all;
-}
-
-/// Those in which cases differ, with the cases in which they have an effect.
-std::vector<std::pair<std::string, Values>> varied(const Campaign& campaign, const Summary& summary) {
-    std::vector<std::pair<std::string, Values>> all;
-    for (const auto& [path, texts] : values_by_key(campaign)) {
-        Values values;
-        for (std::size_t k = 0; k < texts.size(); ++k) {
-            if (texts[k].empty()) continue;
-            auto found = std::ranges::find(values, texts[k], &Values::value_type::first);
-            if (found == values.end()) found = values.insert(found, {texts[k], {}});
-            found->second.push_back(summary.label_of(k));
-        }
-        if (values.size() >= 2) all.emplace_back(path, std::move(values));
+    for (VariedKey& one : all) {
+        one.groups = grouped(one.values.size(), [&](std::size_t k) { return one.values[k]; });
+        std::erase_if(one.groups, [](const auto& group) { return group.first.empty(); });
     }
+    std::erase_if(all, [](const VariedKey& one) { return one.groups.size() < 2; });
     return all;
 }
 
@@ -251,15 +232,14 @@ std::string full_name(std::string_view path) {
     return fmt::format("{} {}", table, name);
 }
 
-std::string variation_line(const std::string& path, const Values& values) {
+std::string variation_line(const VariedKey& key, const Summary& summary) {
     constexpr std::size_t most = 6;
-    const KeyWords words = key_words(path);
+    const std::string unit = key_words(key.path).unit;
     std::vector<std::string> parts;
-    for (std::size_t k = 0; k < std::min(values.size(), most); ++k)
-        parts.push_back(fmt::format("{}{} ({})", values[k].first, words.unit.empty() ? "" : " " + words.unit,
-                                    name_list(values[k].second)));
-    if (values.size() > most) parts.push_back(fmt::format("and {} other values", values.size() - most));
-    return fmt::format("Varies: {} {}.", full_name(path), fmt::join(parts, ", "));
+    for (const auto& [value, cases] : key.groups | std::views::take(most))
+        parts.push_back(fmt::format("{}{} ({})", value, unit.empty() ? "" : " " + unit, label_list(summary, cases)));
+    if (key.groups.size() > most) parts.push_back(fmt::format("and {} other values", key.groups.size() - most));
+    return fmt::format("Varies: {} {}.", full_name(key.path), fmt::join(parts, ", "));
 }
 
 std::string design_line(const Campaign& campaign) {
@@ -268,14 +248,12 @@ std::string design_line(const Campaign& campaign) {
     std::vector<std::string> parts;
     for (std::size_t axis = 0; axis < words.size(); ++axis) {
         std::vector<double> numbers;
-        std::vector<std::string> texts;
-        for (const PointRow& row : points.rows) {
+        for (const PointRow& row : points.rows)
             if (const auto* value = std::get_if<double>(&row.values[axis])) numbers.push_back(*value);
-            const std::string text = value_text(row.values[axis]);
-            if (std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
-        }
-        parts.push_back(
-            words[axis].with(numbers.empty() ? fmt::format("{}", fmt::join(texts, " or ")) : range_text(numbers)));
+        const auto texts =
+            grouped(points.rows.size(), [&](std::size_t k) { return value_text(points.rows[k].values[axis]); });
+        parts.push_back(words[axis].with(numbers.empty() ? fmt::format("{}", fmt::join(std::views::keys(texts), " or "))
+                                                         : range_text(numbers)));
     }
     return fmt::format("Varies over the {} of the design: {}.", counted(std::ssize(points.rows), "point"),
                        fmt::join(parts, ", "));
@@ -302,21 +280,16 @@ std::vector<VariedInput> varied_inputs(const Campaign& campaign) {
         }
         return inputs;
     }
-    for (const auto& [path, texts] : values_by_key(campaign)) {
-        std::vector<std::string> distinct;
-        for (const std::string& text : texts)
-            if (!text.empty() && std::ranges::find(distinct, text) == distinct.end()) distinct.push_back(text);
-        if (distinct.size() < 2) continue;
-        VariedInput& input = inputs.emplace_back(VariedInput{path, {full_name(path), key_words(path).unit}});
-        for (const std::string& text : texts) {
+    for (const VariedKey& key : varied_keys(campaign)) {
+        VariedInput& input =
+            inputs.emplace_back(VariedInput{key.path, {full_name(key.path), key_words(key.path).unit}});
+        for (const std::string& text : key.values) {
             double number = 0;
             const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-            const bool whole = error == std::errc{} && end == text.data() + text.size();
-            if (whole) {
+            if (error == std::errc{} && end == text.data() + text.size())
                 input.values.emplace_back(number);
-            } else {
+            else
                 input.values.emplace_back(text);
-            }
         }
     }
     return inputs;
@@ -332,9 +305,8 @@ std::vector<std::string> variation_lines(const Campaign& campaign, const Summary
     if (campaign.cases.size() < 2) return {};
     if (campaign.design.active()) return {design_line(campaign)};
     std::vector<std::string> lines;
-    const auto all = varied(campaign, summary);
-    for (std::size_t k = 0; k < std::min(all.size(), most); ++k)
-        lines.push_back(variation_line(all[k].first, all[k].second));
+    const std::vector<VariedKey> all = varied_keys(campaign);
+    for (const VariedKey& key : all | std::views::take(most)) lines.push_back(variation_line(key, summary));
     if (all.size() > most) lines.push_back(fmt::format("And {} further keys vary.", all.size() - most));
     return lines;
 }

@@ -23,25 +23,9 @@ namespace {
 
 constexpr std::size_t most_figures = 12;  // of hulls, and of floes
 
-/// What `drawn_of` gives of each case, once, with its cases.
-auto grouped(const Campaign& campaign, const auto& drawn_of) {
-    using Group = std::pair<std::decay_t<decltype(drawn_of(std::size_t{}))>, std::vector<std::size_t>>;
-    std::vector<Group> groups;
-    for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
-        auto drawn = drawn_of(k);
-        auto known = std::ranges::find(groups, drawn, &Group::first);
-        if (known == groups.end()) known = groups.insert(known, {std::move(drawn), {}});
-        known->second.push_back(k);
-    }
-    return groups;
-}
-
 /// "E30, E60: ", the cases of one drawing of several; empty of the only one.
 std::string names_of(const std::vector<std::size_t>& cases, std::size_t drawings, const Summary& summary) {
-    if (drawings < 2) return "";
-    std::vector<std::string> names;
-    for (const std::size_t k : cases) names.push_back(summary.label_of(k));
-    return name_list(names) + ": ";
+    return drawings < 2 ? "" : label_list(summary, cases) + ": ";
 }
 
 /// What is drawn of a case: floes by area.
@@ -98,7 +82,7 @@ Figure side_by_side(const std::vector<FloeShape>& floes, const std::string& name
 /// largest of the case's first arrangement.
 std::vector<Figure> single_floes(Evidence& evidence) {
     const Campaign& campaign = evidence.campaign;
-    const auto groups = grouped(campaign, [&](std::size_t k) {
+    const auto groups = grouped(campaign.cases.size(), [&](std::size_t k) {
         std::vector<FloeShape> drawn = drawn_floes(campaign, k);
         for (FloeShape& floe : drawn) floe.thickness = 0;  // cases that differ in it alone have one drawing
         return drawn;
@@ -120,7 +104,8 @@ std::vector<Figure> single_floes(Evidence& evidence) {
 
 /// Every hull once, with the names of its cases.
 std::vector<Figure> hulls(const Campaign& campaign, const Summary& summary) {
-    const auto groups = grouped(campaign, [&](std::size_t k) { return campaign.cases[k].scenario.structure.shape; });
+    const auto groups =
+        grouped(campaign.cases.size(), [&](std::size_t k) { return campaign.cases[k].scenario.structure.shape; });
     const std::size_t drawn = std::min(groups.size(), most_figures);
     std::vector<Figure> figures;
     for (std::size_t k = 0; k < drawn; ++k) {

@@ -125,12 +125,11 @@ Figure over_axis(const DesignPoints& points, std::size_t number, const PointLoad
                                          "interval over arrangements where it says something.",
                                          axis.name)};
     const std::vector<std::string> line_of = lines_of(points, number);
-    std::vector<std::string> lines;  // each once
-    for (const std::string& line : line_of)
-        if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+    const auto lines = grouped(line_of.size(), [&](std::size_t k) { return line_of[k]; });
     std::vector<std::map<double, double>> drawn(std::max<std::size_t>(1, lines.size()));
     for (std::size_t k = 0; k < loads.values.size(); ++k) {
-        const auto place = line_of.empty() ? lines.begin() : std::ranges::find(lines, line_of[k]);
+        const auto place =
+            line_of.empty() ? lines.begin() : std::ranges::find(lines, line_of[k], &decltype(lines)::value_type::first);
         const auto line = static_cast<std::size_t>(place - lines.begin());
         const Estimate& load = loads.values[k];
         const double at = beside(figure.x, axis.values[k], line, drawn.size());
@@ -140,7 +139,7 @@ Figure over_axis(const DesignPoints& points, std::size_t number, const PointLoad
     }
     for (std::size_t line = 0; line < lines.size(); ++line) {
         figure.line({drawn[line].begin(), drawn[line].end()}, colour(line));
-        if (lines.size() > 1) figure.legend.emplace_back(colour(line), lines[line]);
+        if (lines.size() > 1) figure.legend.emplace_back(colour(line), lines[line].first);
     }
     return figure;
 }
@@ -287,23 +286,14 @@ std::vector<Figure> point_figures(const Evidence& evidence) {
 
 namespace {
 
-/// Cases of one [[case]] in order of their points.
-struct Points {
-    std::string base;
-    std::vector<std::size_t> cases;
-};
+/// Cases in order of their points.
+using Points = std::vector<std::size_t>;
 
-std::vector<Points> by_base(const Campaign& campaign) {
-    std::vector<Points> all;
-    std::map<std::string, std::size_t> known;
-    for (std::size_t k = 0; k < campaign.cases.size(); ++k) {
-        const std::string& base = campaign.cases[k].base;
-        const auto [place, is_new] = known.emplace(base, all.size());
-        if (is_new) all.push_back({base, {}});
-        all[place->second].cases.push_back(k);
-    }
-    for (Points& points : all)
-        std::ranges::sort(points.cases, {}, [&](std::size_t k) { return campaign.cases[k].point; });
+/// Of each [[case]], by its name.
+std::vector<std::pair<std::string, Points>> by_base(const Campaign& campaign) {
+    auto all = grouped(campaign.cases.size(), [&](std::size_t k) { return campaign.cases[k].base; });
+    for (auto& [base, points] : all)
+        std::ranges::sort(points, {}, [&](std::size_t k) { return campaign.cases[k].point; });
     return all;
 }
 
@@ -312,7 +302,7 @@ std::vector<std::vector<double>> values_of(const Points& points, const Quantity&
     const std::size_t cases = sample.cases.size();
     std::vector<std::vector<double>> values(sample.members() / cases);
     for (std::size_t arrangement = 0; arrangement < values.size(); ++arrangement)
-        for (const std::size_t k : points.cases)
+        for (const std::size_t k : points)
             values[arrangement].push_back(sample.value(arrangement * cases + k, quantity));
     return values;
 }
@@ -352,7 +342,7 @@ SaltelliValues saltelli_values(const std::vector<double>& means, std::size_t axe
 /// Coordinates of the cases, -1 at an axis's beginning and 1 at its end.
 PointCoordinates coordinates(const Campaign& campaign, const Points& points, const std::vector<RangedAxis>& axes) {
     PointCoordinates all;
-    for (const std::size_t k : points.cases) {
+    for (const std::size_t k : points) {
         std::vector<double>& row = all.emplace_back();
         for (const RangedAxis& axis : axes) row.push_back(axis.coordinate(numeric_value(campaign.cases[k], axis.key)));
     }
@@ -515,14 +505,14 @@ Sensitivity find_sensitivity(const Evidence& evidence) {
         return found;
     }
     for (const DesignAxis& axis : design.axes) found.axes.push_back(ranged_axis(campaign, axis));
-    for (const Points& points : by_base(campaign)) {
+    for (const auto& [base, points] : by_base(campaign)) {
         const PointCoordinates places = coordinates(campaign, points, found.axes);
         bool fitted = false;
         for (const Quantity& quantity : evidence.summary.quantities) {
             if (!quantity.in_designs) continue;
             const auto values = values_of(points, quantity, evidence.sample);
-            const std::vector<double> means = means_of(values, points.cases.size());
-            SensitivityRow& row = found.rows.emplace_back(SensitivityRow{quantity, points.base, 0, 0, {}, {}});
+            const std::vector<double> means = means_of(values, points.size());
+            SensitivityRow& row = found.rows.emplace_back(SensitivityRow{quantity, base, 0, 0, {}, {}});
             row.points =
                 static_cast<int>(std::ranges::count_if(means, [](double mean) { return std::isfinite(mean); }));
             if (design.indices) {
@@ -536,7 +526,7 @@ Sensitivity find_sensitivity(const Evidence& evidence) {
         if (!fitted)
             found.notes.push_back(fmt::format(
                 "{}no plane: it needs more points with a result than axes + 1, and no axis that depends on the others.",
-                points.base.empty() ? "" : points.base + ": "));
+                base.empty() ? "" : base + ": "));
     }
     if (design.indices)
         found.notes.push_back(

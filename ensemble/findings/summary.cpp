@@ -87,10 +87,6 @@ ResultColumn estimates(std::string key, std::string words, std::string unit, int
             .decimals = decimals};
 }
 
-bool says_something(const Quantity& quantity, double estimate, Limits limits, int runs) {
-    return says_something(estimate, limits, runs, kind_of(quantity));
-}
-
 int arrangements_for(const Interval& found, int runs, double share) {
     constexpr int most = 10'000;
     constexpr double tail = 0.025;
@@ -116,21 +112,18 @@ JointTrend joint_trend(const Sample& sample, std::size_t of_case) {
 
 namespace {
 
-/// Done, failed or missing.
-void count(const Sample& sample, std::size_t member, CaseSummary& row) {
-    ++row.members;
-    if (sample.status(member) == RowStatus::missing) ++row.missing_members;
-    if (sample.status(member) == RowStatus::failed) ++row.failed_members;
-    if (sample.status(member) != RowStatus::done) return;
-    ++row.done;
-    row.not_steady += sample.steady(member) ? 0 : 1;
-}
-
 CaseSummary summarise_case(const Sample& sample, const std::vector<Quantity>& known, std::size_t of_case) {
     CaseSummary row;
     row.about = sample.cases[of_case];
-    for (std::size_t member = 0; member < sample.members(); ++member)
-        if (sample.case_of(member) == of_case) count(sample, member, row);
+    for (std::size_t member = 0; member < sample.members(); ++member) {
+        if (sample.case_of(member) != of_case) continue;
+        const RowStatus status = sample.status(member);
+        ++row.members;
+        ++(status == RowStatus::done     ? row.done
+           : status == RowStatus::failed ? row.failed_members
+                                         : row.missing_members);
+        row.not_steady += status == RowStatus::done && !sample.steady(member) ? 1 : 0;
+    }
     row.trend = joint_trend(sample, of_case);
     const Members& done = sample.done(of_case);
     for (const Quantity& one : quantities)
@@ -171,8 +164,14 @@ Summary summarise(const Sample& sample) {
     return summary;
 }
 
+std::string label_list(const Summary& summary, const std::vector<std::size_t>& cases) {
+    std::vector<std::string> names;
+    for (const std::size_t k : cases) names.push_back(summary.label_of(k));
+    return name_list(names);
+}
+
 std::vector<std::pair<std::string, std::string>> case_legend(const Summary& summary) {
-    constexpr std::size_t most = 12;  // more could not be told apart
+    constexpr std::size_t most = 12;
     std::vector<std::pair<std::string, std::string>> legend;
     if (summary.cases.size() > most) return legend;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) legend.emplace_back(colour(k), summary.label_of(k));

@@ -1,11 +1,13 @@
 #pragma once
 // Means over members, each with the interval that fits its values, and the columns that show them.
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,7 +37,8 @@ Kind kind_of(const Quantity& quantity);
 std::vector<double> measured(std::vector<double> values);
 
 /// Whether the 95 % limits of an estimate over `runs` arrangements say something: at least three runs, which differ,
-/// and limits no further apart than four times the estimate, or than what values of the kind can have.
+/// and limits no further apart than four times the estimate, or than what values of the kind can have. What says
+/// nothing is not printed as numbers: people quote what they see.
 bool says_something(double estimate, Limits limits, int runs, const Kind& kind = {});
 
 /// As one cell of a table; its limits are said, or only if they say something of so many runs.
@@ -119,6 +122,22 @@ JointTrend joint_trend(const Sample& sample, std::size_t of_case);
 /// Statistics of every case, in the order of the file.
 Summary summarise(const Sample& sample);
 
+/// What `of` gives of 0 to `count` - 1, each value once, in order of appearance, with the numbers that have it.
+auto grouped(std::size_t count, const auto& of) {
+    using Group = std::pair<std::decay_t<decltype(of(std::size_t{}))>, std::vector<std::size_t>>;
+    std::vector<Group> groups;
+    for (std::size_t k = 0; k < count; ++k) {
+        auto value = of(k);
+        auto known = std::ranges::find(groups, value, &Group::first);
+        if (known == groups.end()) known = groups.insert(known, {std::move(value), {}});
+        known->second.push_back(k);
+    }
+    return groups;
+}
+
+/// The cases in a message: "E30, E60".
+std::string label_list(const Summary& summary, const std::vector<std::size_t>& cases);
+
 /// Colour and name of every case; none of more than twelve, which could not be told apart.
 std::vector<std::pair<std::string, std::string>> case_legend(const Summary& summary);
 
@@ -131,11 +150,6 @@ using Reference = std::optional<std::size_t>;
 /// What the brackets of Table 3 show: the difference of the estimate from the reference case's, %, negative when
 /// smaller (the paper prints the magnitude). NaN if undefined.
 double difference_percent(const Summary& summary, std::size_t of_case, std::size_t reference, const Quantity& quantity);
-
-// Which intervals say something. One that says nothing is not printed as numbers: people quote what they see.
-
-/// The same for the limits of a quantity, which may have its sign by its nature, as a correlation has.
-bool says_something(const Quantity& quantity, double estimate, Limits limits, int runs);
 
 /// About how many arrangements give the mean to ± `share` of itself, from the scatter of `runs` so far; 0: unknown.
 int arrangements_for(const Interval& found, int runs, double share);

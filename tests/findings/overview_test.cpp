@@ -142,8 +142,8 @@ TEST(Printable, AreIntervalsThatSaySomething) {
     EXPECT_FALSE(says_something(20, {20, 20}, 8));
     EXPECT_FALSE(says_something(20, {std::nan(""), std::nan("")}, 8));
     const Quantity& order = *find_quantity("local_order");  // it may be of either sign
-    EXPECT_TRUE(says_something(order, 0.01, {-0.2, 0.22}, 8));
-    EXPECT_FALSE(says_something(quantity("failure_ratio"), 0.5, {0, 1}, 4));
+    EXPECT_TRUE(says_something(0.01, {-0.2, 0.22}, 8, kind_of(order)));
+    EXPECT_FALSE(says_something(0.5, {0, 1}, 4, kind_of(quantity("failure_ratio"))));
 }
 
 // 26, 28, 24, 30 N: s = 2.582; t(n - 1) s / √n <= 2.7 N first holds for n = 7: 2.447 · 2.582 / 2.646 = 2.39 N, for 6
