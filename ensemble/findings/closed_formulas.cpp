@@ -44,17 +44,13 @@ std::string rubble_words(const Rubble& rubble) {
 
 /// What was put into ISO's formulas, and the load of crushing, for programs.
 std::vector<Results> inputs_of(const Rubble& rubble, double strength, double crushing) {
-    Results of_rubble{
-        .place = "sloping/rubble",
-        .columns = program_columns("height porosity angle_deg friction_angle_deg cohesion_kPa ice_friction"),
-        .object = true,
-        .in_csv = false};
-    of_rubble.add({rubble.height, rubble.porosity, rubble.angle / unit::degree, rubble.friction_angle / unit::degree,
-                   rubble.cohesion / unit::kilopascal, rubble.ice_friction});
-    Results of_crushing{
-        .place = "crushing", .columns = program_columns("strength_MPa load"), .object = true, .in_csv = false};
-    of_crushing.add({strength / unit::megapascal, crushing});
-    return {std::move(of_rubble), std::move(of_crushing)};
+    return {object("sloping/rubble", {{"height", rubble.height},
+                                      {"porosity", rubble.porosity},
+                                      {"angle_deg", rubble.angle / unit::degree},
+                                      {"friction_angle_deg", rubble.friction_angle / unit::degree},
+                                      {"cohesion_kPa", rubble.cohesion / unit::kilopascal},
+                                      {"ice_friction", rubble.ice_friction}}),
+            object("crushing", {{"strength_MPa", strength / unit::megapascal}, {"load", crushing}})};
 }
 
 Figure hybrid_figure(const HybridCurve& curve, const Summary& summary, bool papers) {
@@ -141,12 +137,12 @@ Section hybrid_section(const HybridCurve& curve) {
                   p.limit_stress.crushing, p.limit_stress.bending, p.limit_stress.submergence, p.limit_momentum,
                   p.load});
     const KprCoefficients& kpr = curve.coefficients;
-    Results about{
-        .columns = program_columns("crossing_MPa wall_deg kpr_coefficients/0 kpr_coefficients/1 kpr_coefficients/2"),
-        .object = true,
-        .in_csv = false};
-    about.add({curve.crossing ? Datum(*curve.crossing / unit::megapascal) : Datum(Undefined{}),
-               curve.hull.stem_angle / unit::degree, kpr.static_part, kpr.dissipative, kpr.impact});
+    Results about =
+        object("", {{"crossing_MPa", curve.crossing ? Datum(*curve.crossing / unit::megapascal) : Datum(Undefined{})},
+                    {"wall_deg", curve.hull.stem_angle / unit::degree},
+                    {"kpr_coefficients/0", kpr.static_part},
+                    {"kpr_coefficients/1", kpr.dissipative},
+                    {"kpr_coefficients/2", kpr.impact}});
     const std::string crossing = curve.crossing
                                      ? fmt::format("floes break above {:.4g} MPa and are pushed aside below it",
                                                    *curve.crossing / unit::megapascal)

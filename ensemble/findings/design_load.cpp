@@ -90,10 +90,10 @@ std::string standing_out_text(const CaseDesignLoad& one) {
     std::vector<int> numbers;
     for (const std::size_t row : unlike.out) numbers.push_back(one.members[row]);
     const bool single = count == 1;
-    const std::string does = unlike.carried == 0 ? fmt::format("{} far above the others", single ? "lies" : "lie")
-                             : unlike.carried == 1
-                                 ? fmt::format("{} the highest peak", single ? "carries" : "carry")
-                                 : fmt::format("{} the {} highest peaks", single ? "carries" : "carry", unlike.carried);
+    const char* carry = single ? "carries" : "carry";
+    const std::string does = unlike.carried == 0   ? fmt::format("{} far above the others", single ? "lies" : "lie")
+                             : unlike.carried == 1 ? fmt::format("{} the highest peak", carry)
+                                                   : fmt::format("{} the {} highest peaks", carry, unlike.carried);
     std::string text = fmt::format(
         "{} of {} members {}: replay {}. Both tails have {} as a kind of member whose share is uncertain; methods that "
         "take all members as alike are left out.",
@@ -148,13 +148,6 @@ std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const Design
 
 namespace {
 
-/// The difference of the first quantile between two cases over the same arrangements.
-struct Paired {
-    const CaseDesignLoad* first;
-    const CaseDesignLoad* second;
-    Estimate difference;  ///< second - first
-};
-
 /// The interval of resampled differences about the estimate, wider by Student's t of the arrangements over that of very
 /// many: resamples of few scatter too little.
 LoadFigure widened(double estimate, std::vector<double> resampled, double arrangements) {
@@ -167,8 +160,8 @@ LoadFigure widened(double estimate, std::vector<double> resampled, double arrang
     return {estimate, {estimate + wider * (limits.low - middle), estimate + wider * (limits.high - middle)}};
 }
 
-Estimate shown_figure(const LoadFigure& figure, double factor, bool said) {
-    return {factor * figure.value, factor * figure.interval.low, factor * figure.interval.high, said};
+Estimate shown_figure(const LoadFigure& figure, double factor, bool said = true) {
+    return factor * within(figure.value, figure.interval, said);
 }
 
 }  // namespace
@@ -198,15 +191,6 @@ std::optional<DesignDifference> difference_of(const CaseDesignLoad& first, const
 
 namespace {
 
-std::vector<Paired> pairs_of(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request) {
-    std::vector<Paired> pairs;
-    for (std::size_t a = 0; a < designs.size(); ++a)
-        for (std::size_t b = a + 1; b < designs.size(); ++b)
-            if (const auto found = difference_of(designs[a], designs[b], request); found && found->paired)
-                pairs.push_back({&designs[a], &designs[b], found->difference});
-    return pairs;
-}
-
 /// Of what people are shown.
 Estimate in_si(const Estimate& shown, const DesignOf& of) {
     const double factor = of.shown_factor();
@@ -215,17 +199,20 @@ Estimate in_si(const Estimate& shown, const DesignOf& of) {
 
 Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
                       const DesignLoadRequest& request) {
-    const std::vector<Paired> pairs = pairs_of(designs, request);
-    if (pairs.empty()) return {};
     Results results{.place = "design/pairs", .columns = {{.words = "pair"}, {"first"}, {"second"}}, .in_csv = false};
     results.columns.push_back(estimates("", "difference", std::string(request.of.shown_unit())));
     results.columns.push_back(estimates("difference", "", std::string(request.of.unit)));
-    for (const Paired& pair : pairs) {
-        const std::size_t first = pair.first->case_index;
-        const std::size_t second = pair.second->case_index;
-        results.add({fmt::format("{} - {}", summary.label_of(second), summary.label_of(first)), summary.name_of(first),
-                     summary.name_of(second), pair.difference, in_si(pair.difference, request.of)});
-    }
+    for (std::size_t a = 0; a < designs.size(); ++a)
+        for (std::size_t b = a + 1; b < designs.size(); ++b) {
+            const std::optional<DesignDifference> found = difference_of(designs[a], designs[b], request);
+            if (!found || !found->paired) continue;
+            const std::size_t first = designs[a].case_index;
+            const std::size_t second = designs[b].case_index;
+            results.add({fmt::format("{} - {}", summary.label_of(second), summary.label_of(first)),
+                         summary.name_of(first), summary.name_of(second), found->difference,
+                         in_si(found->difference, request.of)});
+        }
+    if (results.empty()) return {};
     return {.results = {std::move(results)},
             .after = fmt::format("\nDifferences of the {} exceeded with {:.3g} %, by both tails, over the same "
                                  "arrangements, with members taken as alike.\n",
@@ -259,7 +246,7 @@ Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& des
             const auto add = [&](const char* figure, double probability, const LoadFigure& load) {
                 results.add({summary.named(design.case_index), name_of(made.method), averaging,
                              request.exposure / unit::hour, request.scale, figure, probability, request.of.word,
-                             request.of.unit, shown_figure(load, request.factor(), true), reason});
+                             request.of.unit, shown_figure(load, request.factor()), reason});
             };
             add("expected", std::nan(""), made.expected);
             for (std::size_t k = 0; k < made.quantiles.size(); ++k)
@@ -413,13 +400,13 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
     for (const double p : request.quantiles)
         table.columns.push_back(estimates("", fmt::format("exceeded with {}", percent(1 - p)), shown_unit));
     for (ResultColumn& column : table.columns) column.digits = 3;
-    std::vector<std::string> too_few;
+    std::vector<std::string> notes;  // on cases without a value, then on steady ones
     std::vector<std::string> steadiness;
     for (const CaseDesignLoad& one : designs) {
         const std::string& name = summary.label_of(one.case_index);
         const CaseRow& about = summary.cases[one.case_index].about;
         if (!one.load.valid()) {
-            too_few.push_back(fmt::format("{}: {}", name, none_text(one, about)));
+            notes.push_back(fmt::format("{}: {}", name, none_text(one, about)));
             continue;
         }
         if (std::string steady = steady_text(name, one.trend, about); !steady.empty())
@@ -442,13 +429,11 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
     }
     const std::vector<Results> records{load_rows(summary, designs, request), basis_rows(summary, designs, request),
                                        threshold_rows(summary, designs, request), rate_rows(summary, designs, request)};
-    if (too_few.size() == designs.size())
-        return {.title = design_title(request),
-                .before = fmt::format("{}\n", fmt::join(too_few, "\n")),
-                .results = records};
+    if (notes.size() == designs.size())
+        return {
+            .title = design_title(request), .before = fmt::format("{}\n", fmt::join(notes, "\n")), .results = records};
     std::vector<Results> results{std::move(table)};
     results.insert(results.end(), records.begin(), records.end());
-    std::vector<std::string> notes = std::move(too_few);
     notes.insert(notes.end(), steadiness.begin(), steadiness.end());
     return {.title = design_title(request),
             .results = std::move(results),

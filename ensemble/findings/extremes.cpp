@@ -13,6 +13,9 @@ namespace floes {
 
 namespace {
 
+/// Of the reported levels, in segments.
+constexpr double return_periods[]{10, 100, 1000};
+
 std::array<const FittedExtreme*, 2> fits_of(const CaseExtremes& one) {
     return {&one.gumbel, &one.gev};
 }
@@ -86,6 +89,44 @@ std::string chance_text(const std::vector<CaseExtremes>& extremes) {
     return fmt::format(" p A² stands here {} times; of fits that are right one in twenty is below 0.05.", tests);
 }
 
+/// The maxima with both fits, exceedance over load.
+Figure exceedance_figure(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
+    std::vector<double> loads;
+    double least = 1;
+    for (const CaseExtremes& one : extremes) {
+        for (const ExceedancePoint& point : one.exceedance) {
+            loads.push_back(point.load);
+            least = std::min(least, point.probability);
+        }
+    }
+    const double floor = least / 20;
+    Axis x = axis_around("largest load of a segment", loads, true, "N");
+    x.high *= 1.4;
+    Figure figure{.description = "Probability that a segment's largest load exceeds a load",
+                  .x = x,
+                  .y = {"probability of exceedance", floor, 1, true},
+                  .size = {720, 380},
+                  .legend = case_legend(summary),
+                  .caption = fmt::format(
+                      "Dots: maxima of all segments, {}. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.",
+                      of_what(extremes))};
+    for (std::size_t i = 0; i < extremes.size(); ++i) {
+        const CaseExtremes& one = extremes[i];
+        for (const ExceedancePoint& point : one.exceedance) figure.dot(point.load, point.probability, colour(i), 2.5);
+        for (const FittedExtreme* fitted : fits_of(one)) {
+            if (!fitted->fit.valid()) continue;
+            Figure::Points curve;
+            for (int step = 0; step <= 200; ++step) {
+                const double load = x.low + (x.high - x.low) * step / 200;
+                const double probability = 1 - extreme_cdf(fitted->fit, load);
+                if (probability >= floor && probability < 1) curve.emplace_back(load, probability);
+            }
+            figure.line(std::move(curve), colour(i) + (fitted == &one.gumbel ? "" : " dashed"));
+        }
+    }
+    return figure;
+}
+
 }  // namespace
 
 std::vector<CaseExtremes> find_extremes(const Sample& sample) {
@@ -102,15 +143,13 @@ std::vector<CaseExtremes> find_extremes(const Sample& sample) {
             maxima.insert(maxima.end(), own.begin(), own.end());
         }
         const Analysis& analysis = sample.cases[index].analysis;
-        CaseExtremes found;
-        found.case_index = index;
-        found.averaging = averaging;
-        found.segment = analysis.window / analysis.segments;
-        found.maxima = maxima.size();
-        found.gumbel = fit_extremes(maxima, ExtremeKind::gumbel);
-        found.gev = fit_extremes(maxima, ExtremeKind::gev);
-        found.exceedance = exceedance_curve(std::move(maxima));
-        all.push_back(std::move(found));
+        all.push_back({.case_index = index,
+                       .averaging = averaging,
+                       .segment = analysis.window / analysis.segments,
+                       .maxima = maxima.size(),
+                       .gumbel = fit_extremes(maxima, ExtremeKind::gumbel),
+                       .gev = fit_extremes(maxima, ExtremeKind::gev),
+                       .exceedance = exceedance_curve(maxima)});
     }
     return all;
 }
@@ -159,46 +198,7 @@ Section exceedance_section(const Summary& summary, const std::vector<CaseExtreme
     return {.results = {std::move(results)}};
 }
 
-Figure exceedance_figure(const Summary& summary, const std::vector<CaseExtremes>& extremes) {
-    std::vector<double> loads;
-    double least = 1;
-    for (const CaseExtremes& one : extremes) {
-        for (const ExceedancePoint& point : one.exceedance) {
-            loads.push_back(point.load);
-            least = std::min(least, point.probability);
-        }
-    }
-    const double floor = least / 20;
-    Axis x = axis_around("largest load of a segment", loads, true, "N");
-    x.high *= 1.4;
-    Figure figure{.description = "Probability that a segment's largest load exceeds a load",
-                  .x = x,
-                  .y = {"probability of exceedance", floor, 1, true},
-                  .size = {720, 380},
-                  .legend = case_legend(summary),
-                  .caption = fmt::format(
-                      "Dots: maxima of all segments, {}. Lines: Gumbel, dashed: GEV, fitted by maximum likelihood.",
-                      of_what(extremes))};
-    for (std::size_t i = 0; i < extremes.size(); ++i) {
-        const CaseExtremes& one = extremes[i];
-        for (const ExceedancePoint& point : one.exceedance) figure.dot(point.load, point.probability, colour(i), 2.5);
-        for (const FittedExtreme* fitted : {&one.gumbel, &one.gev}) {
-            if (!fitted->fit.valid()) continue;
-            Figure::Points curve;
-            for (int step = 0; step <= 200; ++step) {
-                const double load = x.low + (x.high - x.low) * step / 200;
-                const double probability = 1 - extreme_cdf(fitted->fit, load);
-                if (probability >= floor && probability < 1) curve.emplace_back(load, probability);
-            }
-            figure.line(std::move(curve), colour(i) + (fitted == &one.gumbel ? "" : " dashed"));
-        }
-    }
-    return figure;
-}
-
 namespace {
-
-constexpr double minute = 60;  // s
 
 /// None where no load came above any level.
 std::vector<Figure> levels_figures(const Summary& summary, const std::vector<LevelRow>& rows) {
@@ -268,11 +268,8 @@ Section levels_section(const Summary& summary, const std::vector<LevelRow>& rows
                                 estimates("", "rises per minute", "1", 2),
                                 estimates("upcrossings_per_s", "")}};
     for (const LevelRow& row : rows) {
-        const auto shown = [](const Interval& mean, double factor) {
-            return Estimate{factor * mean.estimate, factor * mean.low, factor * mean.high};
-        };
-        results.add({summary.named(row.case_index), row.level, row.runs, shown(row.time_above, 1),
-                     shown(row.upcrossings, minute), shown(row.upcrossings, 1)});
+        const Estimate rises = estimate(row.upcrossings);
+        results.add({summary.named(row.case_index), row.level, row.runs, estimate(row.time_above), 60 * rises, rises});
     }
     if (rows.empty()) {
         results.in_csv = false;

@@ -21,9 +21,6 @@ struct CaseExtremes {
     std::vector<ExceedancePoint> exceedance;
 };
 
-/// Return periods of the reported levels, in segments.
-inline constexpr double return_periods[]{10, 100, 1000};
-
 /// All cases in file order; fits are invalid with fewer than `fewest_maxima` maxima.
 std::vector<CaseExtremes> find_extremes(const Sample& sample);
 
@@ -32,9 +29,6 @@ Section extremes_section(const Summary& summary, const std::vector<CaseExtremes>
 /// The empirical exceedance curve of the maxima with both fits: a CSV of its own, in JSON a part of the extremes. It
 /// has no table, which would be too long to read.
 Section exceedance_section(const Summary& summary, const std::vector<CaseExtremes>& extremes);
-
-/// The maxima with both fits, exceedance over load.
-Figure exceedance_figure(const Summary& summary, const std::vector<CaseExtremes>& extremes);
 
 /// "Gumbel" or "GEV".
 const char* name_of(ExtremeKind kind);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -53,29 +54,14 @@ bool compared(const Evidence& evidence) {
     return evidence.summary.cases.size() > 1 && (!evidence.campaign.design.active() || evidence.reference);
 }
 
-/// Wall time of the arrangements that a case would need more, s of one core; 0 where none is known.
-class Costs {
-  public:
-    explicit Costs(const Evidence& evidence) {
-        if (evidence.file.empty()) return;
-        const std::vector<double> times = read_wall_times(evidence.file);
-        std::vector<double> of_done;
-        for (std::size_t k = 0; k < std::min(times.size(), evidence.sample.members()); ++k)
-            if (evidence.sample.status(k) == RowStatus::done && std::isfinite(times[k])) of_done.push_back(times[k]);
-        if (!of_done.empty()) of_member_ = mean_of(of_done);
-    }
-
-    /// ", about 2.1 h of a core"; empty where it is not known.
-    std::string words(double members) const {
-        return of_member_ > 0 ? fmt::format(", about {} of a core", duration_text(members * of_member_)) : "";
-    }
-
-  private:
-    double of_member_ = 0;
-};
-
-std::string more_words(int more) {
-    return more > 0 ? fmt::format("needs {} more", more) : "no tail fits its peaks";
+/// ", about 2.1 h of a core" for so many further members; empty where their wall time is not known.
+std::string cost_words(const Evidence& evidence, double members) {
+    const std::vector<double> times = read_wall_times(evidence.file);
+    std::vector<double> of_done;
+    for (std::size_t k = 0; k < std::min(times.size(), evidence.sample.members()); ++k)
+        if (evidence.sample.status(k) == RowStatus::done && std::isfinite(times[k])) of_done.push_back(times[k]);
+    const double of_member = mean_of(of_done);
+    return of_member > 0 ? fmt::format(", about {} of a core", duration_text(members * of_member)) : "";
 }
 
 CaseFigure mean_figure(const Evidence& evidence, const Quantity& of, const std::string& words) {
@@ -148,11 +134,13 @@ CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignL
             made.later = std::string{request.of.word};
         } else if (!one.load.valid()) {
             more = more_arrangements(one);
-            value = Undefined{!one.why.empty() ? "not averaged over that time" : more_words(more)};
+            value = Undefined{!one.why.empty() ? "not averaged over that time"
+                              : more > 0       ? fmt::format("needs {} more", more)
+                                               : "no tail fits its peaks"};
         } else {
             const LoadFigure& found = one.load.estimates.front().quantiles.front();
             const bool said = says_something(found.value, found.interval, static_cast<int>(one.load.arrangements));
-            value = Estimate{factor * found.value, factor * found.interval.low, factor * found.interval.high, said};
+            value = factor * within(found.value, found.interval, said);
             if (!said) more = more_arrangements(one);
             if (const std::string doubts = doubt_words(request, one.load); !doubts.empty())
                 made.doubts.push_back(fmt::format("Doubtful: {} of {}: {}.", words.heading,
@@ -203,7 +191,7 @@ CaseRows rows_of(const Evidence& evidence, const CaseFigure& mean) {
     const Summary& summary = evidence.summary;
     if (evidence.campaign.design.active() && summary.cases.size() > most_overview_rows) return extreme_points(summary);
     std::vector<std::size_t> cases(summary.cases.size());
-    for (std::size_t k = 0; k < cases.size(); ++k) cases[k] = k;
+    std::iota(cases.begin(), cases.end(), std::size_t{0});
     if (base_case(evidence.campaign)) {
         const auto change = [&](std::size_t k) {
             const Estimate* found = mean.difference(k);
@@ -334,8 +322,8 @@ Next next_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, c
             if (one.more[k] > 0) wanted = std::max(wanted, evidence.summary.cases[k].done + one.more[k]);
     if (const int there = evidence.campaign.arrangements; wanted > there)
         next.emplace_back(fmt::format("{} arrangements{}", wanted,
-                                      Costs(evidence).words(static_cast<double>(wanted - there) *
-                                                            static_cast<double>(evidence.summary.cases.size()))),
+                                      cost_words(evidence, static_cast<double>(wanted - there) *
+                                                               static_cast<double>(evidence.summary.cases.size()))),
                           fmt::format("floes run {} -o {} --set campaign.arrangements={} --resume",
                                       configuration_word(evidence.summary.title), file, wanted));
     for (const CaseFigure& one : figures)
