@@ -28,6 +28,9 @@ void check_hull(const Oscillator& hull) {
                         hull.damping_ratio / unit::percent));
 }
 
+namespace {
+
+/// Of values `step` s apart in the window of a case, averaged over one time.
 AveragedLoad averaged_once(std::span<const double> values, double step, const Analysis& analysis, double time,
                            double separation) {
     return averaged_load(values, {.time_step = step,
@@ -36,6 +39,8 @@ AveragedLoad averaged_once(std::span<const double> values, double step, const An
                                   .peak_separation = separation})
         .front();
 }
+
+}  // namespace
 
 AveragedLoad load_in_window(std::span<const double> surge, double step, const Analysis& analysis, double time) {
     const std::span<const double> loads = in_window({0, step, surge}, analysis);
@@ -111,6 +116,7 @@ std::string period_refusal(const Analysis& analysis, double step, double period,
 }
 
 std::string moored_refusal(const Analysis& analysis, double step, double first_load, const MooredRequest& request) {
+    constexpr double most_left = 0.05;  // of the entry's swing when the window begins
     const Oscillator hull = request.model();
     const double to_full = request.time_factor();
     if (std::string words = period_refusal(analysis, step, hull.period(), to_full); !words.empty()) return words;
@@ -132,10 +138,6 @@ struct Stored {
     double first_load = 0;
     std::vector<MooredRun> runs;
 };
-
-std::string why(const Evidence& evidence, const MooredCase& one) {
-    return fmt::format("{}: {}.", evidence.summary.label_of(one.case_index), one.refused);
-}
 
 }  // namespace
 
@@ -172,7 +174,8 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
                          std::move(one.runs), std::move(refused)});
     }
     if (std::ranges::none_of(found, [](const MooredCase& one) { return one.refused.empty(); }))
-        throw InputError("Moored hull: " + why(evidence, found.front()));
+        throw InputError(fmt::format("Moored hull: {}: {}.", evidence.summary.label_of(found.front().case_index),
+                                     found.front().refused));
     return found;
 }
 
@@ -194,16 +197,6 @@ std::vector<CasePeaks> moored_peaks(const Sample& sample, const std::vector<Moor
     return all;
 }
 
-namespace {
-
-/// Whether no stored load is that of a hull which does not give way.
-bool all_give_way(const Evidence& evidence) {
-    return std::ranges::all_of(evidence.campaign.cases,
-                               [](const Case& one) { return one.scenario.moorings.give_way(); });
-}
-
-}  // namespace
-
 std::vector<Section> moored_sections(Evidence& evidence) {
     std::vector<Section> sections;
     const bool scaled = evidence.moored && evidence.moored->scale != 1;  // where hulls moved is at the campaign's own
@@ -216,7 +209,9 @@ std::vector<Section> moored_sections(Evidence& evidence) {
         sections.push_back(moored_spectrum(evidence, asked.hull.damping_ratio, asked.averaging, asked.scale));
         return sections;
     }
-    if (all_give_way(evidence)) return sections;
+    // No stored load is that of a hull which does not give way.
+    if (std::ranges::all_of(evidence.campaign.cases, [](const Case& one) { return one.scenario.moorings.give_way(); }))
+        return sections;
     constexpr double usual_damping = 0.1;
     const std::vector<double>& times = evidence.sample.averaging_times;
     sections.push_back(moored_spectrum(evidence, usual_damping, times.empty() ? 1 : times.front(), 1));
@@ -226,11 +221,10 @@ std::vector<Section> moored_sections(Evidence& evidence) {
 namespace {
 
 /// A mean over the runs of a case that have such a value.
-Estimate over(const MooredCase& one, double factor, const std::function<double(const MooredRun&)>& value) {
+Estimate over_runs(const MooredCase& one, double factor, const auto& value) {
     std::vector<double> values;
-    for (const MooredRun& run : one.runs) values.push_back(factor * value(run));
-    values = measured(std::move(values));
-    return estimate(mean_interval(values), static_cast<int>(values.size()));
+    for (const MooredRun& run : one.runs) values.push_back(factor * std::invoke(value, run));
+    return over(values);
 }
 
 /// A row for each case, at full scale.
@@ -239,24 +233,25 @@ Results rows_of(const Summary& summary, const std::vector<MooredCase>& found, co
     const double averaging = first == found.end() ? 0 : request.time_factor() * first->runs.front().load.time;
     Results results{.place = "moored/cases",
                     .columns = std::vector<ResultColumn>{{"case", "moored"}, {"runs", "runs"}} +
-                               program_columns("stiffness mass damping_ratio scale period averaging peak_separation")};
-    results.columns.push_back(estimates("mean_offset", "mean offset, m"));
-    results.columns.push_back(estimates("sd_offset", "SD of offset, m"));
-    results.columns.push_back(estimates("largest_force", "largest k x of a segment", "N"));
-    results.columns.push_back(estimates("largest_load", fmt::format("largest load over {:.3g} s", averaging), "N"));
-    results.columns.push_back(estimates("amplification", "amplification", "1", 2));
-    results.columns.push_back({.key = "velocity_ratio", .words = "rms velocity / drift", .decimals = 3});
+                               program_columns("stiffness mass damping_ratio scale period averaging peak_separation") +
+                               std::vector<ResultColumn>{
+                                   estimates("mean_offset", "mean offset, m"),
+                                   estimates("sd_offset", "SD of offset, m"),
+                                   estimates("largest_force", "largest k x of a segment", "N"),
+                                   estimates("largest_load", fmt::format("largest load over {:.3g} s", averaging), "N"),
+                                   estimates("amplification", "amplification", "1", 2),
+                                   {.key = "velocity_ratio", .words = "rms velocity / drift", .decimals = 3}}};
     for (const MooredCase& one : found) {
         if (!one.refused.empty()) continue;
         const double force = request.force_factor();
         results.add({summary.named(one.case_index), one.runs.size(), request.hull.stiffness, request.hull.mass,
                      request.hull.damping_ratio, request.scale, request.hull.period(),
                      request.time_factor() * one.runs.front().load.time, request.time_factor() * one.separation,
-                     over(one, request.scale, [](const MooredRun& run) { return run.mean_offset; }),
-                     over(one, request.scale, [](const MooredRun& run) { return run.sd_offset; }),
-                     over(one, force, [](const MooredRun& run) { return run.force.mean_maximum; }),
-                     over(one, force, [](const MooredRun& run) { return run.load.mean_maximum; }),
-                     over(one, 1, [](const MooredRun& run) { return run.amplification(); }), one.velocity_ratio()});
+                     over_runs(one, request.scale, &MooredRun::mean_offset),
+                     over_runs(one, request.scale, &MooredRun::sd_offset),
+                     over_runs(one, force, [](const MooredRun& run) { return run.force.mean_maximum; }),
+                     over_runs(one, force, [](const MooredRun& run) { return run.load.mean_maximum; }),
+                     over_runs(one, 1, &MooredRun::amplification), one.velocity_ratio()});
     }
     return results;
 }
@@ -264,6 +259,7 @@ Results rows_of(const Summary& summary, const std::vector<MooredCase>& found, co
 }  // namespace
 
 Section moored_section(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request) {
+    constexpr double much_motion = 0.2;  // beside which the load of a fixed hull is no longer that of a moored one
     const Oscillator& hull = request.hull;
     std::string doubts;
     std::vector<std::string> notes;

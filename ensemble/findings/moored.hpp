@@ -28,8 +28,6 @@ void check_hull(const Oscillator& hull);
 
 /// Fewest values of a history in a natural period: with fewer, the largest offset between two is missed by over 1.2 %.
 inline constexpr double fewest_values = 20;
-/// Most of the entry's swing that may be left when the window begins.
-inline constexpr double most_left = 0.05;
 
 /// For one member, at the scale of the campaign.
 struct MooredRun {
@@ -53,10 +51,6 @@ MooredRun moored_run(std::span<const double> surge, double step, const Analysis&
 /// k x in the window, N, of the same arguments.
 std::vector<double> mooring_force(std::span<const double> surge, double step, const Analysis& analysis,
                                   const MooredRequest& request);
-
-/// Of values `step` s apart in the window of a case, averaged over one time.
-AveragedLoad averaged_once(std::span<const double> values, double step, const Analysis& analysis, double time,
-                           double separation);
 
 /// The load of the window, of the arguments of moored_run(), averaged over `time`, but at least over one value and at
 /// most over a segment.
@@ -89,9 +83,6 @@ struct MooredCase {
 
     double velocity_ratio() const;  ///< rms velocity of the hull, over all runs, to the drift
 };
-
-/// Beside this velocity ratio the load of a fixed hull is no longer that of a moored one.
-inline constexpr double much_motion = 0.2;
 
 /// One for each case with stored histories. Reads the file. Throws InputError for a hull that is none, for a file
 /// without histories, and where no case can be answered.

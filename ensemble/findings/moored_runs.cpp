@@ -28,7 +28,7 @@ std::vector<double> values_of(const Evidence& evidence, std::size_t of_case, std
 Estimate mean_of_runs(const Evidence& evidence, std::size_t of_case, std::string_view key) {
     const std::vector<double> values = values_of(evidence, of_case, key);
     if (std::ranges::any_of(values, [](double value) { return std::isnan(value); })) return {};
-    return estimate(mean_interval(values), static_cast<int>(values.size()));
+    return over(values);
 }
 
 double sum_of(const std::vector<double>& values) {
@@ -46,8 +46,6 @@ bool anywhere(const Evidence& evidence, std::string_view key) {
             return true;
     return false;
 }
-
-// What springs, lines and turret of structures that gave way in the simulation bear, and how far they let go.
 
 /// Whether a case has the design value.
 bool has(const Case& one, const DesignOf& of) {
@@ -115,23 +113,15 @@ Results run_results(const Evidence& evidence) {
         if (!scenario.moorings.give_way() || evidence.sample.done(index).empty()) continue;
         const auto mean = [&](std::string_view key) { return mean_of_runs(evidence, index, key); };
         const auto most = [&](std::string_view key) { return std::ranges::max(values_of(evidence, index, key)); };
-        const auto segments = [&](auto& maxima) {
-            return maxima[index].empty()
-                       ? Estimate{}
-                       : estimate(mean_interval(maxima[index]), static_cast<int>(maxima[index].size()));
-        };
         const std::vector<double> yaw = values_of(evidence, index, "largest_yaw");
-        double squares = 0;
-        const std::vector<double> speeds = values_of(evidence, index, "rms_surge_velocity");
-        for (const double speed : speeds) squares += speed * speed;
-        results.add({evidence.summary.named(index), yaw.size(), mean("mean_load"), mean("mean_surge_offset"),
-                     mean("sd_surge_offset"), mean("mean_surge_mooring"), mean("mean_maximum_surge_mooring"),
-                     segments(forces), segments(offsets), std::ranges::max(yaw), std::ranges::max(yaw) / unit::degree,
-                     std::sqrt(squares / static_cast<double>(speeds.size())) / scenario.structure.speed,
-                     most("largest_heave_offset"), most("largest_pitch") / unit::degree,
-                     most("largest_roll") / unit::degree, mean("largest_line_tension"),
-                     sum_of(values_of(evidence, index, "broken_lines")), mean("largest_surge_thrust"),
-                     mean("thrust_at_limit")});
+        results.add(
+            {evidence.summary.named(index), yaw.size(), mean("mean_load"), mean("mean_surge_offset"),
+             mean("sd_surge_offset"), mean("mean_surge_mooring"), mean("mean_maximum_surge_mooring"),
+             over(forces[index]), over(offsets[index]), std::ranges::max(yaw), std::ranges::max(yaw) / unit::degree,
+             population_sd(values_of(evidence, index, "rms_surge_velocity"), 0) / scenario.structure.speed,
+             most("largest_heave_offset"), most("largest_pitch") / unit::degree, most("largest_roll") / unit::degree,
+             mean("largest_line_tension"), sum_of(values_of(evidence, index, "broken_lines")),
+             mean("largest_surge_thrust"), mean("thrust_at_limit")});
     }
     return results;
 }
@@ -233,34 +223,24 @@ struct Point {
     Interval amplification;
 };
 
-/// A hull of this natural period, s at full scale; its stiffness does not matter to the ratio.
-MooredRequest hull_of(double period, double damping_ratio, double averaging, double scale) {
-    const double omega = 2 * std::numbers::pi / period;
-    return {{1, 1 / (omega * omega), damping_ratio}, scale, averaging};
-}
-
-struct PeriodRange {
+/// Hulls of natural periods from the shortest that the histories of a case have to the longest that its window has, at
+/// full scale; none where that is shorter. Their stiffness does not matter to the ratio.
+std::vector<MooredRequest> hulls_of(const Evidence& evidence, double damping_ratio, double averaging, double scale) {
     double low = HUGE_VAL;
     double high = 0;
-};
-
-/// For every case, at full scale: from the shortest period that its histories have to the longest that its window has.
-PeriodRange range_of(const Evidence& evidence, double scale) {
-    PeriodRange range;
     const double to_full = std::sqrt(scale);
     for (const CaseRow& one : evidence.sample.cases) {
         const double step = one.time_step * one.analysis.history_stride;
-        range.low = std::min(range.low, to_full * fewest_values * step * 1.001);
-        range.high = std::max(range.high, to_full * one.analysis.window / fewest_periods * 0.999);
+        low = std::min(low, to_full * fewest_values * step * 1.001);
+        high = std::max(high, to_full * one.analysis.window / fewest_periods * 0.999);
     }
-    return range;
-}
-
-std::vector<double> periods_in(const PeriodRange& range) {
-    std::vector<double> periods;
-    for (std::size_t k = 0; k < periods_shown; ++k)
-        periods.push_back(range.low * std::pow(range.high / range.low, static_cast<double>(k) / (periods_shown - 1.0)));
-    return periods;
+    std::vector<MooredRequest> hulls;
+    for (std::size_t k = 0; k < periods_shown && low < high; ++k) {
+        const double period = low * std::pow(high / low, static_cast<double>(k) / (periods_shown - 1.0));
+        const double omega = 2 * std::numbers::pi / period;
+        hulls.push_back({{1, 1 / (omega * omega), damping_ratio}, scale, averaging});
+    }
+    return hulls;
 }
 
 /// For one case.
@@ -304,14 +284,13 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
 Figure figure_of(const Evidence& evidence, const std::vector<Point>& points, const std::string& caption) {
     std::vector<double> heights{1};
     std::map<std::size_t, Figure::Points> curves;
-    PeriodRange range;
     for (const Point& point : points) {
         heights.push_back(point.amplification.estimate);
         curves[point.case_index].emplace_back(point.period, point.amplification.estimate);
-        range = {std::min(range.low, point.period), std::max(range.high, point.period)};
     }
+    const auto [shortest, longest] = std::ranges::minmax_element(points, {}, &Point::period);
     Figure figure{.description = "Largest mooring force over largest load, over the natural period",
-                  .x = {"natural period, s", range.low, range.high, true},
+                  .x = {"natural period, s", shortest->period, longest->period, true},
                   .y = axis_around("largest k x / largest load", heights, true),
                   .legend = case_legend(evidence.summary),
                   .caption = caption + undrawn_text(evidence.summary)};
@@ -343,11 +322,7 @@ Results spectrum_rows(const Summary& summary, const std::vector<Point>& points, 
 }  // namespace
 
 Section moored_spectrum(const Evidence& evidence, double damping_ratio, double averaging, double scale) {
-    const PeriodRange range = range_of(evidence, scale);
-    std::vector<MooredRequest> hulls;
-    if (range.low < range.high)
-        for (const double period : periods_in(range)) hulls.push_back(hull_of(period, damping_ratio, averaging, scale));
-    const std::vector<Point> points = points_of(evidence, hulls);
+    const std::vector<Point> points = points_of(evidence, hulls_of(evidence, damping_ratio, averaging, scale));
     if (points.empty())
         return {.missing =
                     "Moored hull: unknown, because the file keeps no load histories (analysis.history_steps), or their "
@@ -383,6 +358,7 @@ std::string no_response(const Evidence& evidence, const DesignOf& of) {
 
 std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of) {
     const Sample& sample = evidence.sample;
+    const std::size_t place = place_of(of);
     std::vector<CasePeaks> all(sample.cases.size());
     for (std::size_t index = 0; index < all.size(); ++index) {
         const Scenario& scenario = evidence.campaign.cases[index].scenario;
@@ -395,10 +371,10 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
     }
     for (std::size_t index = 0; index < all.size(); ++index)
         for (const std::size_t member : sample.done(index)) {
-            PeakRow row = peak_row(sample, "responses", member, place_of(of));
+            PeakRow row = peak_row(sample, "responses", member, place);
             if (row.segment_maxima.empty()) continue;
-            const double mean = sample.along("responses/mean", member)[place_of(of)];
-            const double rise = sample.along("responses/rise", member)[place_of(of)];
+            const double mean = sample.along("responses/mean", member)[place];
+            const double rise = sample.along("responses/rise", member)[place];
             all[index].trends.push_back(member_trend(mean, rise, row.segment_maxima));
             all[index].add(static_cast<int>(member), sample.arrangement_of(member), std::move(row), mean);
         }
