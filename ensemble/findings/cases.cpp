@@ -24,12 +24,6 @@ Estimate estimate_of(const CaseSummary& row, const Quantity& quantity) {
     return estimate(row.of(quantity), row.done, kind_of(quantity));
 }
 
-Bracket one_further_run(const CaseSummary& row, const Quantity& quantity) {
-    const CaseEstimate& known = row.of(quantity);
-    const Limits limits{known.prediction_low, known.prediction_high};
-    return {limits, says_something(known.estimate, limits, row.done, kind_of(quantity))};
-}
-
 ResultColumn LoadColumn::column() const {
     return {.words = words,
             .unit = unit_of(quantity),
@@ -37,15 +31,12 @@ ResultColumn LoadColumn::column() const {
             .form = ResultColumn::Form::plus_minus};
 }
 
-std::string largest_words(const Quantity& largest) {
-    return largest.averaging == 0 ? "largest of a step" : fmt::format("largest over {:g} s", largest.averaging);
-}
-
 std::vector<LoadColumn> load_columns(const Summary& summary) {
     const Quantity& largest = headline_maximum(summary.quantities);
-    return {{quantity("mean_load"), "mean load"},
-            {largest, largest_words(largest)},
-            {quantity("failure_ratio"), "broken floes"}};
+    return {
+        {quantity("mean_load"), "mean load"},
+        {largest, largest.averaging == 0 ? "largest of a step" : fmt::format("largest over {:g} s", largest.averaging)},
+        {quantity("failure_ratio"), "broken floes"}};
 }
 
 namespace {
@@ -140,6 +131,9 @@ bool is_the_papers(const Scenario& scenario) {
     });
 }
 
+namespace {
+
+/// The paper's run of this case; nullptr if there is none.
 const PaperRow* paper_row(const Case& one) {
     if (!is_the_papers(one.scenario)) return nullptr;
     const double modulus = one.scenario.ice.elastic_modulus / unit::megapascal;
@@ -147,6 +141,15 @@ const PaperRow* paper_row(const Case& one) {
         paper_table3, [&](const PaperRow& row) { return std::abs(row.elastic_modulus_mpa - modulus) < 0.5; });
     return found == paper_table3.end() ? nullptr : &*found;
 }
+
+/// The prediction interval of one further run.
+Bracket one_further_run(const CaseSummary& row, const Quantity& quantity) {
+    const CaseEstimate& known = row.of(quantity);
+    const Limits limits{known.prediction_low, known.prediction_high};
+    return {limits, says_something(known.estimate, limits, row.done, kind_of(quantity))};
+}
+
+}  // namespace
 
 Results table3(const Campaign& campaign, const Summary& summary) {
     // The paper's maxima are of single steps, and so are those beside them.

@@ -24,13 +24,8 @@ struct LoadColumn {
 /// Mean load, largest load and broken floes.
 std::vector<LoadColumn> load_columns(const Summary& summary);
 
-/// "largest over 1 s", "largest of a step"
-std::string largest_words(const Quantity& largest);
-
 /// A quantity of a case as a cell.
 Estimate estimate_of(const CaseSummary& row, const Quantity& quantity);
-/// The prediction interval of one further run.
-Bracket one_further_run(const CaseSummary& row, const Quantity& quantity);
 
 /// What the columns mean, as sentences.
 std::string load_columns_text(const Summary& summary);
@@ -70,9 +65,6 @@ struct Experiment {
 /// Whether the scenario is the paper's: everything that the paper states has the stated value, except E and Σ. What it
 /// leaves open (wall below the waterline, far end, contact Γ, iterations) may differ.
 bool is_the_papers(const Scenario& scenario);
-
-/// The paper's run of this case; nullptr if there is none.
-const PaperRow* paper_row(const Case& one);
 
 /// Two rows for each case: means with their intervals, and what one further run gives. Rows of the paper and of the
 /// experiment follow the case that they belong to.

@@ -104,6 +104,13 @@ std::string standing_out_text(const CaseDesignLoad& one) {
     return text;
 }
 
+namespace {
+
+/// Of the peaks, for which the first quantile is shown.
+constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
+
+}  // namespace
+
 std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request) {
     const double time = averaging_time(sample, request);
     std::vector<CasePeaks> peaks;

@@ -52,7 +52,7 @@ struct CaseDesignLoad {
     /// Whether all members are of one kind, which the other methods and pairs take for granted.
     bool of_one_kind() const { return load.unlike.out.empty(); }
 
-    std::vector<double> over_shares;  ///< the first quantile with each of threshold_shares of the peaks
+    std::vector<double> over_shares;  ///< the first quantile with more and fewer peaks, to defend the threshold
 };
 
 /// The first quantile of a case less that of another, at full scale and in the unit that people are shown.
@@ -81,9 +81,6 @@ std::string none_text(const CaseDesignLoad& one, const CaseRow& about);
 
 /// A disagreement that is said beside the load.
 inline constexpr double much_disagreement = 0.25;
-
-/// Shares of the peaks for which the first quantile is shown, to defend the threshold.
-inline constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
 
 /// The campaign's own averaging time that the request means, s at the campaign's scale. Throws InputError if there is
 /// none.

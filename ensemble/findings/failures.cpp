@@ -32,16 +32,23 @@ constexpr std::array<Stroke, failure_mode_names.size()> strokes{{{"", "solid lin
                                                                  {" thin dashed", "thin dashed"},
                                                                  {" thin dotted", "thin dotted"}}};
 
-/// Failures so far over time, as steps up to `end`; `runs` of them are averaged.
-Figure::Points steps_of(std::vector<double> times, double end, int runs) {
-    std::ranges::sort(times);
-    Figure::Points points{{0, 0}};
-    for (std::size_t k = 0; k < times.size(); ++k) {
-        points.emplace_back(times[k], points.back().second);
-        points.emplace_back(times[k], static_cast<double>(k + 1) / runs);
+/// A value that is 0 from `begin` on and that of each step from there on, up to `end`.
+Figure::Points stairs(double begin, const Figure::Points& steps, double end) {
+    Figure::Points points{{begin, 0}};
+    for (const auto& [x, value] : steps) {
+        points.emplace_back(x, points.back().second);
+        points.emplace_back(x, value);
     }
     points.emplace_back(end, points.back().second);
     return points;
+}
+
+/// Failures so far over time; `runs` of them are averaged.
+Figure::Points failures_so_far(std::vector<double> times, int runs) {
+    std::ranges::sort(times);
+    Figure::Points steps;
+    for (const double time : times) steps.emplace_back(time, static_cast<double>(steps.size() + 1) / runs);
+    return steps;
 }
 
 /// "bending", "in-plane bending"; `mode` as in BreakRow.
@@ -86,15 +93,11 @@ std::optional<CaseFailures> failures_of(Evidence& evidence, std::size_t of_case)
     const auto count = [&](double extent) {
         return std::max(1, static_cast<int>(std::lround(2 * extent / floe.element)));
     };
-    CaseFailures found{evidence.summary.label_of(of_case),
-                       floe,
-                       static_cast<int>(floes.size()),
-                       count(floe.length),
-                       count(floe.breadth),
-                       {},
-                       {}};
-    found.joints.resize(static_cast<std::size_t>(found.columns) * static_cast<std::size_t>(found.rows), 0.0);
-    found.failed = found.joints;
+    const int columns = count(floe.length);
+    const int rows = count(floe.breadth);
+    const std::vector<double> none(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0.0);
+    CaseFailures found{
+        evidence.summary.label_of(of_case), floe, static_cast<int>(floes.size()), columns, rows, none, none};
     std::vector<std::vector<std::size_t>> fields;  // of the joints of each shape
     for (const FloeShape& shape : floes.shapes) {
         std::vector<std::size_t>& of_joint = fields.emplace_back();
@@ -180,7 +183,7 @@ Section failures_section(Evidence& evidence) {
         const Stroke& stroke = strokes.at(static_cast<std::size_t>(mode));
         for (auto& [of_case, failed] : of_cases) {
             counts.push_back(static_cast<double>(failed.size()) / cases[of_case].done);
-            figure.line(steps_of(std::move(failed), figure.x.high, cases[of_case].done),
+            figure.line(stairs(0, failures_so_far(std::move(failed), cases[of_case].done), figure.x.high),
                         colour(of_case) + stroke.style);
         }
         figure.caption += times.size() == 1 ? fmt::format("; all failed in {}", mode_name(mode))
@@ -268,17 +271,9 @@ Figure sizes_figure(const Summary& summary, const std::vector<SizesOfCase>& case
                   .size = {720, 320},
                   .legend = case_legend(summary),
                   .caption = "Sizes of the ice at the end of the run; dashed: of the floes at its start."};
-    for (const SizesOfCase& one : cases) {
-        for (const auto& [sizes, style] : {std::pair(&one.before, " dashed"), std::pair(&one.after, "")}) {
-            Figure::Points points{{figure.x.low, 0}};
-            for (const auto& [side, share] : sizes->steps()) {
-                points.emplace_back(side, points.back().second);
-                points.emplace_back(side, share);
-            }
-            points.emplace_back(figure.x.high, points.back().second);
-            figure.line(std::move(points), colour(one.case_index) + style);
-        }
-    }
+    for (const SizesOfCase& one : cases)
+        for (const auto& [sizes, style] : {std::pair(&one.before, " dashed"), std::pair(&one.after, "")})
+            figure.line(stairs(figure.x.low, sizes->steps(), figure.x.high), colour(one.case_index) + style);
     return figure;
 }
 

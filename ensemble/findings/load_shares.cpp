@@ -89,8 +89,8 @@ constexpr Figure::Size map_panel{404, 250};
 constexpr Figure::Size square_panel{404, 398};
 constexpr int least_for_interval = 4;  // members; those of fewer would fill the figure
 
-const Scenario& scenario_of(const Evidence& evidence, std::size_t of_case) {
-    return evidence.campaign.cases[of_case].scenario;
+const Shape& shape_of(const Evidence& evidence, const CaseLoadMap& found) {
+    return evidence.campaign.cases[found.case_index].scenario.structure.shape;
 }
 
 /// Height above the water of a share of the depth, m.
@@ -142,7 +142,7 @@ std::vector<Figure> wall_figures(const Evidence& evidence, const std::vector<Cas
     const double reach = drawn_angle(maps);
     std::vector<Figure> figures;
     for (const CaseLoadMap& found : maps) {
-        const Shape& shape = scenario_of(evidence, found.case_index).structure.shape;
+        const Shape& shape = shape_of(evidence, found);
         const std::string name = evidence.summary.label_of(found.case_index);
         Figure figure{.description = fmt::format("Case {}: mean load by angle and height on the structure", name),
                       .x = {fmt::format("{}: degrees from straight ahead", name), -reach, reach, false, {}, 30},
@@ -199,7 +199,7 @@ Figure load_profile(const Evidence& evidence, const std::vector<CaseLoadMap>& ma
     double low = 0;
     double high = 0;
     for (const CaseLoadMap& found : maps) {
-        const Shape& shape = scenario_of(evidence, found.case_index).structure.shape;
+        const Shape& shape = shape_of(evidence, found);
         for (const double load : by_height(found, shape)) loads.push_back(load);
         low = std::min(low, shape.bottom());
         high = std::max(high, shape.top());
@@ -210,7 +210,7 @@ Figure load_profile(const Evidence& evidence, const std::vector<CaseLoadMap>& ma
                   .size = square_panel,
                   .legend = legend_of(evidence, maps)};
     for (const CaseLoadMap& found : maps) {
-        const Shape& shape = scenario_of(evidence, found.case_index).structure.shape;
+        const Shape& shape = shape_of(evidence, found);
         const std::vector<double> of_heights = by_height(found, shape);
         Figure::Points steps;
         for (std::size_t h = 0; h < of_heights.size(); ++h)
@@ -227,7 +227,7 @@ Figure load_along_tow(const Evidence& evidence, const std::vector<CaseLoadMap>& 
     std::vector<double> loads;
     std::vector<double> distances;
     const auto distance = [&](std::size_t of_case, double share) {
-        const Scenario& scenario = scenario_of(evidence, of_case);
+        const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
         return scenario.structure.speed * (scenario.analysis.steady_start + share * scenario.analysis.window);
     };
     for (const CaseLoadMap& found : maps) {
@@ -258,11 +258,6 @@ Figure load_along_tow(const Evidence& evidence, const std::vector<CaseLoadMap>& 
     return figure;
 }
 
-/// Share of the depth at which the water stands.
-double waterline(const Shape& shape) {
-    return -shape.bottom() / (shape.top() - shape.bottom());
-}
-
 Results share_table(const Evidence& evidence, const std::vector<CaseLoadMap>& maps) {
     Results results{.place = "load_shares", .columns = {{"case", "share of the mean load"}}};
     for (const auto& [key, words] :
@@ -272,7 +267,8 @@ Results share_table(const Evidence& evidence, const std::vector<CaseLoadMap>& ma
         results.columns.push_back({.key = key, .words = words, .unit = "share", .decimals = 0});
     results.columns.push_back({.key = "normal_forces", .words = "normal forces", .unit = "N"});
     for (const CaseLoadMap& found : maps) {
-        const double water = waterline(evidence.campaign.cases[found.case_index].scenario.structure.shape);
+        const Shape& shape = shape_of(evidence, found);
+        const double water = -shape.bottom() / (shape.top() - shape.bottom());  // share of the depth
         results.add({evidence.summary.named(found.case_index), found.share_within(30), found.share_within(60),
                      found.share_between(0, water / 2), found.share_between(water / 2, water),
                      found.share_between(water, 1),
@@ -458,6 +454,9 @@ Section pressure_section(const Evidence& evidence) {
         .figures = std::move(figures)};
 }
 
+namespace {
+
+/// Surge loads by case and part; cases of a structure that is one part have none.
 Results find_parts(const Evidence& evidence) {
     struct Statistic {
         ResultColumn column;
@@ -500,8 +499,6 @@ Results find_parts(const Evidence& evidence) {
     }
     return rows;
 }
-
-namespace {
 
 constexpr std::array<std::pair<const char*, const char*>, 3> axes{
     {{"yaw", "yaw, + bow to port"},

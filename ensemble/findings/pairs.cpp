@@ -21,6 +21,7 @@ namespace floes {
 namespace {
 
 constexpr std::size_t fewest_shared = 2;
+constexpr double power = 0.8;  // probability of finding a difference at the 5 % level
 
 /// Done members of two cases that began from the same floes, beside each other.
 struct SharedMembers {
@@ -87,7 +88,7 @@ PairRow compare(const Sample& sample, const SharedMembers& pair, const Quantity&
     std::ranges::sort(row.apart);
     row.first_mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
     const auto needed = [&](double difference) {
-        return arrangements_to_resolve(difference, row.found.sd, 0.95, options.power);
+        return arrangements_to_resolve(difference, row.found.sd, 0.95, power);
     };
     row.to_resolve_observed = needed(row.found.difference);
     row.to_resolve_wished = needed(options.resolve * row.first_mean);
@@ -144,11 +145,40 @@ Results pair_results(const Summary& summary, const std::vector<PairRow>& rows, c
                            found.difference / row.first_mean, row.t_p_holm, row.wilcoxon_p_holm, found.variance_saved,
                            shown(row.to_resolve_observed), shown(row.to_resolve_wished), Bracket{found.t_interval},
                            row.first_mean, row.apart.size(), found.sd, found.t, found.t_p, found.rank_sum,
-                           found.wilcoxon_p, found.wilcoxon_exact, options.power, needed(row.to_resolve_observed),
+                           found.wilcoxon_p, found.wilcoxon_exact, power, needed(row.to_resolve_observed),
                            options.resolve, needed(row.to_resolve_wished)),
                     whom);
     }
     return results;
+}
+
+/// A value with its interval on a line of its own.
+struct Strip {
+    std::string label;
+    Estimate value;
+};
+
+/// Strips below each other, the first at the top, with a line at 0. `words` and `unit`: of the axis.
+Figure strips_figure(const std::vector<Strip>& strips, const std::string& words, const std::string& unit) {
+    Figure figure;
+    std::vector<std::string> labels;  // from the bottom
+    std::vector<double> values{0};
+    for (const auto& [label, value] : strips | std::views::reverse) {
+        const double at = static_cast<double>(labels.size()) + 0.5;
+        figure.dot(value.value, at, "ink", 4.5);
+        values.push_back(value.value);
+        if (value.said && std::isfinite(value.high)) {
+            figure.line({{value.low, at}, {value.high, at}}, "thick");
+            values.insert(values.end(), {value.low, value.high});
+        }
+        labels.push_back(label);
+    }
+    const double count = static_cast<double>(labels.size());
+    figure.size = {720, 70 + 34 * count};
+    figure.x = axis_around(words, values, false, unit);
+    figure.y = {"", 0, count, false, std::move(labels)};
+    figure.upright(0, "dashed");
+    return figure;
 }
 
 Figure differences(const Summary& summary, const std::vector<PairRow>& rows, const Quantity& quantity,
@@ -232,7 +262,7 @@ std::string notes(const std::vector<PairRow>& rows, const PairOptions& options) 
         "arrangements needed to find a true difference as large as the observed one, or of {:g} % of the first case, "
         "with a probability of {:g} %.\n{}{}The other quantities of Table 3: --format csv --parts pairs.\n",
         pairs == 1 ? std::string{"one pair"} : fmt::format("{} pairs", pairs), options.resolve / unit::percent,
-        options.power / unit::percent, chance_text(rows), pairing_text(rows));
+        power / unit::percent, chance_text(rows), pairing_text(rows));
 }
 
 }  // namespace
@@ -327,28 +357,6 @@ Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, 
         differences(summary, rows, headline_maximum(summary.quantities),
                     "Mean maximum load: differences within an arrangement.")};
     return section;
-}
-
-Figure strips_figure(std::span<const Strip> strips, const std::string& words, const std::string& unit) {
-    Figure figure;
-    std::vector<std::string> labels;  // from the bottom
-    std::vector<double> values{0};
-    for (const auto& [label, value] : strips | std::views::reverse) {
-        const double at = static_cast<double>(labels.size()) + 0.5;
-        figure.dot(value.value, at, "ink", 4.5);
-        values.push_back(value.value);
-        if (value.said && std::isfinite(value.high)) {
-            figure.line({{value.low, at}, {value.high, at}}, "thick");
-            values.insert(values.end(), {value.low, value.high});
-        }
-        labels.push_back(label);
-    }
-    const double count = static_cast<double>(labels.size());
-    figure.size = {720, 70 + 34 * count};
-    figure.x = axis_around(words, values, false, unit);
-    figure.y = {"", 0, count, false, std::move(labels)};
-    figure.upright(0, "dashed");
-    return figure;
 }
 
 namespace {

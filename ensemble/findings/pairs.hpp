@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +33,6 @@ struct PairOptions {
     std::optional<std::size_t> reference;  ///< comes first in its pairs
     bool others = true;                    ///< pairs without the reference, too
     double resolve = 0.1;                  ///< difference to be resolved, as a fraction of the first case's mean
-    double power = 0.8;                    ///< probability of finding it at the 5 % level
 };
 
 /// Every pair of cases, or those with the reference, that share at least two done arrangements, for each quantity of
@@ -69,15 +67,6 @@ std::string unasked_text(const Summary& summary);
 
 /// The table has the headline quantities; a page and the records have all.
 Section pairs_section(const Summary& summary, const std::vector<PairRow>& rows, const PairOptions& options);
-
-/// A value with its interval on a line of its own.
-struct Strip {
-    std::string label;
-    Estimate value;
-};
-
-/// Strips below each other, the first at the top, with a line at 0. `words` and `unit`: of the axis.
-Figure strips_figure(std::span<const Strip> strips, const std::string& words, const std::string& unit);
 
 // The model's own uncertainty: what its unknowns do to the load, varied one at a time about run.base_case, beside what
 // sampling leaves open.

@@ -97,9 +97,6 @@ Section pressure_section(const Evidence& evidence);
 
 // Loads on the parts of a hull and moments on the whole of it, over the arrangements of each case.
 
-/// Surge loads by case and part; cases of a structure that is one part have none.
-Results find_parts(const Evidence& evidence);
-
 /// Parts, pressures on them, then moments.
 std::vector<Section> parts_sections(Evidence& evidence);
 
