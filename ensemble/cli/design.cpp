@@ -241,15 +241,8 @@ struct DesignOptions {
 };
 
 struct Answer {
+    DesignLoads designs;
     std::vector<Section> sections;
-    Units units;
-    bool given = false;  ///< of some case
-
-    Answer(std::vector<Section> found, const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request,
-           const Evidence& evidence)
-        : sections(std::move(found)),
-          units(design_units(designs, request, evidence.units)),
-          given(std::ranges::any_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); })) {}
 };
 
 /// Design mooring forces instead of loads, and what they come from.
@@ -258,29 +251,30 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
     const MooredRequest asked{hull, request.scale, request.averaging};
     const std::vector<MooredCase> found = find_moored(evidence, asked);
     const std::vector<CasePeaks> peaks = moored_peaks(evidence.sample, found);
-    std::vector<CaseDesignLoad> designs = find_design_loads(evidence.sample, request, peaks);
-    for (CaseDesignLoad& one : designs)
+    DesignLoads designs = find_design_loads(evidence.sample, request, peaks);
+    for (CaseDesignLoad& one : designs.of_cases)
         if (!evidence.sample.done(one.case_index).empty())
             one.why = "its members keep no load histories (analysis.history_steps)";
-    for (const MooredCase& one : found) designs[one.case_index].why = one.refused;
-    std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
+    for (const MooredCase& one : found) designs.of_cases[one.case_index].why = one.refused;
+    std::vector<Section> sections = design_load_sections(evidence.summary, designs);
     sections.push_back(moored_section(evidence.summary, found, asked));
-    return {std::move(sections), designs, request, evidence};
+    return {std::move(designs), std::move(sections)};
 }
 
 Answer sections_of(const DesignOptions& options, const Evidence& evidence, const DesignLoadRequest& request) {
     if (options.of != "load") {
-        const std::vector<CaseDesignLoad> designs = find_simulated_designs(evidence, request);
-        std::vector<Section> sections = design_load_sections(evidence.summary, designs, request);
+        DesignLoads designs = find_simulated_designs(evidence, request);
+        std::vector<Section> sections = design_load_sections(evidence.summary, designs);
         if (options.of == "mooring_force") sections.front().before = mooring_notes(evidence) + sections.front().before;
         // Those are at the scale of the campaign.
         if (std::optional<Section> moved = moored_runs_section(evidence); moved && request.scale == 1)
             sections.push_back(std::move(*moved));
-        return {std::move(sections), designs, request, evidence};
+        return {std::move(designs), std::move(sections)};
     }
     if (const std::optional<Oscillator> hull = options.mooring.hull()) return moored(evidence, request, *hull);
-    const std::vector<CaseDesignLoad> designs = find_design_loads(evidence.sample, request);
-    return {design_load_sections(evidence.summary, designs, request), designs, request, evidence};
+    DesignLoads designs = find_design_loads(evidence.sample, request);
+    std::vector<Section> sections = design_load_sections(evidence.summary, designs);
+    return {std::move(designs), std::move(sections)};
 }
 
 /// The command that repeats the answer. `asked`: what it is of, "--regimes year.toml".
@@ -307,7 +301,8 @@ int answer(const DesignOptions& options) {
     const Evidence evidence = read_evidence(CampaignFile(given.path()), options.automatic_window());
     Answer found = sections_of(options, evidence, request);
     add_warnings(evidence, found.sections);
-    print(found.sections, options.format, found.units);
+    const Units units = design_units(found.designs, evidence.units);
+    print(found.sections, options.format, units);
     const std::string asked =
         fmt::format("--exposure-h {:g} --quantile {:g}{}{}", options.exposure_h, fmt::join(request.quantiles, ","),
                     options.of == "load" ? "" : " --of " + options.of, options.mooring.text());
@@ -315,8 +310,8 @@ int answer(const DesignOptions& options) {
            .title = "Design values",
            .sections = found.sections,
            .command = command_of(options, given, asked),
-           .units = found.units});
-    return found.given ? 0 : 1;
+           .units = units});
+    return found.designs.known() ? 0 : 1;
 }
 
 std::string picture_of(const DesignOptions& options, const Year& year, const YearRequest& request) {

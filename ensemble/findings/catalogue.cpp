@@ -109,7 +109,7 @@ std::vector<Section> design(Evidence& evidence) {
     const DesignLoads& found = designs_of(evidence);
     std::vector<Section> sections{
         {.missing = "Design load: unknown, because the members did not average their load (analysis.averaging_s).\n"}};
-    if (!found.of_cases.empty()) sections = design_load_sections(evidence.summary, found.of_cases, found.asked);
+    if (!found.of_cases.empty()) sections = design_load_sections(evidence.summary, found);
     std::ranges::move(simulated_designs(evidence), std::back_inserter(sections));
     return sections;
 }

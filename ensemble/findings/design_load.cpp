@@ -111,24 +111,24 @@ constexpr double threshold_shares[]{0.5, 0.35, 0.25, 0.15, 0.1};
 
 }  // namespace
 
-std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request) {
+DesignLoads find_design_loads(const Sample& sample, const DesignLoadRequest& request) {
     const double time = averaging_time(sample, request);
     std::vector<CasePeaks> peaks;
     for (std::size_t index = 0; index < sample.cases.size(); ++index) peaks.push_back(case_peaks(sample, index, time));
-    std::vector<CaseDesignLoad> designs = find_design_loads(sample, request, peaks);
-    for (CaseDesignLoad& one : designs)
+    DesignLoads designs = find_design_loads(sample, request, peaks);
+    for (CaseDesignLoad& one : designs.of_cases)
         if (one.arrangements.empty() && !sample.done(one.case_index).empty())
             one.why = "its members did not average the load over that time (analysis.averaging_s)";
     return designs;
 }
 
-std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request,
-                                              const std::vector<CasePeaks>& peaks) {
+DesignLoads find_design_loads(const Sample& sample, const DesignLoadRequest& request,
+                              const std::vector<CasePeaks>& peaks) {
     const Exposure exposure{request.model_exposure(), request.quantiles, request.share,
                             sample.cases.size() > most_averaged_cases};
-    std::vector<CaseDesignLoad> designs;
+    DesignLoads designs{request};
     for (std::size_t index = 0; index < sample.cases.size(); ++index) {
-        CaseDesignLoad one;
+        CaseDesignLoad& one = designs.of_cases.emplace_back();
         one.case_index = index;
         const CasePeaks& found = peaks.at(index);
         one.trend = found.trends.empty() ? joint_trend(sample, index) : joint_trend(found.trends, request.of.noun);
@@ -141,16 +141,18 @@ std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const Design
             one.refused = true;
             one.load.arrangements = found.rows.size();
             one.over_shares.assign(std::size(threshold_shares), std::nan(""));
-            designs.push_back(std::move(one));
             continue;
         }
         one.load = design_load(found.rows, found.measured, exposure);
         for (const auto& quantiles : over_thresholds(found.rows, found.measured, exposure,
                                                      {std::begin(threshold_shares), std::end(threshold_shares)}))
             one.over_shares.push_back(quantiles.front());
-        designs.push_back(std::move(one));
     }
     return designs;
+}
+
+bool DesignLoads::known() const {
+    return std::ranges::any_of(of_cases, [](const CaseDesignLoad& one) { return one.load.valid(); });
 }
 
 namespace {
@@ -204,17 +206,18 @@ Estimate in_si(const Estimate& shown, const DesignOf& of) {
     return {shown.value / factor, shown.low / factor, shown.high / factor, shown.said};
 }
 
-Section pairs_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                      const DesignLoadRequest& request) {
+Section pairs_section(const Summary& summary, const DesignLoads& designs) {
+    const DesignLoadRequest& request = designs.asked;
     Results results{.place = "design/pairs", .columns = {{.words = "pair"}, {"first"}, {"second"}}, .in_csv = false};
     results.columns.push_back(estimates("", "difference", std::string(request.of.shown_unit())));
     results.columns.push_back(estimates("difference", "", std::string(request.of.unit)));
-    for (std::size_t a = 0; a < designs.size(); ++a)
-        for (std::size_t b = a + 1; b < designs.size(); ++b) {
-            const std::optional<DesignDifference> found = difference_of(designs[a], designs[b], request);
+    const std::vector<CaseDesignLoad>& cases = designs.of_cases;
+    for (std::size_t a = 0; a < cases.size(); ++a)
+        for (std::size_t b = a + 1; b < cases.size(); ++b) {
+            const std::optional<DesignDifference> found = difference_of(cases[a], cases[b], request);
             if (!found || !found->paired) continue;
-            const std::size_t first = designs[a].case_index;
-            const std::size_t second = designs[b].case_index;
+            const std::size_t first = cases[a].case_index;
+            const std::size_t second = cases[b].case_index;
             results.add({fmt::format("{} - {}", summary.label_of(second), summary.label_of(first)),
                          summary.name_of(first), summary.name_of(second), found->difference,
                          in_si(found->difference, request.of)});
@@ -237,8 +240,8 @@ std::string value_key(const DesignLoadRequest& request) {
 
 /// A row for each case, method and figure, for programs; of a case without a load those of both tails, undefined, with
 /// the reason.
-Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                  const DesignLoadRequest& request) {
+Results load_rows(const Summary& summary, const DesignLoads& designs) {
+    const DesignLoadRequest& request = designs.asked;
     Results results{.place = "design/loads",
                     .columns = program_columns("case method averaging exposure_h scale figure probability of unit")};
     results.columns.push_back(estimates(value_key(request), "", std::string(request.of.unit)));
@@ -246,7 +249,7 @@ Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& des
     const Datum averaging = is_averaged(request) ? Datum(request.averaging) : Undefined{};
     const LoadFigure undefined{std::nan(""), {std::nan(""), std::nan("")}};
     const DesignLoadEstimate none{LargestBy::both_tails, undefined, {request.quantiles.size(), undefined}};
-    for (const CaseDesignLoad& design : designs) {
+    for (const CaseDesignLoad& design : designs.of_cases) {
         const bool has = design.load.valid();
         const Datum reason = has ? Datum(Undefined{}) : none_text(design, summary.cases[design.case_index].about);
         for (const DesignLoadEstimate& made : has ? design.load.estimates : std::vector{none}) {
@@ -264,8 +267,7 @@ Results load_rows(const Summary& summary, const std::vector<CaseDesignLoad>& des
 }
 
 /// What the loads rest on, at the scale of the campaign. What was not looked at, or could not be fitted, is not 0.
-Results basis_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                   const DesignLoadRequest& request) {
+Results basis_rows(const Summary& summary, const DesignLoads& designs) {
     Results results{
         .place = "design/basis",
         .columns = program_columns(
@@ -274,14 +276,14 @@ Results basis_rows(const Summary& summary, const std::vector<CaseDesignLoad>& de
             "weibull_origin weibull_scale weibull_shape weibull_weight stand_out peaks_carried unseen_share scatter "
             "alike_probability dispersion dispersion_p resamples resamples_without_fit"),
         .in_csv = false};
-    for (const CaseDesignLoad& design : designs) {
+    for (const CaseDesignLoad& design : designs.of_cases) {
         const DesignLoad& load = design.load;
         const Interval& change = design.trend.load;
         const auto seen = [&](Datum value) { return design.refused ? Datum(Undefined{}) : value; };
         const auto fitted = [&](Datum value) { return load.valid() ? value : Datum(Undefined{}); };
         results.add(row_of(summary.named(design.case_index), load.arrangements, design.refused, design.trend.seen(),
                            name_of(design.trend.steadiness), change.estimate, change.low, change.high,
-                           seen(load.time_run), request.model_exposure(), design.separation, seen(load.peaks),
+                           seen(load.time_run), designs.asked.model_exposure(), design.separation, seen(load.peaks),
                            seen(load.threshold), fitted(load.pareto.scale), fitted(load.pareto.shape),
                            fitted(load.weibull.origin), fitted(load.weibull.scale), fitted(load.weibull.shape),
                            fitted(load.weibull_weight), seen(load.unlike.out.size()), seen(load.unlike.carried),
@@ -293,27 +295,26 @@ Results basis_rows(const Summary& summary, const std::vector<CaseDesignLoad>& de
 }
 
 /// The first quantile over the share of the peaks that the tails are fitted to.
-Results threshold_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                       const DesignLoadRequest& request) {
+Results threshold_rows(const Summary& summary, const DesignLoads& designs) {
     Results results{.place = "design/over_thresholds",
-                    .columns = program_columns("case share " + value_key(request)),
+                    .columns = program_columns("case share " + value_key(designs.asked)),
                     .in_csv = false};
-    for (const CaseDesignLoad& design : designs)
+    for (const CaseDesignLoad& design : designs.of_cases)
         for (std::size_t k = 0; k < std::size(threshold_shares); ++k)
             results.add({summary.named(design.case_index), threshold_shares[k], design.over_shares[k]});
     return results;
 }
 
 /// Peaks above each of them, with the rate that each tail gives, at the scale of the campaign.
-Results rate_rows(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                  const DesignLoadRequest& request) {
-    Results results{.place = "design/rates",
-                    .columns = program_columns("case " + value_key(request) + " seen_per_s pareto_per_s weibull_per_s"),
-                    .in_csv = false};
+Results rate_rows(const Summary& summary, const DesignLoads& designs) {
+    Results results{
+        .place = "design/rates",
+        .columns = program_columns("case " + value_key(designs.asked) + " seen_per_s pareto_per_s weibull_per_s"),
+        .in_csv = false};
     const auto tail = [](const Tail& fitted, double load) {
         return fitted.valid() && load >= fitted.threshold ? Datum(rate_above(fitted, load)) : Datum(Undefined{});
     };
-    for (const CaseDesignLoad& design : designs)
+    for (const CaseDesignLoad& design : designs.of_cases)
         for (std::size_t k = 0; k < design.peaks.size() && !design.refused; ++k)
             results.add({summary.named(design.case_index), design.peaks[k],
                          static_cast<double>(k + 1) / design.load.time_run, tail(design.load.pareto, design.peaks[k]),
@@ -328,13 +329,13 @@ std::span<const DesignLoadEstimate> shown(const CaseDesignLoad& one) {
 }
 
 /// Sentences about loads that rise and members that stand out, before any figure.
-std::string doubt_lines(const Summary& summary, const std::vector<CaseDesignLoad>& designs) {
+std::string doubt_lines(const Summary& summary, const DesignLoads& designs) {
     std::string lines;
-    for (const CaseDesignLoad& one : designs)
+    for (const CaseDesignLoad& one : designs.of_cases)
         if (one.trend.rises() && !one.refused)
             lines += fmt::format("! {}: {}: a longer exposure may see higher loads than these.\n",
                                  summary.label_of(one.case_index), trend_text(one.trend));
-    for (const CaseDesignLoad& one : designs)
+    for (const CaseDesignLoad& one : designs.of_cases)
         if (const std::string text = standing_out_text(one); !text.empty())
             lines += fmt::format("! {}: {}\n", summary.label_of(one.case_index), text);
     return lines;
@@ -400,8 +401,8 @@ std::string doubt_text(const CaseDesignLoad& one) {
 
 }  // namespace
 
-Section design_values_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                              const DesignLoadRequest& request) {
+Section design_values_section(const Summary& summary, const DesignLoads& designs) {
+    const DesignLoadRequest& request = designs.asked;
     const std::string shown_unit(request.of.shown_unit());
     Results table{.columns = {{.words = "case"}, estimates("", "expected", shown_unit)}};
     for (const double p : request.quantiles)
@@ -409,7 +410,7 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
     for (ResultColumn& column : table.columns) column.digits = 3;
     std::vector<std::string> notes;  // on cases without a value, then on steady ones
     std::vector<std::string> steadiness;
-    for (const CaseDesignLoad& one : designs) {
+    for (const CaseDesignLoad& one : designs.of_cases) {
         const std::string& name = summary.label_of(one.case_index);
         const CaseRow& about = summary.cases[one.case_index].about;
         if (!one.load.valid()) {
@@ -434,9 +435,9 @@ Section design_values_section(const Summary& summary, const std::vector<CaseDesi
             table.add(std::move(line));
         }
     }
-    const std::vector<Results> records{load_rows(summary, designs, request), basis_rows(summary, designs, request),
-                                       threshold_rows(summary, designs, request), rate_rows(summary, designs, request)};
-    if (notes.size() == designs.size())
+    const std::vector<Results> records{load_rows(summary, designs), basis_rows(summary, designs),
+                                       threshold_rows(summary, designs), rate_rows(summary, designs)};
+    if (notes.size() == designs.of_cases.size())
         return {
             .title = design_title(request), .before = fmt::format("{}\n", fmt::join(notes, "\n")), .results = records};
     std::vector<Results> results{std::move(table)};
@@ -462,10 +463,10 @@ Estimate relative_change(const JointTrend& trend) {
 }
 
 /// For people, a line for each figure.
-Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                    const DesignLoadRequest& request) {
+Results basis_table(const Summary& summary, const DesignLoads& designs) {
+    const DesignLoadRequest& request = designs.asked;
     using Design = const CaseDesignLoad&;
-    ByColumn<CaseDesignLoad> table(designs);
+    ByColumn<CaseDesignLoad> table(designs.of_cases);
     const auto add = [&](ResultColumn about, const auto& value) {
         table.add(std::move(about), [&](Design one) { return one.load.valid() ? Datum(value(one)) : Undefined{}; });
     };
@@ -515,11 +516,11 @@ Results basis_table(const Summary& summary, const std::vector<CaseDesignLoad>& d
     return table.take({.view = Results::View::side_by_side});
 }
 
-Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                      const DesignLoadRequest& request) {
-    if (std::ranges::none_of(designs, [](const CaseDesignLoad& one) { return one.load.valid(); })) return {};
+Section basis_section(const Summary& summary, const DesignLoads& designs) {
+    const DesignLoadRequest& request = designs.asked;
+    if (!designs.known()) return {};
     return {
-        .results = {basis_table(summary, designs, request)},
+        .results = {basis_table(summary, designs)},
         .after = fmt::format(
             "\nEach tail is fitted to the highest {1} of the peaks; both tails average over more and fewer. A kind of "
             "member as rare as \"unseen, up to\" is missing from one sample of this size in twenty, and then from "
@@ -530,34 +531,32 @@ Section basis_section(const Summary& summary, const std::vector<CaseDesignLoad>&
 
 }  // namespace
 
-Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request,
-                   const Units& otherwise) {
+Units design_units(const DesignLoads& designs, const Units& otherwise) {
+    const DesignLoadRequest& request = designs.asked;
     double largest = 0;
-    for (const CaseDesignLoad& design : designs)
+    for (const CaseDesignLoad& design : designs.of_cases)
         for (const DesignLoadEstimate& made : shown(design))
             for (const LoadFigure& figure : made.quantiles)
                 if (figure.value > largest) largest = figure.value;
     return request.of.unit == "N" && largest > 0 ? Units(largest * request.factor()) : otherwise;
 }
 
-std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                                          const DesignLoadRequest& request) {
+std::vector<Section> design_load_sections(const Summary& summary, const DesignLoads& designs) {
     const std::string conditions = fmt::format("{}", fmt::join(condition_lines(summary), "\n"));
     return {{.before = fmt::format("{}Campaign {}.\n{}\n", doubt_lines(summary, designs), summary.title, conditions)},
-            design_values_section(summary, designs, request),
-            basis_section(summary, designs, request),
-            pairs_section(summary, designs, request)};
+            design_values_section(summary, designs),
+            basis_section(summary, designs),
+            pairs_section(summary, designs)};
 }
 
 const DesignLoads& designs_of(Evidence& evidence) {
     return evidence.kept.once([&] {
-        DesignLoads designs{evidence.design_request.value_or(DesignLoadRequest{}), {}};
+        DesignLoadRequest asked = evidence.design_request.value_or(DesignLoadRequest{});
         const std::vector<double>& times = evidence.sample.averaging_times;
-        if (times.empty()) return designs;
-        if (!evidence.design_request && std::ranges::find(times, designs.asked.averaging) == times.end())
-            designs.asked.averaging = times.back();
-        designs.of_cases = find_design_loads(evidence.sample, designs.asked);
-        return designs;
+        if (times.empty()) return DesignLoads{asked};
+        if (!evidence.design_request && std::ranges::find(times, asked.averaging) == times.end())
+            asked.averaging = times.back();
+        return find_design_loads(evidence.sample, asked);
     });
 }
 

@@ -86,36 +86,38 @@ inline constexpr double much_disagreement = 0.25;
 /// none.
 double averaging_time(const CampaignCases& cases, const DesignLoadRequest& request);
 
-/// One for each case. Throws InputError if the members did not average over that time.
-std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request);
+/// The design values of a campaign.
+struct DesignLoads {
+    DesignLoadRequest asked = {};
+    std::vector<CaseDesignLoad> of_cases = {};
+    std::string refused = {};  ///< why there are none, a sentence
+
+    bool known() const;  ///< of some case
+};
+
+/// Of each case. Throws InputError if the members did not average over that time.
+DesignLoads find_design_loads(const Sample& sample, const DesignLoadRequest& request);
 
 /// The same of other peaks, one for each case.
-std::vector<CaseDesignLoad> find_design_loads(const Sample& sample, const DesignLoadRequest& request,
-                                              const std::vector<CasePeaks>& peaks);
+DesignLoads find_design_loads(const Sample& sample, const DesignLoadRequest& request,
+                              const std::vector<CasePeaks>& peaks);
+
+/// As requested, else as `floes design` has them by default, over the longest averaging time where the members did not
+/// take 1 s; found once; of no case where the members did not average their load. Throws InputError if the members did
+/// not take the averaging time that is requested.
+const DesignLoads& designs_of(Evidence& evidence);
 
 // The design loads of a campaign as output.
 
 /// That suit these loads at full scale; `otherwise` where there are none.
-Units design_units(const std::vector<CaseDesignLoad>& designs, const DesignLoadRequest& request,
-                   const Units& otherwise);
+Units design_units(const DesignLoads& designs, const Units& otherwise);
 
 /// The design values of each case alone, the second of the sections below.
-Section design_values_section(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                              const DesignLoadRequest& request);
+Section design_values_section(const Summary& summary, const DesignLoads& designs);
 
 /// The loads, what they rest on, and the differences between cases with the same arrangements whose members are of one
 /// kind. For programs "design/loads" at full scale, with a `reason` in the place of a load that there is not, and at
 /// the scale of the campaign "design/basis", "design/over_thresholds" and "design/rates".
-std::vector<Section> design_load_sections(const Summary& summary, const std::vector<CaseDesignLoad>& designs,
-                                          const DesignLoadRequest& request);
-
-struct DesignLoads {
-    DesignLoadRequest asked;
-    std::vector<CaseDesignLoad> of_cases;  ///< empty where the members did not average their load
-};
-
-/// As requested, else as `floes design` has them by default, over the longest averaging time where the members did not
-/// take 1 s; found once. Throws InputError if the members did not take the averaging time that is requested.
-const DesignLoads& designs_of(Evidence& evidence);
+std::vector<Section> design_load_sections(const Summary& summary, const DesignLoads& designs);
 
 }  // namespace floes

@@ -88,6 +88,9 @@ class MadeOnce {
 
 struct Evidence : Inquiry {
     std::size_t case_of(int member) const { return sample.case_of(static_cast<std::size_t>(member)); }
+    /// The case that the others are compared with, and whether there are others: a design has none.
+    std::size_t base() const { return reference.value_or(0); }
+    bool compared() const { return summary.cases.size() > 1 && (!campaign.design.active() || reference); }
 
     std::filesystem::path file;  ///< empty: the members are in no file yet
     CampaignOrigin origin;

@@ -96,18 +96,9 @@ std::vector<CasePeaks> moored_peaks(const Sample& sample, const std::vector<Moor
 /// natural period.
 std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf& of);
 
-/// Of structures that gave way in the simulation.
-struct SimulatedDesign {
-    DesignLoadRequest request;
-    std::vector<CaseDesignLoad> of_cases = {};  ///< that give way so
-    std::string refused = {};                   ///< why there are none, a sentence
-
-    bool known() const;  ///< of some case
-};
-
 /// The design values of the cases that give way in the motion of `request.of`, which is not the load. Throws as
 /// simulated_peaks() does.
-std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request);
+DesignLoads find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request);
 
 /// Sentences on cases in which lines broke, so that fewer hold the hull from then on, and on those that
 /// thrusters alone hold, so that there is none; empty without such cases.
@@ -118,7 +109,7 @@ std::string mooring_notes(const Evidence& evidence);
 std::vector<Section> simulated_designs(Evidence& evidence);
 
 /// What they are made of, once; none where nothing gives way or the file keeps no histories.
-const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence);
+const std::vector<DesignLoads>& simulated_of(Evidence& evidence);
 
 /// The line of each case.
 Section moored_section(const Summary& summary, const std::vector<MooredCase>& found, const MooredRequest& request);

@@ -406,10 +406,9 @@ std::string mooring_notes(const Evidence& evidence) {
     return text;
 }
 
-std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request) {
-    std::vector<CaseDesignLoad> designs =
-        find_design_loads(evidence.sample, request, simulated_peaks(evidence, request.of));
-    std::erase_if(designs,
+DesignLoads find_simulated_designs(const Evidence& evidence, const DesignLoadRequest& request) {
+    DesignLoads designs = find_design_loads(evidence.sample, request, simulated_peaks(evidence, request.of));
+    std::erase_if(designs.of_cases,
                   [&](const CaseDesignLoad& one) { return !has(evidence.campaign.cases[one.case_index], request.of); });
     return designs;
 }
@@ -417,30 +416,26 @@ std::vector<CaseDesignLoad> find_simulated_designs(const Evidence& evidence, con
 namespace {
 
 /// Without what is for programs; a sentence for each case where none has any.
-Section for_people(const Evidence& evidence, const SimulatedDesign& design) {
+Section for_people(const Evidence& evidence, const DesignLoads& design) {
     if (!design.refused.empty()) return {.missing = design.refused + "\n"};
-    Section section = design_values_section(evidence.summary, design.of_cases, design.request);
-    if (!design.known()) return {.missing = fmt::format("{}: {}", design.request.of.title, section.before)};
+    Section section = design_values_section(evidence.summary, design);
+    if (!design.known()) return {.missing = fmt::format("{}: {}", design.asked.of.title, section.before)};
     std::erase_if(section.results, [](const Results& one) { return !one.for_people(); });
     return section;
 }
 
 }  // namespace
 
-bool SimulatedDesign::known() const {
-    return std::ranges::any_of(of_cases, [](const CaseDesignLoad& one) { return one.load.valid(); });
-}
-
-const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence) {
+const std::vector<DesignLoads>& simulated_of(Evidence& evidence) {
     return evidence.kept.once([&] {
-        std::vector<SimulatedDesign> found;
+        std::vector<DesignLoads> found;
         for (const DesignOf& of : response_kinds()) {
             if (of.part || std::ranges::none_of(evidence.campaign.cases, [&](const Case& one) { return has(one, of); }))
                 continue;
-            SimulatedDesign& one = found.emplace_back(evidence.design_request.value_or(DesignLoadRequest{}));
-            one.request.of = of;
+            DesignLoads& one = found.emplace_back(evidence.design_request.value_or(DesignLoadRequest{}));
+            one.asked.of = of;
             try {
-                one.of_cases = find_simulated_designs(evidence, one.request);
+                one = find_simulated_designs(evidence, one.asked);
             } catch (const InputError& refused) {
                 one.refused = refused.what();
             }
@@ -451,7 +446,7 @@ const std::vector<SimulatedDesign>& simulated_of(Evidence& evidence) {
 
 std::vector<Section> simulated_designs(Evidence& evidence) {
     std::vector<Section> sections;
-    for (const SimulatedDesign& design : simulated_of(evidence)) sections.push_back(for_people(evidence, design));
+    for (const DesignLoads& design : simulated_of(evidence)) sections.push_back(for_people(evidence, design));
     return sections;
 }
 

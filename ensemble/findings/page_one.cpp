@@ -45,15 +45,6 @@ struct CaseFigure {
     const Estimate* difference(std::size_t of_case) const { return std::get_if<Estimate>(&differences[of_case].get()); }
 };
 
-/// The case that the others are compared with.
-std::size_t base_of(const Evidence& evidence) {
-    return evidence.reference.value_or(0);
-}
-
-bool compared(const Evidence& evidence) {
-    return evidence.summary.cases.size() > 1 && (!evidence.campaign.design.active() || evidence.reference);
-}
-
 /// ", about 2.1 h of a core" for so many further members; empty where their wall time is not known.
 std::string cost_words(const Evidence& evidence, double members) {
     const std::vector<double> times = read_wall_times(evidence.file);
@@ -78,8 +69,8 @@ CaseFigure mean_figure(const Evidence& evidence, const Quantity& of, const std::
         made.values[k] = estimate_of(row, of);
         if (row.done < fewest_for_interval) made.more[k] = 8 - row.done;
     }
-    if (!compared(evidence)) return made;
-    const std::size_t base = base_of(evidence);
+    if (!evidence.compared()) return made;
+    const std::size_t base = evidence.base();
     made.differences[base] = Absent{};
     for (const PairRow& row : compare_with(evidence, base, of, cases)) made.differences[row.second] = row.difference();
     for (const ApartRow& row : compare_apart(evidence, base, of, cases)) {
@@ -115,8 +106,8 @@ constexpr FigureWords moored_words[]{
     {"yaw", "design turn of heading", "a turn of heading of"}};
 
 /// A design value of all cases that have one.
-CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignLoad>& designs,
-                         const DesignLoadRequest& request, const FigureWords& words) {
+CaseFigure design_figure(const Evidence& evidence, const DesignLoads& designs, const FigureWords& words) {
+    const DesignLoadRequest& request = designs.asked;
     const std::size_t cases = evidence.summary.cases.size();
     ResultColumn column = estimates("design_" + std::string{request.of.word}, std::string{words.heading},
                                     std::string{request.of.shown_unit()});
@@ -124,9 +115,9 @@ CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignL
     CaseFigure made(std::move(column), std::string{words.noun}, cases);
     const double factor = request.factor() * request.of.shown_factor();
     const auto of_case = [&](std::size_t index) {
-        return std::ranges::find(designs, index, &CaseDesignLoad::case_index);
+        return std::ranges::find(designs.of_cases, index, &CaseDesignLoad::case_index);
     };
-    for (const CaseDesignLoad& one : designs) {
+    for (const CaseDesignLoad& one : designs.of_cases) {
         Datum& value = made.values[one.case_index];
         int& more = made.more[one.case_index];
         if (one.refused) {
@@ -147,10 +138,10 @@ CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignL
                                                   evidence.summary.label_of(one.case_index), doubts));
         }
     }
-    const std::size_t base = base_of(evidence);
-    if (!compared(evidence) || of_case(base) == designs.end()) return made;
+    const std::size_t base = evidence.base();
+    if (!evidence.compared() || of_case(base) == designs.of_cases.end()) return made;
     made.differences[base] = Absent{};
-    for (const CaseDesignLoad& one : designs)
+    for (const CaseDesignLoad& one : designs.of_cases)
         if (one.case_index != base)
             if (const auto found = difference_of(*of_case(base), one, request)) {
                 made.differences[one.case_index] = found->difference;
@@ -162,9 +153,9 @@ CaseFigure design_figure(const Evidence& evidence, const std::vector<CaseDesignL
 std::vector<CaseFigure> figures_of(Evidence& evidence) {
     std::vector<CaseFigure> all;
     for (const FigureWords& words : moored_words)
-        for (const SimulatedDesign& design : simulated_of(evidence)) {
-            if (design.request.of.word != words.of) continue;
-            CaseFigure& made = all.emplace_back(design_figure(evidence, design.of_cases, design.request, words));
+        for (const DesignLoads& design : simulated_of(evidence)) {
+            if (design.asked.of.word != words.of) continue;
+            CaseFigure& made = all.emplace_back(design_figure(evidence, design, words));
             if (words.of == "line_tension") made.about.limit = 1 / evidence.safety_factor;
             if (!design.refused.empty())
                 std::ranges::fill(made.values, Undefined{evidence.summary.counts().done == 0
@@ -176,7 +167,7 @@ std::vector<CaseFigure> figures_of(Evidence& evidence) {
     if (moored) return all;
     if (!evidence.campaign.design.active())
         if (const DesignLoads& designs = designs_of(evidence); !designs.of_cases.empty())
-            all.insert(all.begin(), design_figure(evidence, designs.of_cases, designs.asked, words_of_load));
+            all.insert(all.begin(), design_figure(evidence, designs, words_of_load));
     const std::vector<LoadColumn> columns = load_columns(evidence.summary);
     for (std::size_t k = 1; k < columns.size(); ++k)
         all.push_back(mean_figure(evidence, columns[k].quantity, columns[k].words));
@@ -195,7 +186,7 @@ CaseRows rows_of(const Evidence& evidence, const CaseFigure& mean) {
     if (base_case(evidence.campaign)) {
         const auto change = [&](std::size_t k) {
             const Estimate* found = mean.difference(k);
-            return k == base_of(evidence) ? HUGE_VAL : found == nullptr ? -1.0 : std::abs(found->value);
+            return k == evidence.base() ? HUGE_VAL : found == nullptr ? -1.0 : std::abs(found->value);
         };
         std::ranges::stable_sort(cases, std::ranges::greater{}, change);
     }
@@ -211,10 +202,10 @@ Results table_of(const Evidence& evidence, const std::vector<CaseFigure>& figure
     const auto any = [&](const CaseFigure& one) {
         return std::ranges::any_of(rows, [&](const auto& row) { return one.difference(row.second) != nullptr; });
     };
-    const std::string minus = fmt::format("− {}", summary.label_of(base_of(evidence)));
+    const std::string minus = fmt::format("− {}", summary.label_of(evidence.base()));
     for (const CaseFigure& one : figures) {
         table.columns.push_back(one.about);
-        if (!compared(evidence)) continue;
+        if (!evidence.compared()) continue;
         ResultColumn difference = one.about;
         difference.key += "_difference";
         difference.words = any(one) ? minus : "";
@@ -230,7 +221,7 @@ Results table_of(const Evidence& evidence, const std::vector<CaseFigure>& figure
         std::vector<Datum> line{Named{summary.name_of(k), label}, row.done};
         for (const CaseFigure& one : figures) {
             line.push_back(one.values[k]);
-            if (compared(evidence)) line.push_back(one.differences[k]);
+            if (evidence.compared()) line.push_back(one.differences[k]);
         }
         table.add(std::move(line));
     }
@@ -250,7 +241,7 @@ std::string after_text(const Evidence& evidence, const std::vector<CaseFigure>& 
         text +=
             fmt::format(" Lines: of the one nearest to its break load; a safety factor of {:g} allows {:.2f} (dashed).",
                         evidence.safety_factor, 1 / evidence.safety_factor);
-    if (compared(evidence))
+    if (evidence.compared())
         text += std::ranges::any_of(figures, &CaseFigure::apart)
                     ? " Differences: by pairs over the same arrangements; of cases that begin from other floes, of "
                       "their means and design values."

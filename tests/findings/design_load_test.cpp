@@ -58,8 +58,7 @@ CampaignTable campaign() {
 
 nlohmann::json answer(const DesignLoadRequest& request) {
     const CampaignTable table = campaign();
-    return nlohmann::json::parse(
-        json(design_load_sections(summarise(table), find_design_loads(table, request), request)));
+    return nlohmann::json::parse(json(design_load_sections(summarise(table), find_design_loads(table, request))));
 }
 
 double load_of(const nlohmann::json& told, const std::string& name, const std::string& method = "both tails") {
@@ -112,34 +111,36 @@ TEST(DesignFinding, ComparesCasesWithOtherNumbersOfPeaks) {
             if (row.case_index == 1) row.averaged[0].peaks.resize(16);
             table.members.push_back(row);
         }
-    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
-    ASSERT_NE(designs[0].load.draws.size(), designs[1].load.draws.size());
-    const auto told = nlohmann::json::parse(json(design_load_sections(summarise(table), designs, {})));
+    const DesignLoads designs = find_design_loads(table, {});
+    ASSERT_NE(designs.of_cases[0].load.draws.size(), designs.of_cases[1].load.draws.size());
+    const auto told = nlohmann::json::parse(json(design_load_sections(summarise(table), designs)));
     EXPECT_EQ(told.at("design").at("pairs").size(), 1u);
 }
 
 TEST(DesignFinding, PairsNoOtherArrangements) {
     CampaignTable table = campaign();
     table.members.back().arrangement = 99;
-    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
-    const auto told = nlohmann::json::parse(json(design_load_sections(summarise(table), designs, {})));
+    const DesignLoads designs = find_design_loads(table, {});
+    const auto told = nlohmann::json::parse(json(design_load_sections(summarise(table), designs)));
     EXPECT_FALSE(told.at("design").contains("pairs"));
-    EXPECT_FALSE(difference_of(designs[0], designs[1], {})) << "they are neither paired nor independent";
+    EXPECT_FALSE(difference_of(designs.of_cases[0], designs.of_cases[1], {}))
+        << "they are neither paired nor independent";
 }
 
 TEST(DesignFinding, SaysWhichCaseDidNotAverageOverThatTime) {
     CampaignTable table = campaign();
     for (MemberRow& row : table.members)
         if (row.case_index == 1) row.averaged.front().time = 0.5;
-    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
-    EXPECT_EQ(designs[0].why, "");
-    EXPECT_EQ(more_arrangements(designs[1]), 0);
-    EXPECT_THAT(none_text(designs[1], table.cases[1]), testing::HasSubstr("did not average the load over that time"));
+    const DesignLoads designs = find_design_loads(table, {});
+    EXPECT_EQ(designs.of_cases[0].why, "");
+    EXPECT_EQ(more_arrangements(designs.of_cases[1]), 0);
+    EXPECT_THAT(none_text(designs.of_cases[1], table.cases[1]),
+                testing::HasSubstr("did not average the load over that time"));
 }
 
 TEST(DesignFinding, SaysWhatItRestsOn) {
     const CampaignTable table = campaign();
-    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {}), {}), 100);
+    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {})), 100);
     EXPECT_THAT(told, HasSubstr("Design load: the largest load averaged over 1 s in 3 h"));
     EXPECT_THAT(told, HasSubstr("weak, both tails"));
     EXPECT_THAT(told, HasSubstr("exposure / time run"));
@@ -151,13 +152,13 @@ TEST(DesignFinding, NamesMembersThatStandOutBeforeAnyFigure) {
     for (MemberRow& row : table.members)
         if (row.case_index == 1 && (row.arrangement == 3 || row.arrangement == 5))
             for (double& peak : row.averaged[0].peaks) peak *= 10;
-    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
-    EXPECT_EQ(standing_out_text(designs[0]), "");
-    EXPECT_EQ(standing_out_text(designs[1]),
+    const DesignLoads designs = find_design_loads(table, {});
+    EXPECT_EQ(standing_out_text(designs.of_cases[0]), "");
+    EXPECT_EQ(standing_out_text(designs.of_cases[1]),
               "2 of 40 members carry the 40 highest peaks: replay 7 and 11. Both tails have them as a kind of member "
               "whose share is uncertain; methods that take all members as alike are left out. About 100 arrangements "
               "would have 5 of this kind.");
-    const std::string told = text(design_load_sections(summarise(table), designs, {}), 100);
+    const std::string told = text(design_load_sections(summarise(table), designs), 100);
     EXPECT_THAT(told, testing::StartsWith("! strong: 2 of 40 members carry"));
     EXPECT_THAT(told, testing::Not(HasSubstr("strong - weak")));
     EXPECT_THAT(told, testing::Not(HasSubstr("! weak")));
@@ -169,14 +170,14 @@ TEST(DesignFinding, ExtrapolatesARisingLoadOnlyWhenTold) {
     for (MemberRow& row : table.members) row.averaged[0].segment_maximum = {50, 50.0 + row.arrangement % 2, 50};
     for (MemberRow& row : table.members)
         if (row.case_index == 0) row.load.trend = 0;
-    const std::vector<CaseDesignLoad> refused = find_design_loads(table, {});
-    EXPECT_TRUE(refused[0].load.valid());
-    EXPECT_FALSE(refused[1].load.valid());
-    EXPECT_THAT(text(design_load_sections(summarise(table), refused, {}), 100),
+    const DesignLoads refused = find_design_loads(table, {});
+    EXPECT_TRUE(refused.of_cases[0].load.valid());
+    EXPECT_FALSE(refused.of_cases[1].load.valid());
+    EXPECT_THAT(text(design_load_sections(summarise(table), refused), 100),
                 HasSubstr("strong: the load rises, +12 % [+11, +14] of its mean over"));
-    const std::vector<CaseDesignLoad> told = find_design_loads(table, {.rising = true});
-    EXPECT_TRUE(told[1].load.valid());
-    EXPECT_THAT(text(design_load_sections(summarise(table), told, {.rising = true}), 100),
+    const DesignLoads told = find_design_loads(table, {.rising = true});
+    EXPECT_TRUE(told.of_cases[1].load.valid());
+    EXPECT_THAT(text(design_load_sections(summarise(table), told), 100),
                 testing::StartsWith("! strong: the load rises, +12 %"));
 }
 
@@ -184,17 +185,16 @@ TEST(DesignFinding, TakesASmallRiseAsSteadyAndSaysSo) {
     CampaignTable table = campaign();
     for (MemberRow& row : table.members) row.load.trend = (row.arrangement % 4 + 10) * 1e-5;  // N/s, over 100 s
     for (MemberRow& row : table.members) row.averaged[0].segment_maximum = {50, 50.0 + row.arrangement % 2, 50};
-    const std::vector<CaseDesignLoad> designs = find_design_loads(table, {});
-    EXPECT_TRUE(designs[0].load.valid());
-    EXPECT_THAT(text(design_load_sections(summarise(table), designs, {}), 1000),
+    const DesignLoads designs = find_design_loads(table, {});
+    EXPECT_TRUE(designs.of_cases[0].load.valid());
+    EXPECT_THAT(text(design_load_sections(summarise(table), designs), 1000),
                 HasSubstr("weak: the load is steady, +0.058 % [+0.056, +0.059] of its mean over the measured"));
 }
 
 TEST(DesignFinding, HasNoFiguresOfALoadThatIsRefused) {
     CampaignTable table = campaign();
     for (MemberRow& row : table.members) row.load.trend = (row.arrangement % 4 + 1) * 0.01;
-    const auto told =
-        nlohmann::json::parse(json(design_load_sections(summarise(table), find_design_loads(table, {}), {})));
+    const auto told = nlohmann::json::parse(json(design_load_sections(summarise(table), find_design_loads(table, {}))));
     const auto& basis = told.at("design").at("basis").at(0);
     EXPECT_EQ(basis.at("refused_as_rising"), true);
     EXPECT_EQ(basis.at("trend_seen"), true);
@@ -207,7 +207,7 @@ TEST(DesignFinding, HasNoFiguresOfALoadThatIsRefused) {
 TEST(DesignFinding, SaysNothingOfThreeMembers) {
     CampaignTable table = campaign();
     std::erase_if(table.members, [](const MemberRow& row) { return row.arrangement > 2; });
-    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {}), {}), 400);
+    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {})), 400);
     EXPECT_THAT(told, HasSubstr("weak: 3 of the 4 arrangements that a design load needs; 8 or more are a beginning."));
 }
 
@@ -223,7 +223,7 @@ TEST(DesignFinding, SaysWhereThereAreTooFewPeaks) {
     CampaignTable table = campaign();
     for (MemberRow& row : table.members)
         if (row.case_index == 1) row.averaged[0].peaks.resize(1);
-    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {}), {}), 100);
+    const std::string told = text(design_load_sections(summarise(table), find_design_loads(table, {})), 100);
     EXPECT_THAT(told, HasSubstr("strong: too few peaks ("));
 }
 

@@ -179,11 +179,11 @@ TEST(Moored, GivesItsPeaksToTheTails) {
     EXPECT_EQ(peaks[0].measured.mean, 20);
     DesignLoadRequest request;
     request.of = design_of_k_x;
-    const std::vector<CaseDesignLoad> designs = find_design_loads(campaign.table, request, peaks);
-    EXPECT_EQ(designs.at(0).separation, 0.01);
+    const DesignLoads designs = find_design_loads(campaign.table, request, peaks);
+    EXPECT_EQ(designs.of_cases.at(0).separation, 0.01);
     const double exact = 30 + 20 * std::log(10800 / 6.0 / -std::log(0.9));
-    EXPECT_NEAR(designs.at(0).load.estimates.at(0).quantiles.at(0).value, exact, 0.2 * exact);
-    const std::vector<Section> told = design_load_sections(summarise(campaign.table), designs, request);
+    EXPECT_NEAR(designs.of_cases.at(0).load.estimates.at(0).quantiles.at(0).value, exact, 0.2 * exact);
+    const std::vector<Section> told = design_load_sections(summarise(campaign.table), designs);
     EXPECT_EQ(told.at(1).title, "Design mooring force: the largest k x in 3 h");
     EXPECT_THAT(csv(told), HasSubstr("floes,both tails,,3,1,quantile,0.9,"));  // no averaging time
 }
