@@ -31,7 +31,7 @@ constexpr double unsteady_level = 0.05;  // p of a trend below which a member is
 struct Counts : MemberCounts {
     int untouched = 0;                   ///< done, without any load in the window
     int rising = 0, falling = 0;         ///< done and not steady
-    std::vector<std::string> bare = {};  ///< cases of which no member met ice
+    std::vector<std::size_t> bare = {};  ///< cases of which no member met ice
 
     Counts(const Sample& sample, const Summary& summary) : MemberCounts(summary.counts()) {
         for (std::size_t k = 0; k < summary.cases.size(); ++k) {
@@ -42,15 +42,16 @@ struct Counts : MemberCounts {
                 if (!sample.steady(member)) ++(value("trend") < 0 ? falling : rising);
             }
             untouched += none;
-            if (none > 0 && none == summary.cases[k].done) bare.push_back(summary.label_of(k));
+            if (none > 0 && none == summary.cases[k].done) bare.push_back(k);
         }
     }
 };
 
-std::string untouched_text(const Counts& found, std::size_t cases) {
+std::string untouched_text(const Counts& found, const Summary& summary) {
     std::string text = fmt::format("Ice never touched the structure in {} of {}: their loads are 0", found.untouched,
                                    counted(found.done, "member"));
-    if (!found.bare.empty() && found.bare.size() < cases) text += " (all of " + name_list(found.bare) + ")";
+    if (!found.bare.empty() && found.bare.size() < summary.cases.size())
+        text += " (all of " + label_list(summary, found.bare) + ")";
     return text + ". The field may be too open, or the measured window too early.";
 }
 
@@ -125,8 +126,7 @@ std::string unsolved_text(const Sample& sample, const Summary& summary) {
     if (lines.empty()) return "";
     return fmt::format(
         "Contacts are not solved in most steps (sweeps a step: {}): where ice jams, loads are too low, on a wall by "
-        "half "
-        "and more. Try general.iterations = {}.",
+        "half and more. Try general.iterations = {}.",
         fmt::join(lines, "; "), 10 * most);
 }
 
@@ -151,20 +151,20 @@ std::string standing_out_text(const Sample& sample, const Summary& summary) {
 
 /// Cases with too few arrangements for any interval.
 std::string few_text(const Summary& summary) {
-    std::vector<std::string> names;
+    std::vector<std::size_t> few;
     int least = fewest_for_interval;
     int most = 0;
     int needed = 0;
     for (std::size_t k = 0; k < summary.cases.size(); ++k) {
         const CaseSummary& one = summary.cases[k];
         if (one.done == 0 || one.done >= fewest_for_interval) continue;
-        names.push_back(summary.label_of(k));
+        few.push_back(k);
         least = std::min(least, one.done);
         most = std::max(most, one.done);
         needed = std::max(needed, arrangements_for(one.of(quantity("mean_load")), one.done, 0.2));
     }
-    if (names.empty()) return "";
-    const std::string where = names.size() == summary.cases.size() ? "" : " (" + name_list(names) + ")";
+    if (few.empty()) return "";
+    const std::string where = few.size() == summary.cases.size() ? "" : " (" + label_list(summary, few) + ")";
     const std::string count = least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
     const std::string remedy = needed > 0
                                    ? fmt::format("about {} arrangements would give the mean load to 20 %", needed)
@@ -209,8 +209,7 @@ std::string heel_text(const Sample& sample, const Summary& summary) {
     if (far.empty()) return "";
     std::string told = fmt::format(
         "The hull turns by more than 5° ({}): righting moments, buoyancy and moorings are those of small turns, and "
-        "the "
-        "wall meets ice at another angle than the hull at rest.",
+        "the wall meets ice at another angle than the hull at rest.",
         fmt::join(far, "; "));
     if (!wet.empty())
         told += fmt::format(
@@ -240,7 +239,7 @@ std::vector<std::string> warnings_of(const Sample& sample, const Summary& summar
             fmt::format("{} of {} {} no result yet{}", found.missing_members, counted(found.members, "member"),
                         found.missing_members == 1 ? "has" : "have",
                         found.done > 0 ? ". Short runs finish first, so the figures lean towards them." : "."));
-    if (found.untouched > 0) sentences.push_back(untouched_text(found, summary.cases.size()));
+    if (found.untouched > 0) sentences.push_back(untouched_text(found, summary));
     std::ranges::move(trend_sentences(summary, found), std::back_inserter(sentences));
     for (std::string text : {unsolved_text(sample, summary), heel_text(sample, summary),
                              standing_out_text(sample, summary), few_text(summary)})

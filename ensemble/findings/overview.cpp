@@ -24,12 +24,12 @@ constexpr std::size_t most_changes = 6;
 /// How cases were compared that begin from other floes than the reference.
 std::string apart_words(const Summary& summary, const std::vector<ApartRow>& apart, std::size_t compared) {
     if (apart.empty()) return "";
-    std::vector<std::string> names;
-    for (const ApartRow& one : apart) names.push_back(summary.label_of(one.second));
+    std::vector<std::size_t> cases;
+    for (const ApartRow& one : apart) cases.push_back(one.second);
     return fmt::format(" {} from other floes: differences are of means (Welch), not by arrangement.",
-                       names.size() == compared ? "Cases begin"
-                       : names.size() == 1      ? names.front() + " begins"
-                                                : name_list(names) + " begin");
+                       cases.size() == compared
+                           ? "Cases begin"
+                           : label_list(summary, cases) + (cases.size() == 1 ? " begins" : " begin"));
 }
 
 std::string heading(const Evidence& evidence) {
@@ -58,8 +58,8 @@ void add_loads(const std::vector<LoadColumn>& loads, const CaseSummary& row, std
 /// other floes than it.
 Results case_rows(const Evidence& evidence, const std::vector<LoadColumn>& loads, const std::vector<ApartRow>& apart) {
     const Summary& summary = evidence.summary;
-    const std::size_t reference = evidence.reference.value_or(0);
-    const bool compared = summary.cases.size() > 1 && (!evidence.campaign.design.active() || evidence.reference);
+    const std::size_t reference = evidence.base();
+    const bool compared = evidence.compared();
     std::vector<PairRow> pairs;
     Results table{.columns = {{.words = "case"}}};
     add_columns(loads, table);
@@ -155,7 +155,7 @@ Section overview_section(Evidence& evidence) {
         return section;
     } else {
         const std::vector<ApartRow> apart =
-            compare_apart(evidence, evidence.reference.value_or(0), loads.front().quantity, most_overview_rows);
+            compare_apart(evidence, evidence.base(), loads.front().quantity, most_overview_rows);
         section.results.push_back(case_rows(evidence, loads, apart));
         compared = apart_words(summary, apart, std::min(summary.cases.size(), most_overview_rows) - 1);
     }
