@@ -49,44 +49,6 @@ double modulus_from_point_slope(const FloatingPlate& plate, double slope);
 /// buoyancy of the loaded circle itself, π a² k: no plate is softer.
 double modulus_from_patch_slope(const FloatingPlate& plate, double slope, double radius);
 
-// The edge of a wide sheet on water that a slope lifts, until the sheet cracks along a line: a beam on an elastic
-// foundation (Hetényi 1946) under a thrust. Per width, x from the edge into the sheet, w upwards:
-//
-//   D w⁗ + H w″ + k w = 0,   D w‴(0) + H w′(0) = V,   D w″(0) = -H e,   lower fibre 6 D w″/T² - H/T
-//
-// The slope pushes with V upwards and H = ξ V into the sheet, at e below its middle.
-
-/// On the edge: V and H, N/m, and e, m.
-struct EdgeLoad {
-    double vertical = 0;
-    double horizontal = 0;
-    double below = 0;
-};
-
-/// w (m) at x (m) from the edge. Throws InputError where the thrust is not below buckling_thrust().
-double height_of_edge(const FloatingPlate& plate, double elastic_modulus, const EdgeLoad& load, double x);
-
-/// Where and at which load the lower fibre has the strength first.
-struct LiftedEdge {
-    double vertical = 0;    ///< V, N/m
-    double horizontal = 0;  ///< H, N/m
-    double distance = 0;    ///< of the crack from the edge, m
-    double lift = 0;        ///< of the edge, m
-};
-
-/// H/V of a slope of the angle α (rad) from the horizontal on which ice slides up with a coefficient of friction:
-/// (sin α + μ cos α) / (cos α - μ sin α). Throws InputError where ice jams: cos α <= μ sin α.
-double push_over_lift(double angle, double friction);
-
-/// `strength`: Pa; `below`: e, m. Throws InputError where the sheet buckles at its free edge before it cracks:
-/// H >= buckling_thrust().
-LiftedEdge lifted_edge(const FloatingPlate& plate, double elastic_modulus, double strength, double push_over_lift,
-                       double below);
-
-/// Thrust (N/m) at which a long sheet on water buckles at a free edge: √(k D). Far from edges, or where its edge is
-/// clamped, it bears twice that.
-double buckling_thrust(const FloatingPlate& plate, double elastic_modulus);
-
 // The Kelvin function that a plate on a liquid needs (Abramowitz & Stegun 9.9; DLMF 10.61, 10.65).
 
 /// Largest argument for which the power series below keeps 10 digits.
@@ -103,12 +65,6 @@ double kelvin_ker_prime(double x);
 //   interior  σ = 0.275 (1 + ν)      (P/T²)  log10(E T³ / (k b⁴))            in every direction
 //
 // b: radius of the loaded circle as a thick plate feels it: a, but not below 0.325 T.
-
-/// Pa, for a load (N) on a circle of radius b (m) that touches the edge of a half plate.
-double edge_load_stress(const FloatingPlate& plate, double elastic_modulus, double load, double b);
-
-/// Pa, for a load (N) on a circle of radius b (m) far from edges.
-double interior_load_stress(const FloatingPlate& plate, double elastic_modulus, double load, double b);
 
 /// b (m) of a circle of radius a (m) on a plate that is T (m) thick: √(1.6 a² + T²) - 0.675 T below a = 1.724 T, else
 /// a.

@@ -9,7 +9,7 @@
 #include "cut_lattice.hpp"
 #include "ice/failure.hpp"
 #include "ice/stress_field.hpp"
-#include "theory/plate.hpp"
+#include "support/plate_forms.hpp"
 
 namespace floes::test {
 namespace first_crack_test {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cut_lattice.hpp"
-#include "theory/plate.hpp"
+#include "support/plate_forms.hpp"
 
 namespace floes::test {
 namespace prism_rim_test {

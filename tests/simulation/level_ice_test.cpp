@@ -11,7 +11,7 @@
 #include "arrangement/arrangement.hpp"
 #include "simulation/simulation.hpp"
 #include "support/level_ice.hpp"
-#include "theory/plate.hpp"
+#include "support/plate_forms.hpp"
 
 namespace floes {
 namespace level_ice_test {
@@ -45,9 +45,10 @@ FirstCrack first_crack(const Scenario& scenario, std::uint32_t arrangement) {
     return found;
 }
 
-LiftedEdge expected_of(const Scenario& scenario, double angle) {
-    return lifted_edge({scenario.floe.thickness}, scenario.ice.elastic_modulus, scenario.ice.bending_strength,
-                       push_over_lift(angle, scenario.contact.ice_structure_friction), scenario.floe.thickness / 2);
+test::LiftedEdge expected_of(const Scenario& scenario, double angle) {
+    return test::lifted_edge({scenario.floe.thickness}, scenario.ice.elastic_modulus, scenario.ice.bending_strength,
+                             test::push_over_lift(angle, scenario.contact.ice_structure_friction),
+                             scenario.floe.thickness / 2);
 }
 
 struct Slope {
@@ -63,7 +64,7 @@ class SlopeAndElement : public testing::TestWithParam<Slope> {};
 TEST_P(SlopeAndElement, CrackTheSheetAsABeamOnWater) {
     const double angle = GetParam().degrees * degree;
     const Scenario scenario = test::level_strip(angle, GetParam().element);
-    const LiftedEdge expected = expected_of(scenario, angle);
+    const test::LiftedEdge expected = expected_of(scenario, angle);
     const FirstCrack found = first_crack(scenario, 0);
     RecordProperty("load_over_beam", std::to_string(found.vertical / expected.vertical));
     RecordProperty("distance_over_beam", std::to_string(found.distance / expected.distance));
@@ -84,10 +85,10 @@ TEST(LevelIce, IsBentAsABeamOnWater) {
     while (simulation.time() < 3.2) simulation.step();
     ASSERT_TRUE(simulation.ice().breaks().empty());
     const double breadth = scenario.floe.breadth;
-    const EdgeLoad load{-simulation.loads().heave.back() / breadth, simulation.loads().surge.back() / breadth,
-                        scenario.floe.thickness / 2};
+    const test::EdgeLoad load{-simulation.loads().heave.back() / breadth, simulation.loads().surge.back() / breadth,
+                              scenario.floe.thickness / 2};
     const auto expected = [&](double x) {
-        return height_of_edge({scenario.floe.thickness}, scenario.ice.elastic_modulus, load, x);
+        return test::height_of_edge({scenario.floe.thickness}, scenario.ice.elastic_modulus, load, x);
     };
     const CutFloe& cut = simulation.ice().cut(0);
     for (std::size_t i = 0; i < cut.elements.size(); ++i)
@@ -156,13 +157,13 @@ TEST_P(SlowThrust, BendsTheSheetAsABeamThatIsAboutToBuckle) {
     const double modulus = scenario.ice.elastic_modulus;
     const double breadth = scenario.floe.breadth;
     const bool flush = GetParam().share > 1;
-    const double thrust = GetParam().share * buckling_thrust(plate, modulus);
+    const double thrust = GetParam().share * test::buckling_thrust(plate, modulus);
     while (simulation.loads().surge.empty() || simulation.loads().surge.back() < thrust * breadth) {
         simulation.step();
         ASSERT_LT(simulation.time(), 60);
     }
-    const EdgeLoad load{-simulation.loads().heave.back() / breadth, simulation.loads().surge.back() / breadth,
-                        scenario.floe.thickness / 2};
+    const test::EdgeLoad load{-simulation.loads().heave.back() / breadth, simulation.loads().surge.back() / breadth,
+                              scenario.floe.thickness / 2};
     const CutFloe& cut = simulation.ice().cut(0);
     std::vector<double> height;
     std::vector<double> expected;
@@ -170,7 +171,7 @@ TEST_P(SlowThrust, BendsTheSheetAsABeamThatIsAboutToBuckle) {
         const double x = cut.elements[i].centre.x + scenario.floe.length / 2;
         height.push_back(simulation.element_states()[i].position.y() - afloat);
         expected.push_back(flush ? height_beside_wall(plate, modulus, load.horizontal, 90 * degree - angle, x)
-                                 : height_of_edge(plate, modulus, load, x));
+                                 : test::height_of_edge(plate, modulus, load, x));
     }
     const double highest = *std::ranges::max_element(expected);
     for (std::size_t i = 0; i < height.size(); ++i) EXPECT_NEAR(height[i], expected[i], 0.06 * highest);

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 
 #include "core/error.hpp"
-#include "theory/plate.hpp"
+#include "support/plate_forms.hpp"
 
 namespace floes {
 namespace plate_test {
@@ -82,7 +82,7 @@ TEST(LiftedEdge, WithoutThrustIsHetenyis) {
     const double modulus = 107e6;
     const double strength = 44e3;
     const double lambda = std::pow(plate.foundation() / (4 * plate.flexural_rigidity(modulus)), 0.25);
-    const LiftedEdge edge = lifted_edge(plate, modulus, strength, 0, plate.thickness / 2);
+    const test::LiftedEdge edge = test::lifted_edge(plate, modulus, strength, 0, plate.thickness / 2);
     const double largest = std::exp(-std::numbers::pi / 4) * std::sqrt(0.5) / lambda;
     EXPECT_NEAR(edge.vertical, strength * plate.thickness * plate.thickness / 6 / largest, 1e-6);
     EXPECT_EQ(edge.horizontal, 0);
@@ -141,7 +141,7 @@ double vertical_by_differences(const FloatingPlate& plate, double modulus, doubl
 TEST(LiftedEdge, WithThrustAndLeverIsThatOfFiniteDifferences) {
     const FloatingPlate plate{0.033};
     for (const double ratio : {0.5, 1.5, 3.0}) {
-        const LiftedEdge edge = lifted_edge(plate, 60e6, 36.4e3, ratio, plate.thickness / 2);
+        const test::LiftedEdge edge = test::lifted_edge(plate, 60e6, 36.4e3, ratio, plate.thickness / 2);
         EXPECT_NEAR(
             vertical_by_differences(plate, 60e6, 36.4e3, edge.horizontal, edge.horizontal * plate.thickness / 2) /
                 edge.vertical,
@@ -153,8 +153,8 @@ TEST(LiftedEdge, WithThrustAndLeverIsThatOfFiniteDifferences) {
 TEST(LiftedEdge, HasTheHeightsOfItsEquation) {
     const FloatingPlate plate{0.033};
     const double e = plate.thickness / 2;
-    const LiftedEdge edge = lifted_edge(plate, 60e6, 36.4e3, 1.5, e);
-    const auto w = [&](double x) { return height_of_edge(plate, 60e6, {edge.vertical, edge.horizontal, e}, x); };
+    const test::LiftedEdge edge = test::lifted_edge(plate, 60e6, 36.4e3, 1.5, e);
+    const auto w = [&](double x) { return test::height_of_edge(plate, 60e6, {edge.vertical, edge.horizontal, e}, x); };
     EXPECT_NEAR(w(0), edge.lift, 1e-12);
     EXPECT_NEAR(w(10), 0, 1e-8) << "27 characteristic lengths";
     const double d = plate.flexural_rigidity(60e6);
@@ -165,14 +165,15 @@ TEST(LiftedEdge, HasTheHeightsOfItsEquation) {
         EXPECT_NEAR(d * fourth + edge.horizontal * second, -plate.foundation() * w(x),
                     1e-3 * plate.foundation() * w(0));
     }
-    EXPECT_THROW(height_of_edge(plate, 60e6, {0, buckling_thrust(plate, 60e6), e}, 0), InputError);
+    EXPECT_THROW(test::height_of_edge(plate, 60e6, {0, test::buckling_thrust(plate, 60e6), e}, 0), InputError);
 }
 
 TEST(LiftedEdge, BucklesUnderTheThrustOfASteepWall) {
     const FloatingPlate plate{0.033};
-    EXPECT_NEAR(buckling_thrust(plate, 60e6), std::sqrt(plate.foundation() * plate.flexural_rigidity(60e6)), 1e-9);
-    EXPECT_NO_THROW(lifted_edge(plate, 60e6, 36.4e3, 3, plate.thickness / 2));
-    EXPECT_THROW(lifted_edge(plate, 60e6, 1e12, 3, plate.thickness / 2), InputError) << "ice that does not crack";
+    EXPECT_NEAR(test::buckling_thrust(plate, 60e6), std::sqrt(plate.foundation() * plate.flexural_rigidity(60e6)),
+                1e-9);
+    EXPECT_NO_THROW(test::lifted_edge(plate, 60e6, 36.4e3, 3, plate.thickness / 2));
+    EXPECT_THROW(test::lifted_edge(plate, 60e6, 1e12, 3, plate.thickness / 2), InputError) << "ice that does not crack";
 }
 
 /// Least thrust under which a strip on water, `length` characteristic lengths long, gives way: by beam elements with
@@ -205,16 +206,16 @@ double thrust_by_elements(const FloatingPlate& plate, double elastic_modulus, do
 
 TEST(BucklingThrust, OfAFreeEdgeIsHalfThatOfOneWhichIsHeld) {
     const FloatingPlate plate{0.033};
-    const double free = buckling_thrust(plate, 60e6);
+    const double free = test::buckling_thrust(plate, 60e6);
     EXPECT_NEAR(thrust_by_elements(plate, 60e6, 16, 0) / free, 1, 2e-3);
     EXPECT_NEAR(thrust_by_elements(plate, 60e6, 24, 1) / free, 2, 0.03);
     EXPECT_NEAR(thrust_by_elements(plate, 60e6, 24, 2) / free, 2, 0.08);
 }
 
 TEST(PushOverLift, IsThatOfIceThatSlidesUp) {
-    EXPECT_NEAR(push_over_lift(std::numbers::pi / 4, 0), 1, 1e-12);
-    EXPECT_NEAR(push_over_lift(std::numbers::pi / 4, 0.2), 1.5, 1e-12);
-    EXPECT_THROW(push_over_lift(std::numbers::pi / 4, 1.01), InputError);
+    EXPECT_NEAR(test::push_over_lift(std::numbers::pi / 4, 0), 1, 1e-12);
+    EXPECT_NEAR(test::push_over_lift(std::numbers::pi / 4, 0.2), 1.5, 1e-12);
+    EXPECT_THROW(test::push_over_lift(std::numbers::pi / 4, 1.01), InputError);
 }
 
 }  // namespace plate_test
