@@ -15,6 +15,7 @@
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
+#include "member/quantity.hpp"
 #include "member/result.hpp"
 #include "scenario/scenario.hpp"
 #include "simulation/record.hpp"
@@ -88,17 +89,6 @@ constexpr ArrayAccess at_vector() {
                 return ArrayValues{{field.size()}, field};
             },
             [](MemberResult& result, const ArrayValues& array) { (result.*....*Path) = array.values; }};
-}
-
-/// A vector of numbers along two fixed axes, with as many places as these have.
-template <std::size_t rows, std::size_t columns, auto... Path>
-constexpr ArrayAccess at_table() {
-    ArrayAccess access = at_vector<Path...>();
-    access.get = [](const MemberResult& result) {
-        const std::vector<double>& field = (result.*....*Path);
-        return ArrayValues{{rows, columns}, field};
-    };
-    return access;
 }
 
 /// One number of each element of a vector.
@@ -241,15 +231,6 @@ constexpr auto history_outputs() {
     (std::make_index_sequence<histories.size()>{});
 }
 
-/// One list after another.
-template <class Value, std::size_t... sizes>
-constexpr auto joined(const std::array<Value, sizes>&... lists) {
-    std::array<Value, (sizes + ...)> all{};
-    auto place = all.begin();
-    ((place = std::ranges::copy(lists, place).out), ...);
-    return all;
-}
-
 /// One number of each element of a vector.
 template <auto elements, auto number>
 constexpr ArrayOutput each_output(std::string_view path, std::string_view unit, std::string_view long_name,
@@ -375,13 +356,13 @@ inline constexpr std::array outputs_after_histories{
                 .unit = "N",
                 .long_name = "mean surge load that acts here",
                 .axes = {&height_axis, &angle_axis},
-                .access = at_table<LoadMap::heights, LoadMap::angles, &MemberResult::load_map, &LoadMap::surge>(),
+                .access = at_row_list<LoadMap::angles, &MemberResult::load_map, &LoadMap::surge>(),
                 .chunks = ArrayChunks::of_its_own},
     ArrayOutput{.path = "load_map/normal_force",
                 .unit = "N",
                 .long_name = "mean sum of the magnitudes of the normal forces here",
                 .axes = {&height_axis, &angle_axis},
-                .access = at_table<LoadMap::heights, LoadMap::angles, &MemberResult::load_map, &LoadMap::normal>(),
+                .access = at_row_list<LoadMap::angles, &MemberResult::load_map, &LoadMap::normal>(),
                 .chunks = ArrayChunks::of_its_own},
     ArrayOutput{.path = "load_map/surge_load_along_tow",
                 .unit = "N",

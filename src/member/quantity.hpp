@@ -20,10 +20,10 @@ class ShortText {
   public:
     constexpr ShortText() = default;
     constexpr ShortText(const char* text) : ShortText(std::string_view{text}) {}
-    /// Throws ContractError for one that is too long.
-    constexpr explicit ShortText(std::string_view text) : size_(text.size()) {
-        if (text.size() > letters_.size()) throw ContractError("A short text is too long.");
-        text.copy(letters_.data(), text.size());
+    /// One text after the other. Throws ContractError for what is too long.
+    constexpr explicit ShortText(std::string_view text, std::string_view more = "") : size_(text.size() + more.size()) {
+        if (size_ > letters_.size()) throw ContractError("A short text is too long.");
+        more.copy(letters_.data() + text.copy(letters_.data(), text.size()), more.size());
     }
 
     constexpr operator std::string_view() const { return view(); }
@@ -34,7 +34,7 @@ class ShortText {
     }
 
   private:
-    std::array<char, 64> letters_{};
+    std::array<char, 160> letters_{};
     std::size_t size_ = 0;
 };
 
@@ -85,9 +85,9 @@ enum class Shown {
 };
 
 struct Quantity {
-    ShortText key;               ///< its name everywhere: column of /members, of CSV and JSON, word of stop.of
-    std::string_view unit;       ///< in the file
-    std::string_view long_name;  ///< in the file and on its page
+    ShortText key;          ///< its name everywhere: column of /members, of CSV and JSON, word of stop.of
+    std::string_view unit;  ///< in the file
+    ShortText long_name;    ///< in the file and on its page
     Place place;
     Shown shown = Shown::in_file;
     ShortText label = {};  ///< in tables, without the unit
@@ -112,8 +112,7 @@ struct Quantity {
 };
 
 /// What cracks have made of the ice; `share`: of all floes.
-constexpr Quantity crack_quantity(const char* key, const char* label, std::string_view long_name, Place place,
-                                  bool share) {
+constexpr Quantity crack_quantity(const char* key, const char* label, const char* long_name, Place place, bool share) {
     return {.key = key,
             .unit = "1",
             .long_name = long_name,
@@ -127,14 +126,14 @@ constexpr Quantity crack_quantity(const char* key, const char* label, std::strin
 }
 
 /// Only a column of /members.
-constexpr Quantity column_quantity(const char* key, std::string_view unit, std::string_view long_name, Place place,
+constexpr Quantity column_quantity(ShortText key, std::string_view unit, ShortText long_name, Place place,
                                    double least = 0, int since = 0) {
     return {.key = key, .unit = unit, .long_name = long_name, .place = place, .least = least, .since = since};
 }
 
 /// Joints that failed in a mode.
 template <FailureMode mode>
-constexpr Quantity failures_quantity(const char* key, std::string_view long_name, const char* label, int since = 0) {
+constexpr Quantity failures_quantity(const char* key, const char* long_name, const char* label, int since = 0) {
     return {.key = key,
             .unit = "1",
             .long_name = long_name,
@@ -145,57 +144,64 @@ constexpr Quantity failures_quantity(const char* key, std::string_view long_name
             .since = since};
 }
 
-/// A share of the work of the tow (statistics/work_shares.hpp).
+/// A share of the work of the tow (statistics/work_shares.hpp), by what it goes into.
 template <auto share>
-constexpr Quantity work_quantity(const char* key, std::string_view long_name, int since = 10) {
-    return column_quantity(key, "N", long_name, at<&MemberOutputs::work, share>(), no_least, since);
+constexpr Quantity work_quantity(const char* key, std::string_view into, int since = 10) {
+    return column_quantity(key, "N", ShortText("work over the distance towed that goes into ", into),
+                           at<&MemberOutputs::work, share>(), no_least, since);
 }
 
-/// A statistic of a moment on the structure in the window; simulation/hull_loads.hpp has the signs.
-template <auto moment, auto statistic>
-constexpr Quantity moment_quantity(const char* key, std::string_view long_name) {
-    const bool has_sign = ShortText(key).view().starts_with("mean");
-    return column_quantity(key, "N m", long_name, at<moment, statistic>(), has_sign ? no_least : 0, 13);
+/// What swings, by its mean_KEY, sd_KEY and largest_KEY. `words`: before its name in each; `least`: of the last two.
+template <auto... swing>
+constexpr std::array<Quantity, 3> swing_quantities(std::string_view key, std::string_view unit,
+                                                   const std::array<std::string_view, 3>& words, std::string_view name,
+                                                   double least, int since) {
+    return {column_quantity(ShortText("mean_", key), unit, ShortText(words[0], name), at<swing..., &Swing::mean>(),
+                            no_least, since),
+            column_quantity(ShortText("sd_", key), unit, ShortText(words[1], name), at<swing..., &Swing::sd>(), least,
+                            since),
+            column_quantity(ShortText("largest_", key), unit, ShortText(words[2], name),
+                            at<swing..., &Swing::largest>(), least, since)};
+}
+
+/// A moment on the structure in the window; simulation/hull_loads.hpp has the signs.
+template <auto moment>
+constexpr auto moment_quantities(std::string_view key, std::string_view name) {
+    return swing_quantities<moment>(key, "N m", {"mean ", "SD of the ", "largest "}, name, 0, 13);
+}
+
+/// One list after another.
+template <class Value, std::size_t... sizes>
+constexpr auto joined(const std::array<Value, sizes>&... lists) {
+    std::array<Value, (sizes + ...)> all{};
+    auto place = all.begin();
+    ((place = std::ranges::copy(lists, place).out), ...);
+    return all;
 }
 
 // The quantities of where the work of the tow goes, of how the floes lay at its start, and of what the solver did. Part
 // of quantity.hpp's list.
 
 inline constexpr std::array work_quantities{
-    work_quantity<&WorkShares::ice_friction>(
-        "work_ice_friction", "work over the distance towed that goes into friction between floes and on ice sheets"),
-    work_quantity<&WorkShares::ice_crushing>(
-        "work_ice_crushing", "work over the distance towed that goes into crushing and stopping of floes by floes"),
-    work_quantity<&WorkShares::hull_friction>("work_hull_friction",
-                                              "work over the distance towed that goes into friction on the structure"),
-    work_quantity<&WorkShares::hull_crushing>(
-        "work_hull_crushing",
-        "work over the distance towed that goes into crushing and stopping of floes by the structure"),
-    work_quantity<&WorkShares::vertical_drag>(
-        "work_vertical_drag", "work over the distance towed that goes into drag along the normals of the ice"),
-    work_quantity<&WorkShares::plane_drag>("work_plane_drag",
-                                           "work over the distance towed that goes into form and skin drag"),
-    work_quantity<&WorkShares::waves>("work_waves",
-                                      "work over the distance towed that goes into waves: linear damping of heave"),
-    work_quantity<&WorkShares::joints>(
-        "work_joints",
-        "work over the distance towed that goes into bending: damped, released where floes break, or stored"),
-    work_quantity<&WorkShares::lifting>(
-        "work_lifting",
-        "work over the distance towed that goes into lifting and pushing ice under, against weight and buoyancy"),
+    work_quantity<&WorkShares::ice_friction>("work_ice_friction", "friction between floes and on ice sheets"),
+    work_quantity<&WorkShares::ice_crushing>("work_ice_crushing", "crushing and stopping of floes by floes"),
+    work_quantity<&WorkShares::hull_friction>("work_hull_friction", "friction on the structure"),
+    work_quantity<&WorkShares::hull_crushing>("work_hull_crushing", "crushing and stopping of floes by the structure"),
+    work_quantity<&WorkShares::vertical_drag>("work_vertical_drag", "drag along the normals of the ice"),
+    work_quantity<&WorkShares::plane_drag>("work_plane_drag", "form and skin drag"),
+    work_quantity<&WorkShares::waves>("work_waves", "waves: linear damping of heave"),
+    work_quantity<&WorkShares::joints>("work_joints", "bending: damped, released where floes break, or stored"),
+    work_quantity<&WorkShares::lifting>("work_lifting", "lifting and pushing ice under, against weight and buoyancy"),
     work_quantity<&WorkShares::driving>("work_driving",
-                                        "work over the distance towed that goes into ice sheets that give way and "
+                                        "ice sheets that give way and "
                                         "against the wind; negative where these push the ice",
                                         11),
-    work_quantity<&WorkShares::motion>(
-        "work_motion", "work over the distance towed that goes into motion of the ice and the water it carries"),
+    work_quantity<&WorkShares::motion>("work_motion", "motion of the ice and the water it carries"),
     work_quantity<&WorkShares::giving_way>("work_giving_way",
-                                           "work over the distance towed that goes into motion of the moored "
+                                           "motion of the moored "
                                            "structure: damped by moorings, water and thrusters, or stored",
                                            16),
-    work_quantity<&WorkShares::rest>(
-        "work_rest",
-        "work over the distance towed that goes into what steps of finite length lose: the load less all other shares"),
+    work_quantity<&WorkShares::rest>("work_rest", "what steps of finite length lose: the load less all other shares"),
     Quantity{.key = "local_order",
              .unit = "1",
              .long_name = "mean cosine of four times the difference in yaw between a floe and its four nearest, at the "
@@ -221,110 +227,63 @@ inline constexpr std::array work_quantities{
 // list.
 
 /// Motion of a structure that is not towed straight on; NaN in other members. `number`: of the response.
-template <auto... number>
-constexpr Quantity motion_quantity(const char* key, std::string_view unit, std::string_view long_name, int since = 13) {
-    return column_quantity(key, unit, long_name, at<&MemberOutputs::moored, number...>(), no_least, since);
+template <auto number>
+constexpr Quantity motion_quantity(const char* key, std::string_view unit, const char* long_name, int since = 13) {
+    return column_quantity(key, unit, long_name, at<&MemberOutputs::moored, number>(), no_least, since);
 }
 
 /// The same, of which a stop rule can ask a precision relative to its mean.
-template <auto... number>
-constexpr Quantity stopping_motion(const char* key, std::string_view unit, std::string_view long_name) {
-    Quantity quantity = motion_quantity<number...>(key, unit, long_name);
+template <auto number>
+constexpr Quantity stopping_motion(const char* key, std::string_view unit, const char* long_name) {
+    Quantity quantity = motion_quantity<number>(key, unit, long_name);
     quantity.stops = quantity.of_moored = true;
     return quantity;
 }
 
-inline constexpr std::array motion_quantities{
-    stopping_motion<&MooredResponse::surge_offset, &Swing::mean>(
-        "mean_surge_offset", "m", "mean offset of the moored structure along the surge load"),
-    motion_quantity<&MooredResponse::surge_offset, &Swing::sd>(
-        "sd_surge_offset", "m",
-        "population standard deviation of the offset of the moored structure along the surge load"),
-    motion_quantity<&MooredResponse::surge_offset, &Swing::largest>(
-        "largest_surge_offset", "m", "largest amount of the offset of the moored structure along the surge load"),
-    motion_quantity<&MooredResponse::sway_offset, &Swing::mean>("mean_sway_offset", "m",
-                                                                "mean offset of the moored structure towards +z"),
-    motion_quantity<&MooredResponse::sway_offset, &Swing::sd>(
-        "sd_sway_offset", "m", "population standard deviation of the offset of the moored structure towards +z"),
-    motion_quantity<&MooredResponse::sway_offset, &Swing::largest>(
-        "largest_sway_offset", "m", "largest amount of the offset of the moored structure towards +z"),
-    motion_quantity<&MooredResponse::yaw, &Swing::mean>(
-        "mean_yaw", "rad", "mean yaw of the moored structure, positive where +z turns to +x"),
-    motion_quantity<&MooredResponse::yaw, &Swing::sd>(
-        "sd_yaw", "rad",
-        "population standard deviation of the yaw of the moored structure, positive where +z turns to +x"),
-    motion_quantity<&MooredResponse::yaw, &Swing::largest>(
-        "largest_yaw", "rad", "largest amount of the yaw of the moored structure, positive where +z turns to +x"),
-    stopping_motion<&MooredResponse::surge_mooring, &Swing::mean>(
-        "mean_surge_mooring", "N", "mean force of springs and lines against the surge load"),
-    motion_quantity<&MooredResponse::surge_mooring, &Swing::sd>(
-        "sd_surge_mooring", "N",
-        "population standard deviation of the force of springs and lines against the surge load"),
-    motion_quantity<&MooredResponse::surge_mooring, &Swing::largest>(
-        "largest_surge_mooring", "N", "largest amount of the force of springs and lines against the surge load"),
-    motion_quantity<&MooredResponse::sway_mooring, &Swing::mean>(
-        "mean_sway_mooring", "N", "mean force of springs and lines against the sway load"),
-    motion_quantity<&MooredResponse::sway_mooring, &Swing::sd>(
-        "sd_sway_mooring", "N",
-        "population standard deviation of the force of springs and lines against the sway load"),
-    motion_quantity<&MooredResponse::sway_mooring, &Swing::largest>(
-        "largest_sway_mooring", "N", "largest amount of the force of springs and lines against the sway load"),
-    stopping_motion<&MooredResponse::mean_maximum>(
-        "mean_maximum_surge_mooring", "N",
-        "mean of the segment maxima of the force of springs and lines against the surge load"),
-    motion_quantity<&MooredResponse::rms_velocity>(
-        "rms_surge_velocity", "m s-1",
-        "root mean square of the moored structure's velocity in surge, relative to its anchors"),
-    stopping_motion<&MooredResponse::line_tension>(
-        "largest_line_tension", "N",
-        "largest tension of a mooring line over the run, horizontal where it has no weight"),
-    Quantity{.key = "broken_lines",
-             .unit = "1",
-             .long_name = "mooring lines that broke",
-             .place = at<&MemberOutputs::moored, &MooredResponse::broken_lines>(),
-             .count = true,
-             .since = 13},
-    motion_quantity<&MooredResponse::surge_thrust, &Swing::mean>("mean_surge_thrust", "N",
-                                                                 "mean force of thrusters against the surge load", 14),
-    motion_quantity<&MooredResponse::surge_thrust, &Swing::sd>(
-        "sd_surge_thrust", "N", "population standard deviation of the force of thrusters against the surge load", 14),
-    motion_quantity<&MooredResponse::surge_thrust, &Swing::largest>(
-        "largest_surge_thrust", "N", "largest amount of the force of thrusters against the surge load", 14),
-    motion_quantity<&MooredResponse::sway_thrust, &Swing::mean>("mean_sway_thrust", "N",
-                                                                "mean force of thrusters against the sway load", 14),
-    motion_quantity<&MooredResponse::sway_thrust, &Swing::sd>(
-        "sd_sway_thrust", "N", "population standard deviation of the force of thrusters against the sway load", 14),
-    motion_quantity<&MooredResponse::sway_thrust, &Swing::largest>(
-        "largest_sway_thrust", "N", "largest amount of the force of thrusters against the sway load", 14),
-    motion_quantity<&MooredResponse::yaw_thrust, &Swing::mean>("mean_yaw_thrust", "N m",
-                                                               "mean moment of thrusters against the yaw load", 14),
-    motion_quantity<&MooredResponse::yaw_thrust, &Swing::sd>(
-        "sd_yaw_thrust", "N m", "population standard deviation of the moment of thrusters against the yaw load", 14),
-    motion_quantity<&MooredResponse::yaw_thrust, &Swing::largest>(
-        "largest_yaw_thrust", "N m", "largest amount of the moment of thrusters against the yaw load", 14),
-    motion_quantity<&MooredResponse::thrust_at_limit>("thrust_at_limit", "1",
-                                                      "share of the window in which thrusters are at their limit", 14),
-    motion_quantity<&MooredResponse::heave, &Swing::mean>("mean_heave_offset", "m",
-                                                          "mean heave of the floating structure, upwards", 15),
-    motion_quantity<&MooredResponse::heave, &Swing::sd>(
-        "sd_heave_offset", "m", "population standard deviation of the heave of the floating structure, upwards", 15),
-    motion_quantity<&MooredResponse::heave, &Swing::largest>(
-        "largest_heave_offset", "m", "largest amount of the heave of the floating structure, upwards", 15),
-    motion_quantity<&MooredResponse::pitch, &Swing::mean>(
-        "mean_pitch", "rad", "mean pitch of the floating structure, positive with the bow up", 15),
-    motion_quantity<&MooredResponse::pitch, &Swing::sd>(
-        "sd_pitch", "rad",
-        "population standard deviation of the pitch of the floating structure, positive with the bow up", 15),
-    motion_quantity<&MooredResponse::pitch, &Swing::largest>(
-        "largest_pitch", "rad", "largest amount of the pitch of the floating structure, positive with the bow up", 15),
-    motion_quantity<&MooredResponse::roll, &Swing::mean>(
-        "mean_roll", "rad", "mean roll of the floating structure, positive with starboard (+z) down", 15),
-    motion_quantity<&MooredResponse::roll, &Swing::sd>(
-        "sd_roll", "rad",
-        "population standard deviation of the roll of the floating structure, positive with starboard (+z) down", 15),
-    motion_quantity<&MooredResponse::roll, &Swing::largest>(
-        "largest_roll", "rad",
-        "largest amount of the roll of the floating structure, positive with starboard (+z) down", 15)};
+/// What swings of it; `stops`: a stop rule can ask a precision of its mean.
+template <auto number>
+constexpr auto motion_swing(std::string_view key, std::string_view unit, std::string_view name, int since = 13,
+                            bool stops = false) {
+    std::array<Quantity, 3> all = swing_quantities<&MemberOutputs::moored, number>(
+        key, unit, {"mean ", "population standard deviation of the ", "largest amount of the "}, name, no_least, since);
+    all[0].stops = all[0].of_moored = stops;
+    return all;
+}
+
+inline constexpr auto motion_quantities = joined(
+    motion_swing<&MooredResponse::surge_offset>("surge_offset", "m",
+                                                "offset of the moored structure along the surge load", 13, true),
+    motion_swing<&MooredResponse::sway_offset>("sway_offset", "m", "offset of the moored structure towards +z"),
+    motion_swing<&MooredResponse::yaw>("yaw", "rad", "yaw of the moored structure, positive where +z turns to +x"),
+    motion_swing<&MooredResponse::surge_mooring>("surge_mooring", "N",
+                                                 "force of springs and lines against the surge load", 13, true),
+    motion_swing<&MooredResponse::sway_mooring>("sway_mooring", "N",
+                                                "force of springs and lines against the sway load"),
+    std::array{stopping_motion<&MooredResponse::mean_maximum>(
+                   "mean_maximum_surge_mooring", "N",
+                   "mean of the segment maxima of the force of springs and lines against the surge load"),
+               motion_quantity<&MooredResponse::rms_velocity>(
+                   "rms_surge_velocity", "m s-1",
+                   "root mean square of the moored structure's velocity in surge, relative to its anchors"),
+               stopping_motion<&MooredResponse::line_tension>(
+                   "largest_line_tension", "N",
+                   "largest tension of a mooring line over the run, horizontal where it has no weight"),
+               Quantity{.key = "broken_lines",
+                        .unit = "1",
+                        .long_name = "mooring lines that broke",
+                        .place = at<&MemberOutputs::moored, &MooredResponse::broken_lines>(),
+                        .count = true,
+                        .since = 13}},
+    motion_swing<&MooredResponse::surge_thrust>("surge_thrust", "N", "force of thrusters against the surge load", 14),
+    motion_swing<&MooredResponse::sway_thrust>("sway_thrust", "N", "force of thrusters against the sway load", 14),
+    motion_swing<&MooredResponse::yaw_thrust>("yaw_thrust", "N m", "moment of thrusters against the yaw load", 14),
+    std::array{motion_quantity<&MooredResponse::thrust_at_limit>(
+        "thrust_at_limit", "1", "share of the window in which thrusters are at their limit", 14)},
+    motion_swing<&MooredResponse::heave>("heave_offset", "m", "heave of the floating structure, upwards", 15),
+    motion_swing<&MooredResponse::pitch>("pitch", "rad", "pitch of the floating structure, positive with the bow up",
+                                         15),
+    motion_swing<&MooredResponse::roll>("roll", "rad",
+                                        "roll of the floating structure, positive with starboard (+z) down", 15));
 
 // The list of scalar quantities of a member: of the journal, the campaign file and its page, the stop rule, summaries,
 // pairs and designs. CONTRIBUTING.md says how to add one. Those of the averaged load are made of it: quantities_with().
@@ -440,15 +399,10 @@ inline constexpr std::array load_quantities{
                     at<&MemberOutputs::fracture_work>(), 0, 12),
     column_quantity("mean_sway", "N", "mean sway load over the window", at<&MemberOutputs::mean_sway>(), no_least),
     column_quantity("mean_heave", "N", "mean heave load over the window", at<&MemberOutputs::mean_heave>(), no_least),
-    moment_quantity<&MemberOutputs::yaw, &Swing::mean>("mean_yaw_moment", "mean yaw moment"),
-    moment_quantity<&MemberOutputs::yaw, &Swing::sd>("sd_yaw_moment", "SD of the yaw moment"),
-    moment_quantity<&MemberOutputs::yaw, &Swing::largest>("largest_yaw_moment", "largest yaw moment"),
-    moment_quantity<&MemberOutputs::roll, &Swing::mean>("mean_roll_moment", "mean moment about the tow"),
-    moment_quantity<&MemberOutputs::roll, &Swing::sd>("sd_roll_moment", "SD of the moment about the tow"),
-    moment_quantity<&MemberOutputs::roll, &Swing::largest>("largest_roll_moment", "largest moment about the tow"),
-    moment_quantity<&MemberOutputs::pitch, &Swing::mean>("mean_pitch_moment", "mean overturning moment"),
-    moment_quantity<&MemberOutputs::pitch, &Swing::sd>("sd_pitch_moment", "SD of the overturning moment"),
-    moment_quantity<&MemberOutputs::pitch, &Swing::largest>("largest_pitch_moment", "largest overturning moment"),
+};
+
+/// The trend of the load, and what it did to the joints; after the moments.
+inline constexpr std::array joint_quantities{
     column_quantity("trend", "N s-1", "slope of the surge load over the window",
                     at<&MemberOutputs::load, &LoadStatistics::trend>(), no_least),
     Quantity{.key = "trend_p",
@@ -480,13 +434,11 @@ inline constexpr std::array load_quantities{
 };
 
 /// All of them.
-inline constexpr auto quantities = [] {
-    std::array<Quantity, load_quantities.size() + work_quantities.size() + motion_quantities.size()> all{};
-    std::ranges::copy(load_quantities, all.begin());
-    std::ranges::copy(work_quantities, all.begin() + load_quantities.size());
-    std::ranges::copy(motion_quantities, all.begin() + load_quantities.size() + work_quantities.size());
-    return all;
-}();
+inline constexpr auto quantities =
+    joined(load_quantities, moment_quantities<&MemberOutputs::yaw>("yaw_moment", "yaw moment"),
+           moment_quantities<&MemberOutputs::roll>("roll_moment", "moment about the tow"),
+           moment_quantities<&MemberOutputs::pitch>("pitch_moment", "overturning moment"), joint_quantities,
+           work_quantities, motion_quantities);
 
 /// The quantity of that key in the list; nullptr if there is none.
 constexpr const Quantity* find_quantity(std::string_view key) {
