@@ -142,14 +142,14 @@ void check_friction(const Scenario& scenario, Contradictions& found) {
 void check_solver(const Scenario& scenario, Contradictions& found) {
     const SolverKind solver = scenario.general.solver;
     std::vector<Refusal> refused = refused_contacts(solver, scenario.contact);
-    const auto add = [&](const std::optional<Refusal>& refusal) {
-        if (refusal) refused.push_back(*refusal);
+    const auto ask = [&](bool wanted, Feature feature) {
+        if (const auto refusal = refusal_of(solver, feature); wanted && refusal) refused.push_back(*refusal);
     };
-    if (scenario.joint.model == JointModel::beam) add(refused_springs(solver));
-    if (scenario.water.added_mass_from == WaterFrom::outline) add(refused_water(solver));
-    if (scenario.field.wake_radius > 0) add(refused_sleep(solver));
-    if (scenario.water.has_bed()) add(refused_planes(solver, "water.depth_m"));
-    if (scenario.field.sides == FieldSides::wall) add(refused_planes(solver, "field.sides"));
+    ask(scenario.joint.model == JointModel::beam, Feature::springs);
+    ask(scenario.water.added_mass_from == WaterFrom::outline, Feature::carried_water);
+    ask(scenario.field.wake_radius > 0, Feature::sleep);
+    ask(scenario.water.has_bed(), Feature::bed);
+    ask(scenario.field.sides == FieldSides::wall, Feature::walls);
     for (const auto& [key, with, reason, instead] : refused) {
         refuse(scenario, found, {std::string(key), std::string(with)}, "<{}> is not possible with <{}>: {}; take {}",
                std::string(key), std::string(with), reason, instead);

@@ -26,24 +26,16 @@ struct Refusal {
 /// What of a contact law the solver cannot do; empty where it can do all.
 std::vector<Refusal> refused_contacts(SolverKind solver, const ContactLaw& law);
 
-/// Whether it refuses joints that are springs.
-std::optional<Refusal> refused_springs(SolverKind solver);
+/// What not every solver can do: joints that are springs, bodies that carry water, joints that soften as they crack, a
+/// sea bed, walls, bodies that sleep.
+enum class Feature { springs, carried_water, cracks, bed, walls, sleep };
 
-/// Whether it refuses bodies that carry water.
-std::optional<Refusal> refused_water(SolverKind solver);
-
-/// Whether it refuses joints that crack by stress, and soften as they do.
-std::optional<Refusal> refused_cracks(SolverKind solver);
-
-/// Whether it refuses planes: a sea bed or walls, by the key that has them.
-std::optional<Refusal> refused_planes(SolverKind solver, std::string_view key);
+/// Whether it refuses that.
+std::optional<Refusal> refusal_of(SolverKind solver, Feature feature);
 
 /// Whether the state of its World can be saved and set again: Bullet keeps much of its own to itself.
 constexpr bool saves_state(SolverKind solver) {
     return solver != SolverKind::stock;
 }
-
-/// Whether it refuses bodies that sleep.
-std::optional<Refusal> refused_sleep(SolverKind solver);
 
 }  // namespace floes

@@ -7,12 +7,8 @@
 #include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/state_archive.hpp"
-#include "shapes/convex_solid.hpp"
 #include "shapes/elements.hpp"
-#include "solver/carried_water.hpp"
-#include "world/definitions.hpp"
 #include "world/engine.hpp"
-#include "world/state.hpp"
 
 namespace floes {
 // Between SI, in which a World is spoken to, and the units in which it computes.
@@ -30,71 +26,57 @@ class FroudeUnits {
 
     Vec3 to_own(const Vec3& position) const { return position / length_; }
     Pose to_own(const Pose& pose) const { return {to_own(pose.position), pose.orientation}; }
-    WorldDefinition to_own(WorldDefinition definition) const;
-    ElementDefinition to_own(ElementDefinition element) const;
-    JointDefinition to_own(JointDefinition joint) const;
+    WorldDefinition to_own(WorldDefinition definition) const {
+        definition.time_step /= time_;
+        definition.contact.split_impulse_depth /= length_;
+        definition.contact.crushing_pressure *= length_ * length_;
+        definition.contact.slip.speed /= time_;
+        definition.contact.slip.slowest /= time_;
+        definition.contact.slip.memory /= time_;
+        return definition;
+    }
+    ElementDefinition to_own(ElementDefinition element) const {
+        for (Corner& corner : element.corners) corner = {corner.x / length_, corner.z / length_};
+        element.half_thickness /= length_;
+        element.crushing_pressure *= length_ * length_;
+        element.pose = to_own(element.pose);
+        return element;
+    }
+    JointDefinition to_own(JointDefinition joint) const {
+        joint.pivot /= length_;
+        if (joint.spring) {
+            for (double& stiffness : joint.spring->force) stiffness *= length_;
+            for (double& stiffness : joint.spring->moment) stiffness /= length_;
+        }
+        return joint;
+    }
     PlaneDefinition to_own(const PlaneDefinition& plane) const {
         return {to_own(plane.point), plane.normal, plane.friction};
     }
     ConvexSolid to_own(const ConvexSolid& solid) const { return solid.scaled(1 / length_); }
-    CarriedWater to_own(CarriedWater water) const;
-    BodyState to_own(const BodyState& state) const;
+    CarriedWater to_own(CarriedWater water) const {
+        for (double* first : {&water.x, &water.z}) *first /= length_;
+        for (double* second : {&water.yaw, &water.xx, &water.xz, &water.zz}) *second /= length_ * length_;
+        return water;
+    }
+    BodyState to_own(const BodyState& state) const {
+        return {to_own(state.position), state.rotation, state.velocity / time_, state.angular_velocity * time_};
+    }
     Wrench to_own(const Wrench& wrench) const { return {wrench.force, wrench.moment / length_}; }
 
     Vec3 to_si(const Vec3& position) const { return position * length_; }
-    BodyState to_si(const BodyState& state) const;
-    JointReaction to_si(JointReaction reaction) const;
+    BodyState to_si(const BodyState& state) const {
+        return {state.position * length_, state.rotation, state.velocity * time_, state.angular_velocity / time_};
+    }
+    JointReaction to_si(JointReaction reaction) const {
+        for (double* moment : {&reaction.torsion, &reaction.in_plane_bending, &reaction.bending}) *moment *= length_;
+        return reaction;
+    }
 
   private:
     double length_;
     double time_;
 };
-
-WorldDefinition FroudeUnits::to_own(WorldDefinition definition) const {
-    definition.time_step /= time_;
-    definition.contact.split_impulse_depth /= length_;
-    definition.contact.crushing_pressure *= length_ * length_;
-    definition.contact.slip.speed /= time_;
-    definition.contact.slip.slowest /= time_;
-    definition.contact.slip.memory /= time_;
-    return definition;
-}
-
-ElementDefinition FroudeUnits::to_own(ElementDefinition element) const {
-    for (Corner& corner : element.corners) corner = {corner.x / length_, corner.z / length_};
-    element.half_thickness /= length_;
-    element.crushing_pressure *= length_ * length_;
-    element.pose = to_own(element.pose);
-    return element;
-}
-
-JointDefinition FroudeUnits::to_own(JointDefinition joint) const {
-    joint.pivot /= length_;
-    if (joint.spring) {
-        for (double& stiffness : joint.spring->force) stiffness *= length_;
-        for (double& stiffness : joint.spring->moment) stiffness /= length_;
-    }
-    return joint;
-}
-
-CarriedWater FroudeUnits::to_own(CarriedWater water) const {
-    for (double* first : {&water.x, &water.z}) *first /= length_;
-    for (double* second : {&water.yaw, &water.xx, &water.xz, &water.zz}) *second /= length_ * length_;
-    return water;
-}
-
-BodyState FroudeUnits::to_own(const BodyState& state) const {
-    return {to_own(state.position), state.rotation, state.velocity / time_, state.angular_velocity * time_};
-}
-
-BodyState FroudeUnits::to_si(const BodyState& state) const {
-    return {state.position * length_, state.rotation, state.velocity * time_, state.angular_velocity / time_};
-}
-
-JointReaction FroudeUnits::to_si(JointReaction reaction) const {
-    for (double* moment : {&reaction.torsion, &reaction.in_plane_bending, &reaction.bending}) *moment *= length_;
-    return reaction;
-}
 
 namespace {
 
@@ -112,6 +94,10 @@ void check_box(const Vec3& half_extents) {
 
 void refuse(const Refusal& refusal) {
     throw InputError(fmt::format("The world refuses this: {}; take {}.", refusal.reason, refusal.instead));
+}
+
+void require(SolverKind solver, Feature feature) {
+    if (const auto refusal = refusal_of(solver, feature)) refuse(*refusal);
 }
 
 void check_contact(const ContactLaw& law, SolverKind solver) {
@@ -180,7 +166,7 @@ void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver) 
                 "above 0 with the direct solver");
         return;
     }
-    if (const auto refusal = refused_springs(solver)) refuse(*refusal);
+    require(solver, Feature::springs);
     for (const auto& part : {joint.spring->force, joint.spring->moment}) {
         for (const double stiffness : part) {
             require(stiffness > 0 && std::isfinite(stiffness), "the stiffness of a joint", stiffness, "above 0");
@@ -191,7 +177,7 @@ void check(const JointDefinition& joint, std::size_t bodies, SolverKind solver) 
 }
 
 void check(const CarriedWater& water, SolverKind solver) {
-    if (const auto refusal = refused_water(solver)) refuse(*refusal);
+    require(solver, Feature::carried_water);
     for (const double mass : {water.in_plane, water.normal})
         require(mass >= 0 && std::isfinite(mass), "a mass of water", mass, "at least 0 kg");
     for (const double inertia : {water.yaw, water.xx, water.zz})
@@ -202,19 +188,10 @@ void check(const CarriedWater& water, SolverKind solver) {
 }
 
 void check(const PlaneDefinition& plane, SolverKind solver) {
-    if (const auto refusal = refused_planes(solver, "a plane")) refuse(*refusal);
+    require(solver, Feature::bed);
     require(plane.point.allFinite(), "a point of a plane", plane.point.sum(), "finite");
     require(std::abs(plane.normal.norm() - 1) < 1e-9, "the length of a plane's normal", plane.normal.norm(), "1");
     require(plane.friction >= 0 && plane.friction <= 10, "the friction of a plane", plane.friction, "between 0 and 10");
-}
-
-void check_softening(double sound, SolverKind solver) {
-    if (const auto refusal = refused_cracks(solver)) refuse(*refusal);
-    require(sound > 0 && sound <= 1, "the share of a joint's stiffness that is left", sound, "above 0 and at most 1");
-}
-
-void check_sleep(SolverKind solver) {
-    if (const auto refusal = refused_sleep(solver)) refuse(*refusal);
 }
 
 void check_structure(std::span<const ConvexSolid> solids, bool present) {
@@ -317,7 +294,8 @@ void World::remove_joint(JointId joint) {
 
 void World::soften_joint(JointId joint, double sound) {
     FLOES_EXPECTS(joint.index() < parts_->joints);
-    check_softening(sound, parts_->solver);
+    require(parts_->solver, Feature::cracks);
+    require(sound > 0 && sound <= 1, "the share of a joint's stiffness that is left", sound, "above 0 and at most 1");
     parts_->engine->soften_joint(joint, sound);
 }
 
@@ -334,26 +312,26 @@ void World::set_water(BodyId body, const CarriedWater& water) {
 
 void World::set_asleep(BodyId body, bool asleep) {
     FLOES_EXPECTS(body.index() < parts_->bodies);
-    check_sleep(parts_->solver);
+    require(parts_->solver, Feature::sleep);
     parts_->engine->set_asleep(body, asleep);
 }
 
 void World::take_out(BodyId element) {
     FLOES_EXPECTS(element.index() < parts_->bodies);
-    check_sleep(parts_->solver);
+    require(parts_->solver, Feature::sleep);
     parts_->engine->take_out(element);
 }
 
 void World::put_in(BodyId element, const ElementDefinition& definition) {
     FLOES_EXPECTS(element.index() < parts_->bodies);
-    check_sleep(parts_->solver);
+    require(parts_->solver, Feature::sleep);
     check(definition);
     parts_->engine->put_in(element, parts_->units.to_own(definition));
 }
 
 void World::put_in(JointId joint, const JointDefinition& definition) {
     FLOES_EXPECTS(joint.index() < parts_->joints);
-    check_sleep(parts_->solver);
+    require(parts_->solver, Feature::sleep);
     check(definition, parts_->bodies, parts_->solver);
     parts_->engine->put_in(joint, parts_->units.to_own(definition));
 }
