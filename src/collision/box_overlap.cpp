@@ -136,17 +136,16 @@ struct LeastOverlap {
     Triple edge_normal{};  ///< of codes above 6: the axis, unit, axes of a
 };
 
+/// Of two columns.
+double of_axes(const double* one, std::size_t i, const double* other, std::size_t k) {
+    return one[i] * other[k] + one[3 + i] * other[3 + k] + one[6 + i] * other[6 + k];
+}
+
 BoxPair seen_from_a(const PrismPlace& a, const PrismPlace& b) {
     BoxPair pair;
-    const Triple p = centre_of(b) - centre_of(a);
-    const double* ra = a.rotation;
-    const double* rb = b.rotation;
-    for (std::size_t i = 0; i < 3; ++i) {
-        pair.between[i] = ra[i] * p[0] + ra[3 + i] * p[1] + ra[6 + i] * p[2];
-        for (std::size_t k = 0; k < 3; ++k) {
-            pair.turn[3 * i + k] = ra[i] * rb[k] + ra[3 + i] * rb[3 + k] + ra[6 + i] * rb[6 + k];
-        }
-    }
+    pair.between = into(a, centre_of(b) - centre_of(a));
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) pair.turn[3 * i + k] = of_axes(a.rotation, i, b.rotation, k);
     return pair;
 }
 
@@ -196,16 +195,15 @@ bool every_face(const PrismPlace& one, const PrismPlace& other, const BoxPair& p
     const double* a = half_of(one);
     const double* b = half_of(other);
     const Triple& pp = pair.between;
-    const Triple p = centre_of(other) - centre_of(one);
+    const Triple along_b = into(other, centre_of(other) - centre_of(one));
     for (int i = 0; i < 3; ++i) {
         const double* row = q + 3 * i;
         if (!search.face(pp[static_cast<std::size_t>(i)], a[i] + b[0] * row[0] + b[1] * row[1] + b[2] * row[2], 1 + i))
             return false;
     }
     for (int i = 0; i < 3; ++i) {
-        const double* r = other.rotation + i;
-        if (!search.face(r[0] * p[0] + r[3] * p[1] + r[6] * p[2],
-                         a[0] * q[i] + a[1] * q[3 + i] + a[2] * q[6 + i] + b[i], 4 + i))
+        if (!search.face(along_b[static_cast<std::size_t>(i)], a[0] * q[i] + a[1] * q[3 + i] + a[2] * q[6 + i] + b[i],
+                         4 + i))
             return false;
     }
     return true;
@@ -214,29 +212,22 @@ bool every_face(const PrismPlace& one, const PrismPlace& other, const BoxPair& p
 bool every_pair_of_edges(const double* a, const double* b, const BoxPair& pair, const double* q, Search& search) {
     const Triple& pp = pair.between;
     const double* r = pair.turn;
-    for (int k = 0; k < 3; ++k) {  // first axis of a times the three of b
-        const int m = k == 0 ? 1 : 0;
-        const int n = k == 2 ? 1 : 2;
-        if (!search.edges(pp[2] * r[3 + k] - pp[1] * r[6 + k],
-                          a[1] * q[6 + k] + a[2] * q[3 + k] + b[m] * q[n] + b[n] * q[m], {0, -r[6 + k], r[3 + k]},
-                          7 + k))
-            return false;
-    }
-    for (int k = 0; k < 3; ++k) {
-        const int m = k == 0 ? 1 : 0;
-        const int n = k == 2 ? 1 : 2;
-        if (!search.edges(pp[0] * r[6 + k] - pp[2] * r[k],
-                          a[0] * q[6 + k] + a[2] * q[k] + b[m] * q[3 + n] + b[n] * q[3 + m], {r[6 + k], 0, -r[k]},
-                          10 + k))
-            return false;
-    }
-    for (int k = 0; k < 3; ++k) {
-        const int m = k == 0 ? 1 : 0;
-        const int n = k == 2 ? 1 : 2;
-        if (!search.edges(pp[1] * r[k] - pp[0] * r[3 + k],
-                          a[0] * q[3 + k] + a[1] * q[k] + b[m] * q[6 + n] + b[n] * q[6 + m], {-r[3 + k], r[k], 0},
-                          13 + k))
-            return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t u = i == 2 ? 0 : i + 1;  // the other two axes of a, in turn ...
+        const std::size_t v = i == 0 ? 2 : i - 1;
+        const std::size_t s = i == 0 ? 1 : 0;  // ... and rising
+        const std::size_t t = i == 2 ? 1 : 2;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t m = k == 0 ? 1 : 0;
+            const std::size_t n = k == 2 ? 1 : 2;
+            Triple axis{};
+            axis[u] = -r[3 * v + k];
+            axis[v] = r[3 * u + k];
+            if (!search.edges(pp[v] * r[3 * u + k] - pp[u] * r[3 * v + k],
+                              a[s] * q[3 * t + k] + a[t] * q[3 * s + k] + b[m] * q[3 * i + n] + b[n] * q[3 * i + m],
+                              axis, static_cast<int>(7 + 3 * i + k)))
+                return false;
+        }
     }
     return true;
 }
@@ -254,21 +245,18 @@ LeastOverlap least_overlap(const PrismPlace& a, const PrismPlace& b) {
 
 // The points of that overlap.
 
-double along_axis(const Triple& v, const double* rotation, int axis) {
-    return v[0] * rotation[axis] + v[1] * rotation[3 + axis] + v[2] * rotation[6 + axis];
-}
-
-double of_axes(const double* one, int i, const double* other, int k) {
-    return one[i] * other[k] + one[3 + i] * other[3 + k] + one[6 + i] * other[6 + k];
+/// Of the box, world.
+Triple axis_of(const PrismPlace& box, int axis) {
+    return {box.rotation[axis], box.rotation[3 + axis], box.rotation[6 + axis]};
 }
 
 /// The corner of the box that lies farthest along `side` times the normal.
 Triple farthest(const PrismPlace& box, const Triple& normal, double side) {
     Triple corner = centre_of(box);
-    for (int axis = 0; axis < 3; ++axis) {
-        const double sign = along_axis(normal, box.rotation, axis) > 0 ? side : -side;
-        for (std::size_t i = 0; i < 3; ++i)
-            corner[i] += sign * half_of(box)[axis] * box.rotation[3 * i + static_cast<std::size_t>(axis)];
+    const Triple along = into(box, normal);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double sign = along[axis] > 0 ? side : -side;
+        for (std::size_t i = 0; i < 3; ++i) corner[i] += sign * half_of(box)[axis] * box.rotation[3 * i + axis];
     }
     return corner;
 }
@@ -276,11 +264,9 @@ Triple farthest(const PrismPlace& box, const Triple& normal, double side) {
 /// The point of an edge of b that is nearest to an edge of a.
 void touch_by_edges(const PrismPlace& a, const PrismPlace& b, const LeastOverlap& least, Overlap& found) {
     const Triple on_a = farthest(a, found.normal, 1);
-    Triple on_b = farthest(b, found.normal, -1);
-    const int axis_a = (least.code - 7) / 3;
-    const int axis_b = (least.code - 7) % 3;
-    const Triple along_a{a.rotation[axis_a], a.rotation[3 + axis_a], a.rotation[6 + axis_a]};
-    const Triple along_b{b.rotation[axis_b], b.rotation[3 + axis_b], b.rotation[6 + axis_b]};
+    const Triple on_b = farthest(b, found.normal, -1);
+    const Triple along_a = axis_of(a, (least.code - 7) / 3);
+    const Triple along_b = axis_of(b, (least.code - 7) % 3);
     const Triple between = on_b - on_a;
     const double parallel = dot(along_a, along_b);
     const double by_a = dot(along_a, between);
@@ -291,14 +277,13 @@ void touch_by_edges(const PrismPlace& a, const PrismPlace& b, const LeastOverlap
         d = 1.0 / d;
         beta = (parallel * by_a + by_b) * d;
     }
-    for (std::size_t i = 0; i < 3; ++i) on_b[i] += along_b[i] * beta;
     found.count = 1;
-    found.points[0] = {on_b, least.depth};
+    found.points[0] = {on_b + beta * along_b, least.depth};
 }
 
 /// The face of `box` that looks most against a normal: its own normal, and the other two axes.
 struct Incident {
-    int normal, first, second;
+    std::size_t normal, first, second;
 };
 
 Incident incident_face(const Triple& along) {
@@ -343,23 +328,21 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const LeastOverlap&
     const bool of_a = least.code <= 3;
     const PrismPlace& one = of_a ? a : b;
     const PrismPlace& other = of_a ? b : a;
-    Triple out = found.normal;  // of the reference face
-    if (!of_a) out = {-out[0], -out[1], -out[2]};
-    const Incident incident = incident_face(
-        {along_axis(out, other.rotation, 0), along_axis(out, other.rotation, 1), along_axis(out, other.rotation, 2)});
-    const double side = along_axis(out, other.rotation, incident.normal) < 0 ? 1.0 : -1.0;
+    const Triple out = of_a ? found.normal : -1 * found.normal;  // of the reference face
+    const Triple along = into(other, out);
+    const Incident incident = incident_face(along);
+    const double side = along[incident.normal] < 0 ? 1.0 : -1.0;
     Triple centre;  // of the incident face, from the reference box
     for (std::size_t i = 0; i < 3; ++i) {
-        const double half =
-            half_of(other)[incident.normal] * other.rotation[3 * i + static_cast<std::size_t>(incident.normal)];
+        const double half = half_of(other)[incident.normal] * other.rotation[3 * i + incident.normal];
         centre[i] = side > 0 ? other.position[i] - one.position[i] + half : other.position[i] - one.position[i] - half;
     }
     const int normal_axis = of_a ? least.code - 1 : least.code - 4;
-    const int first = normal_axis == 0 ? 1 : 0;
-    const int second = normal_axis == 2 ? 1 : 2;
+    const std::size_t first = normal_axis == 0 ? 1 : 0;
+    const std::size_t second = normal_axis == 2 ? 1 : 2;
 
-    const double c1 = along_axis(centre, one.rotation, first);
-    const double c2 = along_axis(centre, one.rotation, second);
+    const double c1 = into(one, centre)[first];
+    const double c2 = into(one, centre)[second];
     double m11 = of_axes(one.rotation, first, other.rotation, incident.first);
     double m12 = of_axes(one.rotation, first, other.rotation, incident.second);
     double m21 = of_axes(one.rotation, second, other.rotation, incident.first);
@@ -386,8 +369,8 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const LeastOverlap&
         const double v = -m21 * (face.flat[2 * i] - c1) + m11 * (face.flat[2 * i + 1] - c2);
         const auto at = static_cast<std::size_t>(face.count);
         for (std::size_t k = 0; k < 3; ++k) {
-            face.points[at][k] = centre[k] + u * other.rotation[3 * k + static_cast<std::size_t>(incident.first)] +
-                                 v * other.rotation[3 * k + static_cast<std::size_t>(incident.second)];
+            face.points[at][k] =
+                centre[k] + u * other.rotation[3 * k + incident.first] + v * other.rotation[3 * k + incident.second];
         }
         face.depth[at] = half_of(one)[normal_axis] - dot(out, face.points[at]);
         if (!(face.depth[at] >= 0)) continue;
@@ -404,18 +387,9 @@ void find_box_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found) 
     found.count = 0;
     const LeastOverlap least = least_overlap(a, b);
     if (least.code == 0) return;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t row = 3 * i;
-        const auto column = static_cast<std::size_t>((least.code - 1) % 3);
-        if (least.code <= 3)
-            found.normal[i] = a.rotation[row + column];
-        else if (least.code <= 6)
-            found.normal[i] = b.rotation[row + column];
-        else
-            found.normal[i] = a.rotation[row] * least.edge_normal[0] + a.rotation[row + 1] * least.edge_normal[1] +
-                              a.rotation[row + 2] * least.edge_normal[2];
-        if (least.turned) found.normal[i] = -found.normal[i];
-    }
+    found.normal =
+        least.code > 6 ? out_of(a, least.edge_normal) : axis_of(least.code > 3 ? b : a, (least.code - 1) % 3);
+    if (least.turned) found.normal = -1 * found.normal;
     if (least.code > 6)
         touch_by_edges(a, b, least, found);
     else

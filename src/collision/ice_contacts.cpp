@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <utility>
 
 #include "core/contract.hpp"
 #include "core/state_archive.hpp"
@@ -76,9 +75,6 @@ std::span<const NearPairs::Pair> NearPairs::find(std::span<const Bounds> bounds,
     std::ranges::sort(pairs_);
     return pairs_;
 }
-
-/// Rounding, in lengths of the order of 0.1 m.
-constexpr double tolerance = 1e-9;
 
 /// Pairs are listed up to this part of the largest moving element's radius beyond the reach of their points.
 constexpr double room_in_radii = 0.25;
@@ -221,9 +217,9 @@ double IceContacts::known_gap(const Pair& pair, const PrismPlace& a, const Prism
 /// Does a face separate the two? First the one that did so last.
 bool IceContacts::apart(Pair& pair, const PrismPlace& a, const PrismPlace& b) const {
     double gap = known_gap(pair, a, b);
-    if (!(gap > tolerance)) gap = find_widest_gap(pair, a, b);
-    pair.until = gap > tolerance ? path_[pair.a] + path_[pair.b] + gap - tolerance : 0;
-    return gap > tolerance;
+    if (!(gap > length_rounding)) gap = find_widest_gap(pair, a, b);
+    pair.until = gap > length_rounding ? path_[pair.a] + path_[pair.b] + gap - length_rounding : 0;
+    return gap > length_rounding;
 }
 
 void IceContacts::look(Pair& pair, const BodyMotion* motions, ContactStore& store) {
@@ -235,16 +231,15 @@ void IceContacts::look(Pair& pair, const BodyMotion* motions, ContactStore& stor
         find_overlap(a, b, overlap);
         if (overlap.count == 0) return;
         pair.points = store.take();
-    } else if (!(known_gap(pair, a, b) > tolerance)) {  // it keeps points while it is but little apart
+    } else if (!(known_gap(pair, a, b) > length_rounding)) {  // it keeps points while it is but little apart
         find_overlap(a, b, overlap);
         if (overlap.count == 0) find_widest_gap(pair, a, b);
     }
     TouchingPoints& points = store[pair.points];
     const double reach = std::min(elements_[pair.a].reach, elements_[pair.b].reach);
-    const Triple normal{-overlap.normal[0], -overlap.normal[1], -overlap.normal[2]};
     for (int i = 0; i < overlap.count; ++i) {
         const auto& [on_b, depth] = overlap.points[static_cast<std::size_t>(i)];
-        points.add(a, b, on_b, normal, -depth, reach);
+        points.add(a, b, on_b, -1 * overlap.normal, -depth, reach);
     }
     points.refresh(a, b, reach);
     pair.until = 0;
@@ -260,7 +255,7 @@ void IceContacts::find(const BodyMotion* motions, ContactStore& store) {
         sort_into_pieces(store);
         anew = true;
     }
-    if (!moved_ && walk(motions) > 0.5 * room_ - tolerance) anew = true;
+    if (!moved_ && walk(motions) > 0.5 * room_ - length_rounding) anew = true;
     if (anew) list_pairs(motions, store);
     touching_.clear();
     for (Pair& pair : pairs_) {

@@ -49,8 +49,7 @@ class NearPairs {
     /// box. Pairs of two fixed boxes are left out. Valid until the next call.
     std::span<const Pair> find(std::span<const Bounds> bounds, const std::vector<std::uint8_t>& fixed, double gap);
 
-    /// Everything that its next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     struct Piece {
@@ -101,8 +100,7 @@ class IceContacts {
     /// Pairs with points, rising by (a, b), a below b. Valid until the next find().
     std::span<const Touching> touching() const { return touching_; }
 
-    /// Everything that its next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     struct Pair {

@@ -1,7 +1,6 @@
 #include "collision/overlap.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -10,10 +9,6 @@
 
 namespace floes {
 namespace {
-
-Triple scaled(const Triple& a, double s) {
-    return {s * a[0], s * a[1], s * a[2]};
-}
 
 constexpr double edges_over_faces = 1.05;  // an edge has to be that much better: faces give four points
 constexpr double parallel = 1e-4;          // axes that differ by less make no axis of their own
@@ -190,7 +185,7 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const View& from_a,
             Triple axis = cross(along_a, along_b);
             const double length = std::sqrt(dot(axis, axis));
             if (length < parallel) continue;
-            axis = scaled(axis, 1 / length);
+            axis = (1 / length) * axis;
             const Reach at_a = reach_along(*a.shape, into(a, axis));
             const Reach at_b = reach_along(*b.shape, into(b, axis));
             const double apart = dot(axis, between);
@@ -199,7 +194,7 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const View& from_a,
             const double gap = std::max(onward, back);
             if (gap > 0) return false;
             if (!(gap * edges_over_faces > best.gap)) continue;
-            best = {gap, onward >= back ? axis : scaled(axis, -1), -1, along_a, along_b};
+            best = {gap, onward >= back ? axis : -1 * axis, -1, along_a, along_b};
         }
     }
     return true;
@@ -207,12 +202,12 @@ bool look_at_edges(const PrismPlace& a, const PrismPlace& b, const View& from_a,
 
 void touch_by_edges(const PrismPlace& a, const PrismPlace& b, const Best& best, Overlap& found) {
     const Triple on_a = farthest(a, best.axis);
-    Triple on_b = farthest(b, scaled(best.axis, -1));
+    Triple on_b = farthest(b, -1 * best.axis);
     const Triple between = on_b - on_a;
     const double together = dot(best.along_a, best.along_b);
     const double rest = 1 - together * together;
     if (rest > 1e-4)
-        on_b = on_b + scaled(best.along_b, (together * dot(best.along_a, between) - dot(best.along_b, between)) / rest);
+        on_b = on_b + ((together * dot(best.along_a, between) - dot(best.along_b, between)) / rest) * best.along_b;
     found.count = 1;
     found.points[0] = {on_b, -best.gap};
 }
@@ -270,7 +265,7 @@ bool cut(const Points& polygon, Points& rest, const Triple& normal, double bound
         if (room[k] >= 0) rest.add(here);
         if ((room[k] >= 0) == (room[k + 1] >= 0)) continue;
         const Triple& next = polygon[k + 1 < count ? k + 1 : 0];
-        rest.add(here + scaled(next - here, room[k] / (room[k] - room[k + 1])));
+        rest.add(here + (room[k] / (room[k] - room[k + 1])) * (next - here));
     }
     return true;
 }
@@ -306,16 +301,10 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
     const bool of_a = best.face < face_axes(*a.shape);
     const PrismPlace& one = of_a ? a : b;
     const PrismPlace& other = of_a ? b : a;
-    const Triple out = of_a ? best.axis : scaled(best.axis, -1);
+    const Triple out = of_a ? best.axis : -1 * best.axis;
     const Triple seen = into(other, out);
-    int incident = seen[1] > 0 ? 1 : 0;
-    double against = -std::abs(seen[1]);
-    for (std::size_t k = 0; k < other.shape->edges.size(); ++k) {
-        const double along = other.shape->edges[k].normal.x * seen[0] + other.shape->edges[k].normal.z * seen[2];
-        if (along >= against) continue;
-        against = along;
-        incident = static_cast<int>(k) + 2;
-    }
+    const int edge = edge_towards(*other.shape, -1 * seen);
+    const int incident = edge >= 0 ? edge + 2 : seen[1] > 0 ? 1 : 0;
     std::array<Points, 2> buffers;
     std::size_t now = 0;
     corners_of(other, incident, buffers[now]);
@@ -354,7 +343,7 @@ void touch_by_face(const PrismPlace& a, const PrismPlace& b, const Best& best, O
         const auto from = static_cast<std::size_t>(chosen[static_cast<std::size_t>(i)]);
         Overlap::Point& to = found.points[static_cast<std::size_t>(i)];
         to.depth = depth[from];
-        to.on_b = of_a ? points[from] : points[from] + scaled(out, depth[from]);
+        to.on_b = of_a ? points[from] : points[from] + depth[from] * out;
     }
 }
 
@@ -400,10 +389,9 @@ void find_overlap(const PrismPlace& a, const PrismPlace& b, Overlap& found) {
     const int of_a = face_axes(*a.shape);
     const auto [gap, face] = widest_gap(a, b, from_a, from_b, 0, of_a + face_axes(*b.shape));
     if (gap > 0) return;
-    Best best{
-        gap,
-        face < of_a ? out_of(a, own_normal(*a.shape, face)) : scaled(out_of(b, own_normal(*b.shape, face - of_a)), -1),
-        face};
+    Best best{gap,
+              face < of_a ? out_of(a, own_normal(*a.shape, face)) : -1 * out_of(b, own_normal(*b.shape, face - of_a)),
+              face};
     if (!look_at_edges(a, b, from_a, from_b, best)) return;
     found.normal = best.axis;
     if (best.face < 0)

@@ -21,6 +21,10 @@ inline Triple operator+(const Triple& a, const Triple& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
+inline Triple operator*(double s, const Triple& a) {
+    return {s * a[0], s * a[1], s * a[2]};
+}
+
 inline Triple cross(const Triple& a, const Triple& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }

@@ -29,8 +29,8 @@ struct PrismFace {
             face = k;
         }
         normal = prism.face_normal(face);
-        const Vec3* const all = prism.begin();
-        const auto sides = static_cast<std::size_t>(prism.end() - prism.begin()) / 2;
+        const std::span all = prism.corners();
+        const std::size_t sides = all.size() / 2;
         if (face < 2) {
             for (std::size_t k = 0; k < sides; ++k) corners[count++] = all[2 * k + face];
             return;
@@ -106,8 +106,8 @@ void for_ends_below(const PrismFace& ice, Line line, const Vec3& normal, const T
 
 /// The edge at the corner that lies least far along the normal, that which rises least from there.
 Line lowest_edge(const PrismCorners& prism, const Vec3& normal) {
-    const Vec3* const all = prism.begin();
-    const auto count = static_cast<std::size_t>(prism.end() - prism.begin());
+    const std::span all = prism.corners();
+    const std::size_t count = all.size();
     std::size_t lowest = 0;
     for (std::size_t k = 1; k < count; ++k)
         if (normal.dot(all[k]) < normal.dot(all[lowest])) lowest = k;
@@ -179,7 +179,7 @@ void BearingPoints::on_flat(const SolidCore& solid, const PrismCorners& prism, c
 
 void BearingPoints::on_end(const Frustum& solid, const PrismCorners& prism, bool top) {
     const double radius = top ? solid.top_radius : solid.bottom_radius;
-    for (const Vec3& one : prism)
+    for (const Vec3& one : prism.corners())
         if (one.x() * one.x() + one.z() * one.z() <= radius * radius)
             add(one, top ? one.y() - solid.top_height : solid.bottom_height - one.y());
 }

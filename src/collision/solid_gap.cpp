@@ -9,8 +9,6 @@
 namespace floes {
 namespace {
 
-constexpr double flush = 1e-9;  // m, rounding of places
-
 Vec3 turned(const Mat3& axes, const Corner& flat) {
     return axes.col(0) * flat.x + axes.col(2) * flat.z;
 }
@@ -41,7 +39,7 @@ Vec3 PrismCorners::edge_direction(std::size_t edge) const {
 Vec3 PrismCorners::nearest(const Vec3& direction) const {
     const Vec3* best = corners_.data();
     double least = direction.dot(*best);
-    for (const Vec3& one : *this) {
+    for (const Vec3& one : corners()) {
         const double at = direction.dot(one);
         if (at >= least) continue;
         least = at;
@@ -57,14 +55,14 @@ Vec3 PrismCorners::middle_of_nearest(const Vec3& direction, bool on_axis) const 
     const Vec3* left = nullptr;
     const Vec3* right = nullptr;
     int count = 0;
-    for (const Vec3& one : *this) {
-        if (direction.dot(one) > least + flush) continue;
+    for (const Vec3& one : corners()) {
+        if (direction.dot(one) > least + length_rounding) continue;
         sum += one;
         ++count;
         if (left == nullptr || aside(one) < aside(*left)) left = &one;
         if (right == nullptr || aside(one) > aside(*right)) right = &one;
     }
-    if (!on_axis || aside(*right) - aside(*left) <= flush) return sum / count;
+    if (!on_axis || aside(*right) - aside(*left) <= length_rounding) return sum / count;
     const double share = std::clamp(-aside(*left) / (aside(*right) - aside(*left)), 0.0, 1.0);
     return *left + share * (*right - *left);
 }
@@ -95,16 +93,16 @@ SolidCore::SolidCore(const ConvexSolid& core) : form_(core.form) {
 }
 
 Vec3 SolidCore::farthest(const Vec3& direction) const {
-    if (const Frustum* of = round()) return of->farthest(direction);
-    return flat().farthest(direction);
+    return std::visit([&](const auto& form) { return form.farthest(direction); }, form_);
 }
 
 bool SolidCore::holds(const Vec3& point) const {
     const Frustum* of = round();
     if (of == nullptr)
-        return std::ranges::all_of(flat().planes, [&](const Plane& one) { return one.height(point) <= flush; });
-    return point.y() >= of->bottom_height - flush && point.y() <= of->top_height + flush &&
-           std::sqrt(point.x() * point.x() + point.z() * point.z()) <= of->radius_at(point.y()) + flush;
+        return std::ranges::all_of(flat().planes,
+                                   [&](const Plane& one) { return one.height(point) <= length_rounding; });
+    return point.y() >= of->bottom_height - length_rounding && point.y() <= of->top_height + length_rounding &&
+           std::sqrt(point.x() * point.x() + point.z() * point.z()) <= of->radius_at(point.y()) + length_rounding;
 }
 
 namespace {
@@ -163,7 +161,7 @@ Along best_of_round(const Frustum& of, const PrismCorners& prism) {
     double low = least;
     double high = -least;
     Vec3 facing = Vec3::UnitY();
-    for (const Vec3& one : prism) {
+    for (const Vec3& one : prism.corners()) {
         low = std::min(low, one.y());
         high = std::max(high, one.y());
         const double across = std::sqrt(one.x() * one.x() + one.z() * one.z());
@@ -239,8 +237,8 @@ void consider_rim(const SolidCore& solid, const Rim& rim, const PrismCorners& pr
     const auto consider_edge = [&](const Vec3& a, const Vec3& b) {
         if (!rim.far_from(a, b)) consider(rim.facing(a, b - a));
     };
-    const Vec3* const corners = prism.begin();
-    const auto count = static_cast<std::size_t>(prism.end() - prism.begin());
+    const std::span corners = prism.corners();
+    const std::size_t count = corners.size();
     for (std::size_t k = 0; k < count; ++k) {
         if (!rim.far_from(corners[k], corners[k])) consider(rim.facing(corners[k]));
         consider_edge(corners[k], corners[k + 2 < count ? k + 2 : k + 2 - count]);

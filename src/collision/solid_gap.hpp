@@ -40,8 +40,7 @@ class PrismCorners {
     void shift(const Vec3& by);
 
     /// Of each corner of the polygon the upper one, then the lower.
-    const Vec3* begin() const { return corners_.data(); }
-    const Vec3* end() const { return corners_.data() + count_; }
+    std::span<const Vec3> corners() const { return {corners_.data(), count_}; }
 
   private:
     const PrismCore* core_;

@@ -44,8 +44,7 @@ class TouchingPoints {
     /// Moves the points with the bodies, and drops those whose halves have come apart.
     void refresh(const PrismPlace& a, const PrismPlace& b, double reach);
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     int least_wanted(const TouchingPoint& added) const;
@@ -79,8 +78,7 @@ class ContactStore {
     TouchingPoints& operator[](std::int32_t place) { return points_[static_cast<std::size_t>(place)]; }
     const TouchingPoints& operator[](std::int32_t place) const { return points_[static_cast<std::size_t>(place)]; }
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     std::vector<TouchingPoints> points_;

@@ -65,15 +65,44 @@ class OrderedDynamicsWorld final : public btDiscreteDynamicsWorld {
     using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
 
     /// Takes the joint out and keeps the order of the others (removeConstraint puts the last in its place).
-    void remove_in_order(btTypedConstraint* joint);
+    void remove_in_order(btTypedConstraint* joint) {
+        const int position = m_constraints.findLinearSearch(joint);
+        for (int i = position; i + 1 < m_constraints.size(); ++i) m_constraints[i] = m_constraints[i + 1];
+        m_constraints.pop_back();
+    }
 
     /// The contact manifolds of the last solve in their order. Valid until the next step.
     std::span<btPersistentManifold* const> solved_manifolds() const { return manifolds_; }
 
   private:
     void calculateSimulationIslands() override {}
-    void solveConstraints(btContactSolverInfo& info) override;
-    void collect_manifolds();
+
+    void solveConstraints(btContactSolverInfo& info) override {
+        collect_manifolds();
+        const int joints = m_constraints.size();
+        const int manifolds = static_cast<int>(manifolds_.size());
+        m_constraintSolver->solveGroup(
+            &m_collisionObjects[0], m_collisionObjects.size(), manifolds > 0 ? manifolds_.data() : nullptr, manifolds,
+            joints > 0 ? &m_constraints[0] : nullptr, joints, info, m_debugDrawer, getDispatcher());
+    }
+
+    void collect_manifolds() {
+        entries_.clear();
+        const btDispatcher& dispatcher = *getDispatcher();
+        for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+            btPersistentManifold* const manifold = const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
+            const btCollisionObject& a = *manifold->getBody0();
+            const btCollisionObject& b = *manifold->getBody1();
+            // The manifold of two bodies that became one piece is no longer updated: its old contacts must not act.
+            if (same_piece(a, b)) manifold->clearManifold();
+            if (manifold->getNumContacts() == 0) continue;
+            const btManifoldPoint& first = manifold->getContactPoint(0);
+            entries_.push_back({{body_id_of(a), body_id_of(b), first.m_index0, first.m_index1}, manifold});
+        }
+        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
+        manifolds_.clear();
+        for (const Entry& entry : entries_) manifolds_.push_back(entry.manifold);
+    }
 
     struct Entry {
         std::tuple<std::int32_t, std::int32_t, std::int32_t, std::int32_t> key;
@@ -83,87 +112,51 @@ class OrderedDynamicsWorld final : public btDiscreteDynamicsWorld {
     std::vector<btPersistentManifold*> manifolds_;
 };
 
-void OrderedDynamicsWorld::remove_in_order(btTypedConstraint* joint) {
-    const int position = m_constraints.findLinearSearch(joint);
-    for (int i = position; i + 1 < m_constraints.size(); ++i) m_constraints[i] = m_constraints[i + 1];
-    m_constraints.pop_back();
-}
-
-void OrderedDynamicsWorld::collect_manifolds() {
-    entries_.clear();
-    const btDispatcher& dispatcher = *getDispatcher();
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        btPersistentManifold* const manifold = const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
-        const btCollisionObject& a = *manifold->getBody0();
-        const btCollisionObject& b = *manifold->getBody1();
-        // The manifold of two bodies that became one piece is no longer updated: its old contacts must not act.
-        if (same_piece(a, b)) manifold->clearManifold();
-        if (manifold->getNumContacts() == 0) continue;
-        const btManifoldPoint& first = manifold->getContactPoint(0);
-        entries_.push_back({{body_id_of(a), body_id_of(b), first.m_index0, first.m_index1}, manifold});
-    }
-    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
-    manifolds_.clear();
-    for (const Entry& entry : entries_) manifolds_.push_back(entry.manifold);
-}
-
-void OrderedDynamicsWorld::solveConstraints(btContactSolverInfo& info) {
-    collect_manifolds();
-    const int joints = m_constraints.size();
-    const int manifolds = static_cast<int>(manifolds_.size());
-    m_constraintSolver->solveGroup(
-        &m_collisionObjects[0], m_collisionObjects.size(), manifolds > 0 ? manifolds_.data() : nullptr, manifolds,
-        joints > 0 ? &m_constraints[0] : nullptr, joints, info, m_debugDrawer, getDispatcher());
-}
-
 // A joint in Bullet and what it reports.
+
+btTransform frame_in(const btRigidBody& body, const JointDefinition& definition) {
+    return body.getWorldTransform().inverse() * to_bullet(Pose{definition.pivot, definition.frame});
+}
 
 class FixedJoint {
   public:
-    FixedJoint(const JointDefinition& definition, btRigidBody& a, btRigidBody& b);
+    FixedJoint(const JointDefinition& definition, btRigidBody& a, btRigidBody& b)
+        : constraint_(a, b, frame_in(a, definition), frame_in(b, definition)) {
+        // Set for all six axes: Bullet uses the first row's CFM for every axis without one of its own.
+        for (int axis = 0; axis < 6; ++axis) {
+            constraint_.setParam(BT_CONSTRAINT_STOP_CFM, definition.cfm, axis);
+            constraint_.setParam(BT_CONSTRAINT_STOP_ERP, definition.erp, axis);
+        }
+        constraint_.setJointFeedback(&feedback_);
+    }
+
     FixedJoint(const FixedJoint&) = delete;  // the constraint holds the address of the feedback
     FixedJoint& operator=(const FixedJoint&) = delete;
 
     btTypedConstraint* constraint() { return &constraint_; }
 
     /// From the last solve, at the pivot, in the joint's frame at that solve.
-    JointReaction reaction() const;
+    JointReaction reaction() const {
+        // The feedback is in world axes, the torque about the centre of mass of a. The constraint keeps the transform
+        // with which it was solved; the body's own has moved on.
+        const btMatrix3x3& frame = constraint_.getCalculatedTransformA().getBasis();
+        const btTransform& offset = constraint_.getFrameOffsetA();
+        const btVector3 arm = frame * (offset.getOrigin() * offset.getBasis());  // v * M is Mᵀ v
+        const btVector3& world_force = feedback_.m_appliedForceBodyA;
+        const btVector3 force = world_force * frame;
+        const btVector3 moment = (feedback_.m_appliedTorqueBodyA - arm.cross(world_force)) * frame;
+        return {.axial = force.x(),
+                .shear_vertical = force.y(),
+                .shear_in_plane = force.z(),
+                .torsion = moment.x(),
+                .in_plane_bending = moment.y(),
+                .bending = moment.z()};
+    }
 
   private:
     btFixedConstraint constraint_;
     btJointFeedback feedback_{};
 };
-
-btTransform frame_in(const btRigidBody& body, const JointDefinition& definition) {
-    return body.getWorldTransform().inverse() * to_bullet(Pose{definition.pivot, definition.frame});
-}
-
-FixedJoint::FixedJoint(const JointDefinition& definition, btRigidBody& a, btRigidBody& b)
-    : constraint_(a, b, frame_in(a, definition), frame_in(b, definition)) {
-    // Set for all six axes: Bullet uses the first row's CFM for every axis without one of its own.
-    for (int axis = 0; axis < 6; ++axis) {
-        constraint_.setParam(BT_CONSTRAINT_STOP_CFM, definition.cfm, axis);
-        constraint_.setParam(BT_CONSTRAINT_STOP_ERP, definition.erp, axis);
-    }
-    constraint_.setJointFeedback(&feedback_);
-}
-
-JointReaction FixedJoint::reaction() const {
-    // The feedback is in world axes, the torque about the centre of mass of a. The constraint keeps the transform with
-    // which it was solved; the body's own has moved on.
-    const btMatrix3x3& frame = constraint_.getCalculatedTransformA().getBasis();
-    const btTransform& offset = constraint_.getFrameOffsetA();
-    const btVector3 arm = frame * (offset.getOrigin() * offset.getBasis());  // v * M is Mᵀ v
-    const btVector3& world_force = feedback_.m_appliedForceBodyA;
-    const btVector3 force = world_force * frame;
-    const btVector3 moment = (feedback_.m_appliedTorqueBodyA - arm.cross(world_force)) * frame;
-    return {.axial = force.x(),
-            .shear_vertical = force.y(),
-            .shear_in_plane = force.z(),
-            .torsion = moment.x(),
-            .in_plane_bending = moment.y(),
-            .bending = moment.z()};
-}
 
 /// Joints take their ERP and CFM from their own definition; of these only m_erp2 concerns contacts (m_erp is that of
 /// joints without one). A penetration is corrected by m_erp2 in the velocity impulse, so that the contact force

@@ -70,7 +70,7 @@ Plane wall_facing(const Vec3& point, const Frustum& round) {
 
 }  // namespace
 
-SolidShape::SolidShape(const ConvexSolid& solid) : core_(solid.inside(margin)), bare_(core_) {
+SolidShape::SolidShape(const ConvexSolid& solid) : core_(solid.inside(margin)), place_(solid.place) {
     m_shapeType = CUSTOM_CONVEX_SHAPE_TYPE;
     setMargin(margin);
     for (int i = 0; i < 3; ++i) {
@@ -82,17 +82,16 @@ SolidShape::SolidShape(const ConvexSolid& solid) : core_(solid.inside(margin)), 
 double SolidShape::gap_to(const BoxBeside& box) const {
     const Vec3 reach = box.axes.cwiseAbs() * box.half_extent;
     const double apart = std::max((box.centre - reach - high_).maxCoeff(), (low_ - box.centre - reach).maxCoeff());
-    if (const auto* round = std::get_if<Frustum>(&core_.form))
+    if (const Frustum* round = core_.round())
         return std::max(apart, gap_across(wall_facing(box.centre, *round), box) - margin);
     double gap = apart;
-    for (const Plane& face : std::get<Polyhedron>(core_.form).planes)
-        gap = std::max(gap, gap_across(face, box) - margin);
+    for (const Plane& face : core_.flat().planes) gap = std::max(gap, gap_across(face, box) - margin);
     return gap;
 }
 
 btTransform SolidShape::place() const {
     btTransform place = btTransform::getIdentity();
-    place.setOrigin(to_bullet(core_.place));
+    place.setOrigin(to_bullet(place_));
     return place;
 }
 

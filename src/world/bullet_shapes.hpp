@@ -95,11 +95,6 @@ class IceShape {
     /// A point of contact lasts while its halves are nearer than this, m.
     double reach() const { return convex().getContactBreakingThreshold(gContactBreakingThreshold); }
 
-    /// Of a sphere about the centre of mass that holds it, m; 0 of none.
-    static double radius_of(const IceShape* shape) {
-        return shape != nullptr ? std::sqrt(dot(shape->prism().half_extent, shape->prism().half_extent)) : 0.0;
-    }
-
     /// Principal, kg m².
     btVector3 inertia(double mass) const {
         btVector3 inertia;
@@ -112,6 +107,16 @@ class IceShape {
     std::optional<PrismHull> hull_;
     PrismShape prism_;
     PrismCore core_;
+};
+
+/// A body as structure and planes look for it: they do for elements that move freely, and not for one without a shape.
+struct LooseElement {
+    const IceShape* shape = nullptr;  ///< must stay where it is
+    double radius = 0;                ///< of a sphere about the centre of mass that holds it, m
+
+    LooseElement() = default;
+    explicit LooseElement(const IceShape& of)
+        : shape(&of), radius(std::sqrt(dot(of.prism().half_extent, of.prism().half_extent))) {}
 };
 
 // A convex solid of the structure as a smooth shape for collision.
@@ -156,7 +161,7 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
 
     /// Without its margin, for the narrow phase of ice on the structure.
     const SolidCore& core() const {
-        return bare_;
+        return core_;
     }
 
     btVector3 localGetSupportingVertexWithoutMargin(const btVector3& direction) const override;
@@ -169,8 +174,8 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
     }
 
   private:
-    ConvexSolid core_;
-    SolidCore bare_;
+    SolidCore core_;
+    Vec3 place_;
     Vec3 low_;
     Vec3 high_;
 };

@@ -18,8 +18,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 /// Bodies and joints are numbered from 0 in the order in which they are added. What an engine does not override its
 /// solver refuses (solver/solver_kind.hpp), so that nobody asks for it.
 class Engine {

@@ -6,7 +6,6 @@
 
 #include "collision/solid_faces.hpp"
 #include "core/state_archive.hpp"
-#include "world/bullet_shapes.hpp"
 
 namespace floes {
 namespace {
@@ -95,22 +94,14 @@ void HullContacts::set_structure(std::uint32_t number, std::span<const ConvexSol
         whole_.addChildShape(shape.place(), &shape);
     }
     reach_ = whole_.getContactBreakingThreshold(gContactBreakingThreshold);
-    pairs_.assign(shapes_.size() * solids_.size(), {});
+    pairs_.assign(way_.size() * solids_.size(), {});
 }
 
-void HullContacts::add(const IceShape* shape) {
-    shapes_.push_back(shape);
-    radius_.push_back(IceShape::radius_of(shape));
+void HullContacts::add() {
     way_.push_back(0);
     due_.push_back(0);
-    pairs_.resize(shapes_.size() * solids_.size());
-    touching_.reserve(2 * shapes_.size());
-}
-
-void HullContacts::put_in(std::uint32_t element, const IceShape* shape, ContactStore& store) {
-    shapes_[element] = shape;
-    radius_[element] = IceShape::radius_of(shape);
-    move(element, store);
+    pairs_.resize(way_.size() * solids_.size());
+    touching_.reserve(2 * way_.size());
 }
 
 void HullContacts::drop(Pair& pair, ContactStore& store) {
@@ -138,20 +129,20 @@ double HullContacts::way_of_structure(const BodyMotion& motion) {
     return way;
 }
 
-void HullContacts::find(const BodyMotion* motions, ContactStore& store) {
+void HullContacts::find(std::span<const LooseElement> bodies, const BodyMotion* motions, ContactStore& store) {
     touching_.clear();
     if (solids_.empty()) return;
     const double way = way_of_structure(motions[structure_]);
-    for (std::uint32_t i = 0; i < shapes_.size(); ++i) {
-        if (shapes_[i] == nullptr) continue;
-        way_[i] += way + motions[i].way + radius_[i] * motions[i].turn;
-        if (way_[i] >= due_[i]) look_round(i, motions[i], motions[structure_], store);
+    for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+        const auto& [shape, radius] = bodies[i];
+        if (shape == nullptr) continue;
+        way_[i] += way + motions[i].way + radius * motions[i].turn;
+        if (way_[i] >= due_[i]) look_round(i, *shape, motions[i], motions[structure_], store);
     }
 }
 
-void HullContacts::look_round(std::uint32_t element, const BodyMotion& motion, const BodyMotion& structure,
-                              ContactStore& store) {
-    const IceShape& shape = *shapes_[element];
+void HullContacts::look_round(std::uint32_t element, const IceShape& shape, const BodyMotion& motion,
+                              const BodyMotion& structure, ContactStore& store) {
     const double reach = 2 * shape.reach();
     const btTransform beside = place_of(structure).inverseTimes(place_of(motion));
     due_[element] = std::numeric_limits<double>::infinity();
@@ -163,7 +154,7 @@ void HullContacts::look_round(std::uint32_t element, const BodyMotion& motion, c
             const double gap = solids_[i].gap_to(box_beside(place, shape.prism().half_extent)) - reach;
             pair.due = way_[element] + gap;
             if (gap <= 0 && bounds_meet(solids_[i], shape.convex(), place))
-                pair.due = way_[element] + touch(pair, solids_[i], element, place, motion, structure, store);
+                pair.due = way_[element] + touch(pair, solids_[i], shape, place, motion, structure, store);
             else
                 drop(pair, store);
         }
@@ -174,9 +165,8 @@ void HullContacts::look_round(std::uint32_t element, const BodyMotion& motion, c
 
 /// Takes up where they are nearest or overlap. `beside`: of the element, in the solid's axes. Returns how much nearer
 /// they must come until there may be a point; 0 if there is one.
-double HullContacts::touch(Pair& pair, const SolidShape& solid, std::uint32_t element, const btTransform& beside,
-                           const BodyMotion& motion, const BodyMotion& structure, ContactStore& store) {
-    const IceShape& shape = *shapes_[element];
+double HullContacts::touch(Pair& pair, const SolidShape& solid, const IceShape& shape, const btTransform& beside,
+                           const BodyMotion& motion, const BodyMotion& structure, ContactStore& store) const {
     const double reach = std::min(reach_, shape.reach());
     const PrismCorners prism(shape.core(), from_bullet(beside.getOrigin()), from_bullet(beside.getBasis()));
     const Meeting meeting{.solid = solid,
@@ -199,17 +189,12 @@ double HullContacts::touch(Pair& pair, const SolidShape& solid, std::uint32_t el
     return 0;
 }
 
-void HullContacts::archive(StateArchive& state, std::span<IceShape* const> shapes) {
-    auto& [solids, whole, reach, structure, law, of_elements, radius, way, due, pairs, last, touching] = *this;
-    std::vector<bool> looked_for;
-    for (const IceShape* shape : of_elements) looked_for.push_back(shape != nullptr);
+void HullContacts::archive(StateArchive& state) {
+    auto& [solids, whole, reach, structure, law, way, due, pairs, last, touching] = *this;
     std::array<double, 3> origin = array_of(last.getOrigin());
     std::array<double, 9> basis = rows_of(last.getBasis());
-    state(looked_for, radius, way, due, pairs, origin, basis, touching);
-    if (!state.sets()) return;
+    state(way, due, pairs, origin, basis, touching);
     last = transform_of(origin.data(), basis.data());
-    of_elements.resize(looked_for.size());
-    for (std::size_t i = 0; i < looked_for.size(); ++i) of_elements[i] = looked_for[i] ? shapes[i] : nullptr;
 }
 
 }  // namespace floes

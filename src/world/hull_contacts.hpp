@@ -25,26 +25,22 @@ class HullContacts {
     /// The structure's solids, which stay, and its number among the bodies.
     void set_structure(std::uint32_t number, std::span<const ConvexSolid> solids, NormalLaw law);
 
-    /// Bodies are numbered from 0; for one without a shape nothing is looked for. The shape must stay where it is.
-    void add(const IceShape* shape);
+    /// One body more; they are numbered from 0.
+    void add();
 
-    /// Another one under that number.
-    void put_in(std::uint32_t element, const IceShape* shape, ContactStore& store);
-
-    /// The element is somewhere else now; contacts that it had begin anew.
+    /// The element is another one or somewhere else now; contacts that it had begin anew.
     void move(std::uint32_t element, ContactStore& store);
 
     /// The element is not quite where its last motion led.
     void distrust(std::uint32_t element);
 
-    /// Finds the points at which the structure touches elements. motions: of all bodies, by number.
-    void find(const BodyMotion* motions, ContactStore& store);
+    /// Finds the points at which the structure touches elements. All bodies and their motions, by number.
+    void find(std::span<const LooseElement> bodies, const BodyMotion* motions, ContactStore& store);
 
     /// Those with points, in order; a is the structure. Valid until the next find().
     std::span<const Touching> touching() const { return touching_; }
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp). `shapes`: of all bodies.
-    void archive(StateArchive& state, std::span<IceShape* const> shapes);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     /// An element and a solid.
@@ -58,17 +54,16 @@ class HullContacts {
     }
     static void drop(Pair& pair, ContactStore& store);
     double way_of_structure(const BodyMotion& motion);
-    void look_round(std::uint32_t element, const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
-    double touch(Pair& pair, const SolidShape& solid, std::uint32_t element, const btTransform& beside,
-                 const BodyMotion& motion, const BodyMotion& structure, ContactStore& store);
+    void look_round(std::uint32_t element, const IceShape& shape, const BodyMotion& motion, const BodyMotion& structure,
+                    ContactStore& store);
+    double touch(Pair& pair, const SolidShape& solid, const IceShape& shape, const btTransform& beside,
+                 const BodyMotion& motion, const BodyMotion& structure, ContactStore& store) const;
 
     std::deque<SolidShape> solids_;  ///< Bullet holds their addresses
     btCompoundShape whole_;          ///< of these
     double reach_ = 0;               ///< of points on the structure, m
     std::uint32_t structure_ = 0;
     NormalLaw law_ = NormalLaw::rigid;
-    std::vector<const IceShape*> shapes_;
-    std::vector<double> radius_;
     std::vector<double> way_;  ///< of elements relative to the structure, turning included, at most, m
     std::vector<double> due_;  ///< the least of an element's pairs
     std::vector<Pair> pairs_;  ///< by element, then solid

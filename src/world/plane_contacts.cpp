@@ -18,24 +18,16 @@ constexpr std::array<std::int32_t, 2 * most_corners / 4> away = [] {
 }  // namespace
 
 void PlaneContacts::add_plane(std::uint32_t number, const Triple& origin, const Triple& normal) {
-    planes_.push_back({number, origin, normal, std::vector<Places>(shapes_.size(), away)});
+    planes_.push_back({number, origin, normal, std::vector<Places>(number, away)});
 }
 
 bool PlaneContacts::is_plane(std::uint32_t body) const {
     return std::ranges::any_of(planes_, [&](const Plane& plane) { return plane.number == body; });
 }
 
-void PlaneContacts::add(const IceShape* shape) {
-    shapes_.push_back(shape);
-    radius_.push_back(IceShape::radius_of(shape));
+void PlaneContacts::add() {
     for (Plane& plane : planes_) plane.places.push_back(away);
-    if (!planes_.empty()) touching_.reserve(2 * shapes_.size());
-}
-
-void PlaneContacts::put_in(std::uint32_t element, const IceShape* shape, ContactStore& store) {
-    shapes_[element] = shape;
-    radius_[element] = IceShape::radius_of(shape);
-    move(element, store);
+    if (!planes_.empty()) touching_.reserve(2 * planes_.front().places.size());
 }
 
 void PlaneContacts::move(std::uint32_t element, ContactStore& store) {
@@ -50,23 +42,25 @@ void PlaneContacts::drop(Places& places, ContactStore& store) {
     }
 }
 
-void PlaneContacts::find(const BodyMotion* motions, ContactStore& store) {
+void PlaneContacts::find(std::span<const LooseElement> bodies, const BodyMotion* motions, ContactStore& store) {
     touching_.clear();
     for (Plane& plane : planes_) {
-        for (std::uint32_t i = 0; i < shapes_.size(); ++i) {
-            if (shapes_[i] == nullptr) continue;
+        for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+            const auto& [shape, radius] = bodies[i];
+            if (shape == nullptr) continue;
             const double* at = motions[i].position;
-            if (dot(plane.normal, Triple{at[0], at[1], at[2]} - plane.origin) > radius_[i] + shapes_[i]->reach())
+            if (dot(plane.normal, Triple{at[0], at[1], at[2]} - plane.origin) > radius + shape->reach())
                 drop(plane.places[i], store);
             else
-                look(plane, i, motions[i], store);
+                look(plane, i, *shape, motions[i], store);
         }
     }
 }
 
-void PlaneContacts::look(Plane& plane, std::uint32_t element, const BodyMotion& motion, ContactStore& store) {
-    const PrismShape& prism = shapes_[element]->prism();
-    const double reach = shapes_[element]->reach();
+void PlaneContacts::look(Plane& plane, std::uint32_t element, const IceShape& shape, const BodyMotion& motion,
+                         ContactStore& store) {
+    const PrismShape& prism = shape.prism();
+    const double reach = shape.reach();
     const PrismPlace ground{nullptr, plane.origin.data(), upright.data()};
     const PrismPlace ice{&prism, motion.position, motion.rotation};
     const Triple inwards = Triple{} - plane.normal;
@@ -91,15 +85,10 @@ void PlaneContacts::look(Plane& plane, std::uint32_t element, const BodyMotion& 
     }
 }
 
-void PlaneContacts::archive(StateArchive& state, std::span<IceShape* const> shapes) {
-    auto& [planes, of_elements, radius, touching] = *this;
-    std::vector<bool> looked_for;
-    for (const IceShape* shape : of_elements) looked_for.push_back(shape != nullptr);
-    state(looked_for, radius, touching);
+void PlaneContacts::archive(StateArchive& state) {
+    auto& [planes, touching] = *this;
+    state(touching);
     for (Plane& plane : planes) state(plane.places);
-    if (!state.sets()) return;
-    of_elements.resize(looked_for.size());
-    for (std::size_t i = 0; i < looked_for.size(); ++i) of_elements[i] = looked_for[i] ? shapes[i] : nullptr;
 }
 
 }  // namespace floes

@@ -18,30 +18,25 @@ class StateArchive;
 
 class PlaneContacts {
   public:
-    /// Its number among the bodies, above those of planes before it, a point of the plane, m, and the unit normal
-    /// towards the ice.
+    /// Before add() of it as a body: its number, a point of the plane, m, and the unit normal towards the ice.
     void add_plane(std::uint32_t number, const Triple& origin, const Triple& normal);
 
     bool is_plane(std::uint32_t body) const;
 
-    /// Bodies are numbered from 0; for one without a shape nothing is looked for. The shape must stay where it is.
-    void add(const IceShape* shape);
+    /// One body more; they are numbered from 0.
+    void add();
 
-    /// Another one under that number.
-    void put_in(std::uint32_t element, const IceShape* shape, ContactStore& store);
-
-    /// The element is somewhere else now; contacts that it had begin anew.
+    /// The element is another one or somewhere else now; contacts that it had begin anew.
     void move(std::uint32_t element, ContactStore& store);
 
-    /// Finds the points at which elements touch planes. motions: of all bodies, by number.
-    void find(const BodyMotion* motions, ContactStore& store);
+    /// Finds the points at which elements touch planes. All bodies and their motions, by number.
+    void find(std::span<const LooseElement> bodies, const BodyMotion* motions, ContactStore& store);
 
     /// Those with points, in order; a is the plane, and `solid` counts an element's corners four by four. Valid until
     /// the next find().
     std::span<const Touching> touching() const { return touching_; }
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp). `shapes`: of all bodies.
-    void archive(StateArchive& state, std::span<IceShape* const> shapes);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     /// Places in the store of an element's corners, by fours; -1: they are away from the plane.
@@ -55,11 +50,10 @@ class PlaneContacts {
     };
 
     static void drop(Places& places, ContactStore& store);
-    void look(Plane& plane, std::uint32_t element, const BodyMotion& motion, ContactStore& store);
+    void look(Plane& plane, std::uint32_t element, const IceShape& shape, const BodyMotion& motion,
+              ContactStore& store);
 
     std::vector<Plane> planes_;
-    std::vector<const IceShape*> shapes_;
-    std::vector<double> radius_;
     std::vector<Touching> touching_;
 };
 

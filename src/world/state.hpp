@@ -45,6 +45,9 @@ struct JointReaction {
     double torsion = 0;           ///< M_x
     double in_plane_bending = 0;  ///< M_y
     double bending = 0;           ///< M_z, about the horizontal axis in the face: positive when sagging (tension below)
+
+    Vec3 force() const { return {axial, shear_vertical, shear_in_plane}; }
+    Vec3 moment() const { return {torsion, in_plane_bending, bending}; }
 };
 
 /// Where two bodies touch, and what acted there in the last step.

@@ -23,8 +23,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 class World {
   public:
     /// Throws InputError when a value is outside the range that its field states; so do the add_ functions.

@@ -302,14 +302,15 @@ BodyMotion motion_of(const Pair& pair, double way = 0, double turn = 0) {
 struct Contacts {
     HullContacts hull;
     ContactStore store;
+    std::array<LooseElement, 2> bodies;
 
-    explicit Contacts(const Pair& pair, const ConvexSolid& solid) {
+    explicit Contacts(const Pair& pair, const ConvexSolid& solid) : bodies{LooseElement(), LooseElement(pair.ice)} {
         hull.set_structure(0, {&solid, 1}, NormalLaw::rigid);
-        hull.add(nullptr);
-        hull.add(&pair.ice);
+        hull.add();
+        hull.add();
     }
     std::vector<double> found(const BodyMotion* motions) {
-        hull.find(motions, store);
+        hull.find(bodies, motions, store);
         std::vector<double> distances;
         for (const Touching& one : hull.touching())
             for (int i = 0; i < store[one.points].count(); ++i) distances.push_back(store[one.points][i].distance);
