@@ -1,9 +1,7 @@
 #include "core/bytes.hpp"
 
-#include <bit>
 #include <cstring>
 #include <ostream>
-#include <string>
 
 #include "core/error.hpp"
 

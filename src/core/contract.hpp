@@ -8,7 +8,6 @@
 //     FLOES_ENSURES(std::isfinite(load));
 
 #include <stdexcept>
-#include <string>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 #include "core/digest.hpp"
 
 #include <new>
-#include <span>
 
 #include <fmt/format.h>
 #include <xxhash.h>

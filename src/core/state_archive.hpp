@@ -3,7 +3,7 @@
 //
 //     void Lee::archive(StateArchive& state) {
 //         auto& [draughts, ..., due] = *this;    // does not compile until a new member is thought of
-//         state(ahead, seen, due);               // what the object is not made with
+//         state(ahead, seen, due);               // what its next steps depend on, and it is not made with
 //     }
 //
 //     StateArchive out;                 StateArchive in(bytes);

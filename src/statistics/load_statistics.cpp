@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <vector>
 
 #include "core/contract.hpp"
 #include "statistics/distributions.hpp"
@@ -208,7 +206,6 @@ std::optional<std::size_t> steady_start(std::span<const double> load) {
 Autocorrelation autocorrelation(std::span<const double> load, double step, std::size_t batch,
                                 std::optional<double> variance) {
     FLOES_EXPECTS(step > 0 && batch >= 1);
-    constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     if (load.size() < fewest_batches * batch) return {undefined, undefined};
     const double mean = mean_of(load);
     const double single = variance ? *variance : covariance_sum(load, mean, 0) / static_cast<double>(load.size());

@@ -1,7 +1,5 @@
 #include "statistics/oscillator.hpp"
 
-#include <cmath>
-
 #include "core/contract.hpp"
 
 namespace floes {

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
-#include "core/units.hpp"
 #include "theory/plate.hpp"
 
 namespace floes {
