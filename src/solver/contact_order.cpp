@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "core/contract.hpp"
-#include "solver/aligned_array.hpp"
 
 namespace floes {
 

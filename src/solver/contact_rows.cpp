@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "solver/aligned_array.hpp"
-#include "solver/contact_order.hpp"
-
 namespace floes {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -45,11 +42,10 @@ void ContactRows::prepare(std::span<const SolverContact> contacts, std::span<con
         fill_friction_start(friction_start_, contacts, order_, width_);
     }
     const bool crushing = law.normal == NormalLaw::crushing;
+    const double erp = crushing ? 0 : law.erp;  // crushed ice does not push back
     const double split_depth = law.split_impulse && !crushing ? law.split_impulse_depth : infinity;
-    ContactLaw applied = law;
-    if (crushing) applied.erp = 0;  // crushed ice does not push back
     kernels.prepare_contacts(arrays, order_.packs(), points_.data(), normals_.arrays(), friction_arrays(),
-                             split_target_.data(), {1.0 / time_step, split_depth, applied});
+                             split_target_.data(), {1.0 / time_step, erp, split_depth, law.friction});
     limited_ = crushing || !law.internal_edges;
     if (limited_) {
         yield_.reserve(slots);

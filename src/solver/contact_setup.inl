@@ -165,7 +165,7 @@ inline void prepare_contact(const double* point, int i, const Touching& a, const
     // A gap may close within the step; a penetration is opened by erp, deep ones outside the impulse.
     const auto apart = distance > 0.0;
     const Pack stop = apart ? -approach - distance * step.inverse_step : -approach;
-    const Pack correction = apart ? none : -distance * step.law.erp * step.inverse_step;
+    const Pack correction = apart ? none : -distance * step.erp * step.inverse_step;
     const auto split = distance <= -step.split_depth;
     const Pack s = make_row(normals.row + row, direction, lever_a, lever_b, a, b);
     store(normals.target, i, (split ? stop : stop + correction) * s);
@@ -222,7 +222,7 @@ void prepare_contacts(const LaneArrays& arrays, const ContactPacks& packs, const
                       const ContactRowArrays& normals, const FrictionArrays& frictions, double* split_target,
                       const ContactStep& step) {
     const auto prepare =
-        step.law.friction == Friction::cone ? prepare_all<Friction::cone> : prepare_all<Friction::one_direction>;
+        step.friction == Friction::cone ? prepare_all<Friction::cone> : prepare_all<Friction::one_direction>;
     prepare(arrays, packs, points, normals, frictions, split_target, step);
 }
 

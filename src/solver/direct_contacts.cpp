@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/aligned_array.hpp"
-#include "solver/contact_order.hpp"
-
 namespace floes {
 
 /// Sum of squares of a sweep's changes, over the least of the step so far, from which on sweeps run away. Momentum

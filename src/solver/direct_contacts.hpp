@@ -3,7 +3,6 @@
 // friction rows within Coulomb's cone. An impulse moves the whole piece.
 
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>

@@ -85,7 +85,7 @@ inline void store_arm(double* row, int i, const DirectArm& arm, Pack s) {
 }
 
 inline void prepare_direct_contact(const double* point, const double* friction_start, int i, const CompliantBody& a,
-                                   const CompliantBody& b, const DirectRowArrays& to, const DirectContactStep& step) {
+                                   const CompliantBody& b, const DirectRowArrays& to, const ContactStep& step) {
     double* row = to.row + static_cast<std::size_t>(i) * (direct_field::count * lanes);
     const V3 n = load3(point, point_field::normal);
     const Pack distance = load(point, point_field::distance);
@@ -129,7 +129,7 @@ inline void prepare_direct_contact(const double* point, const double* friction_s
 
 void prepare_direct_contacts(const LaneArrays& arrays, const DirectArrays& direct, const ComplianceColumn* columns,
                              const ContactPacks& packs, const double* points, const double* friction_start,
-                             const DirectRowArrays& to, const DirectContactStep& step) {
+                             const DirectRowArrays& to, const ContactStep& step) {
     for_each_pair(packs, [&](const ContactPack& pack, std::uint32_t turn, const std::uint32_t* slots) {
         const CompliantBody a = compliant_body(arrays, direct, columns, slots);
         const CompliantBody b = compliant_body(arrays, direct, columns, slots + lanes);

@@ -6,7 +6,6 @@
 
 #include "core/state_archive.hpp"
 #include "core/vector.hpp"
-#include "solver/aligned_array.hpp"
 
 namespace floes {
 

@@ -15,8 +15,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 class DirectFloes {
   public:
     /// Bodies and joints lie in the lanes by their numbers.

@@ -96,9 +96,10 @@ struct LimitArrays {
 };
 
 struct ContactStep {
-    double inverse_step;  ///< 1/s
-    double split_depth;   ///< penetrations this deep are corrected outside the impulse, m; infinite for none
-    const ContactLaw& law;
+    double inverse_step;                   ///< 1/s
+    double erp;                            ///< share of a penetration that is opened in the step
+    double split_depth = __builtin_inf();  ///< penetrations this deep are corrected outside the impulse, m
+    Friction friction = Friction::cone;
 };
 
 /// Fields of a body that a step reads once. Rotation is row by row, body -> world; SI units, world axes.
@@ -273,11 +274,6 @@ struct MovedAhead {
     std::size_t places;  ///< of the impulses of a row, with those of empty lanes
 };
 
-struct DirectContactStep {
-    double inverse_step;  ///< 1/s
-    double erp;
-};
-
 /// The kernels of the direct solver, of one lane width. Every width gives the same bits.
 struct DirectKernels {
     /// body groups [0, groups): start velocities anew, of bodies that carry water; `carried`: fields of carried_field.
@@ -294,7 +290,7 @@ struct DirectKernels {
     void (*add_velocity_changes)(double* delta, const ComplianceColumn&, const double* impulse);
     void (*prepare_contacts)(const LaneArrays&, const DirectArrays&, const ComplianceColumn*, const ContactPacks&,
                              const double* points, const double* friction_start, const DirectRowArrays&,
-                             const DirectContactStep&);
+                             const ContactStep&);
     /// What the impulses do that rows begin with; one sweep over all contacts.
     void (*start_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&);
     SweepChange (*solve_contacts)(double* delta, const ComplianceColumn*, const ContactPacks&, const DirectRowArrays&,

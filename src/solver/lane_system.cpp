@@ -6,13 +6,11 @@
 #include <map>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
 #include "core/state_archive.hpp"
 #include "core/vector.hpp"
-#include "solver/aligned_array.hpp"
 #include "solver/lane_width.hpp"
 
 namespace floes {
@@ -103,12 +101,8 @@ void LaneSystem::add_force(std::size_t body, const std::array<double, 3>& force,
 SolverState LaneSystem::state(std::size_t body) const {
     FLOES_EXPECTS(body < slot_of_body_.size());
     const BodyMotion& motion = motion_[body];
-    SolverState state;
-    std::copy_n(motion.position, 3, state.position.begin());
-    std::copy_n(motion.rotation, 9, state.rotation.begin());
-    std::copy_n(motion.velocity, 3, state.velocity.begin());
-    std::copy_n(motion.angular_velocity, 3, state.angular_velocity.begin());
-    return state;
+    return {std::to_array(motion.position), std::to_array(motion.rotation), std::to_array(motion.velocity),
+            std::to_array(motion.angular_velocity)};
 }
 
 void LaneSystem::take_over(LaneSystem&& other, std::span<const std::size_t> joints) {
@@ -351,14 +345,10 @@ void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const Solver
             bodies[i].inverse_mass;
         is_moving_box_.push_back(bodies[i].inverse_mass > 0 && !bodies[i].is_prism);
         if (bodies[i].rail >= 0) rails_.emplace_back(slot_of_body_[i], bodies[i].rail);
-        const auto put = [&](int field, double value) {
-            body_[place(slot_of_body_[i], body_field::count, field, width())] = value;
-        };
-        for (int k = 0; k < 3; ++k) {
-            put(body_field::inverse_inertia + k, bodies[i].inverse_inertia[static_cast<std::size_t>(k)]);
-            put(body_field::half_extent + k, bodies[i].half_extent[static_cast<std::size_t>(k)]);
-        }
-        put(body_field::crushing_pressure, bodies[i].crushing_pressure);
+        double* body = body_.data() + place(slot_of_body_[i], body_field::count, 0, width());
+        put(body, width(), body_field::inverse_inertia, bodies[i].inverse_inertia);
+        put(body, width(), body_field::half_extent, bodies[i].half_extent);
+        body[body_field::crushing_pressure * width()] = bodies[i].crushing_pressure;
         force_[i * force_field::count + force_field::weight] = bodies[i].weight;
         set_state(i, {});
     }
@@ -372,16 +362,12 @@ void LaneSystem::fill(std::span<const SolverBody> bodies, std::span<const Solver
 
 void LaneSystem::fill(std::size_t slot, const SolverJoint& joint) {
     const auto at = static_cast<std::uint32_t>(slot);
-    const auto put = [&](int field, double value) { frame_[place(at, frame_field::count, field, width())] = value; };
-    for (int i = 0; i < 9; ++i) {
-        put(frame_field::rotation_a + i, joint.in_a.rotation[static_cast<std::size_t>(i)]);
-        put(frame_field::rotation_b + i, joint.in_b.rotation[static_cast<std::size_t>(i)]);
-    }
-    for (int i = 0; i < 3; ++i) {
-        put(frame_field::origin_a + i, joint.in_a.origin[static_cast<std::size_t>(i)]);
-        put(frame_field::origin_b + i, joint.in_b.origin[static_cast<std::size_t>(i)]);
-    }
-    put(frame_field::erp, joint.erp);
+    double* frame = frame_.data() + place(at, frame_field::count, 0, width());
+    put(frame, width(), frame_field::rotation_a, joint.in_a.rotation);
+    put(frame, width(), frame_field::origin_a, joint.in_a.origin);
+    put(frame, width(), frame_field::rotation_b, joint.in_b.rotation);
+    put(frame, width(), frame_field::origin_b, joint.in_b.origin);
+    frame[frame_field::erp * width()] = joint.erp;
     row_[place(at, row_field::count, row_field::cfm, width())] = joint.cfm;
 }
 

@@ -32,8 +32,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 class LaneSystem {
   public:
     /// width: one of lane_widths(); `lanes` uses no more than there are equal floes. solver: lanes or direct.

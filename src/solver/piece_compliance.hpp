@@ -23,8 +23,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 /// A body of an unstrained piece, in the piece's axes, y normal to its plane. Mass 0: it never moves.
 struct PieceBody {
     double mass = 0;               ///< kg
