@@ -1,14 +1,8 @@
 #include "member/array_output.hpp"
 
-#include <array>
-#include <cstddef>
-
 #include <fmt/format.h>
 
-#include "core/error.hpp"
 #include "member/design_of.hpp"
-#include "member/quantity.hpp"
-#include "member/result.hpp"
 #include "statistics/load_map.hpp"
 
 namespace floes {

@@ -2,13 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <string>
-
-#include "core/contract.hpp"
 
 namespace floes {
 double Quantity::of(const MemberOutputs& outputs) const {

@@ -6,17 +6,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "arrangement/arrangement.hpp"
-#include "core/error.hpp"
 #include "member/design_of.hpp"
 #include "member/moored_response.hpp"
 #include "member/quantity.hpp"
-#include "member/result.hpp"
 #include "member/stepped_member.hpp"
-#include "simulation/simulation.hpp"
 #include "statistics/load_statistics.hpp"
 
 namespace floes {
@@ -59,24 +55,25 @@ void take_record(MemberResult& result, const Arrangement& floes, const Simulatio
 }
 
 void take_statistics(MemberResult& result, const Scenario& scenario, const Simulation& simulation) {
-    result.load = load_statistics(in_window(scenario, result.history.surge), scenario.general.time_step,
-                                  scenario.analysis.segments);
+    const std::span<const double> surge = in_window(scenario, result.history.surge);
+    const auto window_mean = [&](const std::vector<double>& history) { return mean_of(in_window(scenario, history)); };
+    result.load = load_statistics(surge, scenario.general.time_step, scenario.analysis.segments);
     const std::vector<double> times = scenario.averaging_times();
     const Averaging how{.time_step = scenario.general.time_step,
                         .segments = scenario.analysis.segments,
                         .times = times,
                         .peak_separation = scenario.analysis.peak_separation};
-    result.averaged = averaged_load(in_window(scenario, result.history.surge), how);
+    result.averaged = averaged_load(surge, how);
     const HullLoads& hull = simulation.hull_loads();
     result.parts = hull.parts(how);
     result.yaw = hull.yaw();
     result.roll = hull.roll();
     result.pitch = hull.pitch();
-    result.levels = count_levels(in_window(scenario, result.history.surge), scenario.analysis.exceedance_levels);
+    result.levels = count_levels(surge, scenario.analysis.exceedance_levels);
     result.load_map = simulation.load_map();
-    result.load_map.along_tow = part_means(in_window(scenario, result.history.surge), LoadMap::parts);
-    result.mean_sway = mean_of(in_window(scenario, result.history.sway));
-    result.mean_heave = mean_of(in_window(scenario, result.history.heave));
+    result.load_map.along_tow = part_means(surge, LoadMap::parts);
+    result.mean_sway = window_mean(result.history.sway);
+    result.mean_heave = window_mean(result.history.heave);
     result.work = simulation.work();
     if (scenario.field.level_pushed)  // the structure is at rest, and no tow works
         for (const auto share : all_work_shares) result.work.*share = MemberResult::not_measured;
@@ -85,11 +82,11 @@ void take_statistics(MemberResult& result, const Scenario& scenario, const Simul
     result.floes_entered = entered;
     result.floes_met = simulation.floes_met();
     result.met_failure_ratio = simulation.floes_met_broken() / result.floes_met;  // NaN where none was met
-    result.mean_concentration = mean_of(in_window(scenario, result.history.concentration));
-    result.pile_height = mean_of(in_window(scenario, result.history.pile_height));
-    result.pile_draught = mean_of(in_window(scenario, result.history.pile_draught));
+    result.mean_concentration = window_mean(result.history.concentration);
+    result.pile_height = window_mean(result.history.pile_height);
+    result.pile_draught = window_mean(result.history.pile_draught);
     const auto mean_on_bed = [&](const std::vector<double>& history) {
-        return scenario.water.has_bed() ? mean_of(in_window(scenario, history)) : MemberResult::not_measured;
+        return scenario.water.has_bed() ? window_mean(history) : MemberResult::not_measured;
     };
     result.mean_bed_surge = mean_on_bed(result.bed.surge);
     result.mean_bed_weight = mean_on_bed(result.bed.weight);
