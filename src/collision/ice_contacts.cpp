@@ -1,6 +1,5 @@
 #include "collision/ice_contacts.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -19,15 +18,6 @@ Bounds bounds_of(const PrismPlace& prism) {
         bounds.high[i] = prism.position[i] + reach;
     }
     return bounds;
-}
-
-Bounds both(const Bounds& a, const Bounds& b) {
-    Bounds sum;
-    for (std::size_t i = 0; i < 3; ++i) {
-        sum.low[i] = std::min(a.low[i], b.low[i]);
-        sum.high[i] = std::max(a.high[i], b.high[i]);
-    }
-    return sum;
 }
 
 void NearPairs::set_pieces(std::vector<std::uint32_t> boxes, const std::vector<std::uint32_t>& counts) {
@@ -58,8 +48,7 @@ std::span<const NearPairs::Pair> NearPairs::find(std::span<const Bounds> bounds,
                                                  double gap) {
     for (Piece& piece : pieces_) {
         piece.bounds = bounds[boxes_[piece.begin]];
-        for (std::uint32_t i = piece.begin + 1; i < piece.end; ++i)
-            piece.bounds = both(piece.bounds, bounds[boxes_[i]]);
+        for (std::uint32_t i = piece.begin + 1; i < piece.end; ++i) piece.bounds.add(bounds[boxes_[i]]);
     }
     // Pieces in the order in which they begin along x: those that one may touch follow it closely.
     std::ranges::sort(pieces_, [](const Piece& a, const Piece& b) {

@@ -7,6 +7,7 @@
 //   contacts.find(motions, store);     // of all bodies, by number, once a step
 //   for (touching pair) store[pair.points]
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -27,6 +28,12 @@ struct Bounds {
     Triple low;
     Triple high;
 
+    void add(const Bounds& other) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = std::min(low[i], other.low[i]);
+            high[i] = std::max(high[i], other.high[i]);
+        }
+    }
     bool near(const Bounds& other, double gap) const {
         for (std::size_t i = 0; i < 3; ++i) {
             if (low[i] - other.high[i] > gap || other.low[i] - high[i] > gap) return false;
@@ -36,7 +43,6 @@ struct Bounds {
 };
 
 Bounds bounds_of(const PrismPlace& prism);
-Bounds both(const Bounds& a, const Bounds& b);
 
 class NearPairs {
   public:

@@ -54,10 +54,6 @@ IceShape::IceShape(const Outline& corners, double half_thickness) {
 
 namespace {
 
-double gap_across(const Plane& plane, const BoxBeside& box) {
-    return plane.height(box.centre) - (box.axes.transpose() * plane.normal).cwiseAbs().dot(box.half_extent);
-}
-
 /// The plane that touches the wall where it faces the point.
 Plane wall_facing(const Vec3& point, const Frustum& round) {
     const double across = std::hypot(point.x(), point.z());
@@ -79,13 +75,17 @@ SolidShape::SolidShape(const ConvexSolid& solid) : core_(solid.inside(margin)), 
     }
 }
 
-double SolidShape::gap_to(const BoxBeside& box) const {
-    const Vec3 reach = box.axes.cwiseAbs() * box.half_extent;
-    const double apart = std::max((box.centre - reach - high_).maxCoeff(), (low_ - box.centre - reach).maxCoeff());
-    if (const Frustum* round = core_.round())
-        return std::max(apart, gap_across(wall_facing(box.centre, *round), box) - margin);
-    double gap = apart;
-    for (const Plane& face : core_.flat().planes) gap = std::max(gap, gap_across(face, box) - margin);
+double SolidShape::gap_to(const btTransform& box, const Triple& half_extent) const {
+    const Vec3 centre = from_bullet(box.getOrigin());
+    const Mat3 axes = from_bullet(box.getBasis());
+    const Vec3 half(half_extent[0], half_extent[1], half_extent[2]);
+    const Vec3 reach = axes.cwiseAbs() * half;
+    const auto across = [&](const Plane& plane) {
+        return plane.height(centre) - (axes.transpose() * plane.normal).cwiseAbs().dot(half) - margin;
+    };
+    double gap = std::max((centre - reach - high_).maxCoeff(), (low_ - centre - reach).maxCoeff());
+    if (const Frustum* round = core_.round()) return std::max(gap, across(wall_facing(centre, *round)));
+    for (const Plane& face : core_.flat().planes) gap = std::max(gap, across(face));
     return gap;
 }
 

@@ -127,13 +127,6 @@ struct LooseElement {
 // are rounded with it. All faces of a polyhedron are exact, and its edges rounded; one that is thinner than twice the
 // margin stands out by it.
 
-/// A box that may touch a solid, in the solid's axes. Lengths in m.
-struct BoxBeside {
-    Vec3 centre;
-    Mat3 axes;  ///< of the box, as columns
-    Vec3 half_extent;
-};
-
 ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
   public:
     BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -147,9 +140,10 @@ ATTRIBUTE_ALIGNED16(class) SolidShape final : public btConvexInternalShape {
     /// In the structure.
     btTransform place() const;
 
-    /// No point of the box is nearer, m; 0 or less where it may touch. The width of the gap across one plane: a face of
-    /// a polyhedron, the wall of a round solid where it faces the box, or the bounds of either.
-    double gap_to(const BoxBeside& box) const;
+    /// No point of a box at this place in the solid's axes is nearer, m; 0 or less where it may touch. The width of the
+    /// gap across one plane: a face of a polyhedron, the wall of a round solid where it faces the box, or the bounds of
+    /// either.
+    double gap_to(const btTransform& box, const Triple& half_extent) const;
 
     /// As btConvexInternalShape finds them along the solid's own axes, with the margin twice.
     const Vec3& low() const {

@@ -38,12 +38,6 @@ Triple triple(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-BoxBeside box_beside(const btTransform& place, const Triple& half_extent) {
-    return {from_bullet(place.getOrigin()),
-            from_bullet(place.getBasis()),
-            {half_extent[0], half_extent[1], half_extent[2]}};
-}
-
 /// An element at a solid of the structure, and how near they are.
 struct Meeting {
     const SolidShape& solid;
@@ -151,7 +145,7 @@ void HullContacts::look_round(std::uint32_t element, const IceShape& shape, cons
         Pair& pair = pairs[i];
         if (way_[element] >= pair.due) {
             const btTransform place(beside.getBasis(), beside.getOrigin() - solids_[i].place().getOrigin());
-            const double gap = solids_[i].gap_to(box_beside(place, shape.prism().half_extent)) - reach;
+            const double gap = solids_[i].gap_to(place, shape.prism().half_extent) - reach;
             pair.due = way_[element] + gap;
             if (gap <= 0 && bounds_meet(solids_[i], shape.convex(), place))
                 pair.due = way_[element] + touch(pair, solids_[i], shape, place, motion, structure, store);
@@ -194,7 +188,7 @@ void HullContacts::archive(StateArchive& state) {
     std::array<double, 3> origin = array_of(last.getOrigin());
     std::array<double, 9> basis = rows_of(last.getBasis());
     state(way, due, pairs, origin, basis, touching);
-    last = transform_of(origin.data(), basis.data());
+    if (state.sets()) last = transform_of(origin.data(), basis.data());
 }
 
 }  // namespace floes

@@ -72,12 +72,6 @@ Vec3 turn_between(const Quat& before, const Quat& after) {
     return sine > 0 ? Vec3(turn.vec() * (2 * std::atan2(sine, turn.w()) / sine)) : Vec3::Zero();
 }
 
-/// The part of the last impulse from which normal rows start. Cones start from the whole of it, or contacts near
-/// sliding creep.
-double kept_of_impulse(bool cone) {
-    return cone ? 1.0 : btContactSolverInfo().m_warmstartingFactor;
-}
-
 void merge(std::span<const Touching> one, std::span<const Touching> other, std::vector<Touching>& to) {
     to.clear();
     std::merge(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(to));
@@ -515,7 +509,9 @@ class LaneEngine final : public Engine {
     }
 
     void read(const Touching& pair) {
-        const double kept = kept_of_impulse(cone());
+        // Of the last impulse, for normal rows to start from; cones take the whole of it, or contacts near sliding
+        // creep.
+        const double kept = cone() ? 1.0 : btContactSolverInfo().m_warmstartingFactor;
         const bool solvable = moves(pair.a) || moves(pair.b);
         TouchingPoints& points = store_[pair.points];
         Line line;
