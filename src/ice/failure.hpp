@@ -23,8 +23,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 /// ε of each mode, N or N m; infinite where there is no criterion.
 struct Thresholds {
     double bending;

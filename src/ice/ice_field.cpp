@@ -2,19 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <memory>
 #include <numeric>
-#include <optional>
 #include <set>
 
 #include "core/error.hpp"
 #include "core/state_archive.hpp"
 #include "core/turn.hpp"
-#include "core/vector.hpp"
 #include "ice/joint_stress.hpp"
 #include "scenario/varied_ice.hpp"
 
@@ -138,21 +133,18 @@ void IceField::add_floe(World& world, const Scenario& scenario, const SingleFloe
     }
     sheet.strength = floes::strength_of(floe, *cut);
     PlacedIce ice(floe);
-    for (std::size_t number = 0; number < cut->joints.size(); ++number) {
-        const CutJoint& joint = cut->joints[number];
+    for (const CutJoint& joint : cut->joints) {
         const SingleFloe& here = ice.at(joint.pivot);
-        const std::size_t at =
-            put_joint(world, {.a = elements_[first + static_cast<std::size_t>(joint.a)].body,
-                              .b = elements_[first + static_cast<std::size_t>(joint.b)].body,
-                              .pivot = middle + yaw * flat(joint.pivot),
-                              .frame = yaw * turned_to(joint.normal),
-                              .cfm = material.joint.cfm,
-                              .erp = material.joint.erp,
-                              .spring = joint_spring(here.shape, here.material, joint.length, joint.span)});
-        sheet.joints.push_back(at);
-        joints_.push_back({joint_ids_[at], static_cast<int>(place), static_cast<int>(number),
-                           static_cast<int>(first) + joint.a, static_cast<int>(first) + joint.b, at});
-        if (stress_) feel(joints_.back());
+        const int a = sheet.first + joint.a;
+        const int b = sheet.first + joint.b;
+        add_joint(world, static_cast<int>(place), a, b,
+                  {.a = at(a).body,
+                   .b = at(b).body,
+                   .pivot = middle + yaw * flat(joint.pivot),
+                   .frame = yaw * turned_to(joint.normal),
+                   .cfm = material.joint.cfm,
+                   .erp = material.joint.erp,
+                   .spring = joint_spring(here.shape, here.material, joint.length, joint.span)});
     }
 }
 
@@ -171,18 +163,14 @@ void IceField::join(World& world, const SingleFloe& of, std::span<const CutJoint
         const SingleFloe& here = ice.at(sheet.laid + own.pivot);
         sheet.strength.push_back(joint_strength(here.shape, here.material, own.length, own.span));
         const Vec3 middle = world.state(a.body).position - flat(sheet.cut->elements.front().centre);
-        const std::size_t made =
-            put_joint(world, {.a = a.body,
-                              .b = b.body,
-                              .pivot = middle + flat(own.pivot),
-                              .frame = turned_to(own.normal),
-                              .cfm = of.material.joint.cfm,
-                              .erp = of.material.joint.erp,
-                              .spring = joint_spring(here.shape, here.material, own.length, own.span)});
-        const auto number = static_cast<int>(sheet.joints.size());
-        sheet.joints.push_back(made);
-        joints_.push_back({joint_ids_[made], place, number, sheet.first, other, made});
-        if (stress_) feel(joints_.back());
+        add_joint(world, place, sheet.first, other,
+                  {.a = a.body,
+                   .b = b.body,
+                   .pivot = middle + flat(own.pivot),
+                   .frame = turned_to(own.normal),
+                   .cfm = of.material.joint.cfm,
+                   .erp = of.material.joint.erp,
+                   .spring = joint_spring(here.shape, here.material, own.length, own.span)});
         a.exposed_edges &= ~own.edge_a;
         b.exposed_edges &= ~own.edge_b;
     }
@@ -227,17 +215,12 @@ void IceField::hold_edge(World& world, const SingleFloe& floe, int place, BodyId
 
 Vec3 IceField::force_on_supports(const World& world) const {
     Vec3 sum = Vec3::Zero();
-    for (const Support& one : supports_) {
-        const JointReaction reaction = world.reaction(one.joint);
-        sum -= one.axes * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
-    }
+    for (const Support& one : supports_) sum -= one.axes * world.reaction(one.joint).force();
     for (const Joint& joint : joints_) {
         if (!sheet_) break;
         const auto rests = [&](int element) { return floes_[static_cast<std::size_t>(at(element).floe)].rests; };
         if (rests(joint.a) == rests(joint.b)) continue;
-        const JointReaction reaction = world.reaction(joint.id);
-        const Vec3 on_a =
-            turned_to(cut_joint(joint).normal) * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
+        const Vec3 on_a = turned_to(cut_joint(joint).normal) * world.reaction(joint.id).force();
         sum += rests(joint.a) ? on_a : Vec3(-on_a);
     }
     return sum;
@@ -273,17 +256,21 @@ void IceField::put_element(World& world, std::size_t at, const IceElement& eleme
     elements_.back().body = body;
 }
 
-/// Under a free id or a new one; which of those ever made it is. Joints of a floe have rising ids if they are free, so
-/// that they are solved in their order, as if new.
-std::size_t IceField::put_joint(World& world, const JointDefinition& definition) {
+/// The next one of the floe at this place, under a free id or a new one. Joints of a floe have rising ids if they are
+/// free, so that they are solved in their order, as if new.
+void IceField::add_joint(World& world, int place, int a, int b, const JointDefinition& definition) {
+    std::size_t made = joint_ids_.size();
     if (free_joints_.empty()) {
         joint_ids_.push_back(world.add_joint(definition));
-        return joint_ids_.size() - 1;
+    } else {
+        made = free_joints_.back();
+        free_joints_.pop_back();
+        world.put_in(joint_ids_[made], definition);
     }
-    const std::size_t at = free_joints_.back();
-    free_joints_.pop_back();
-    world.put_in(joint_ids_[at], definition);
-    return at;
+    std::vector<std::size_t>& of_floe = floes_[static_cast<std::size_t>(place)].joints;
+    joints_.push_back({joint_ids_[made], place, static_cast<int>(of_floe.size()), a, b, made});
+    of_floe.push_back(made);
+    if (stress_) feel(joints_.back());
 }
 
 std::optional<std::size_t> IceField::element_of(BodyId body) const {
@@ -315,11 +302,13 @@ double IceField::joint_power(const World& world, std::span<const BodyState> befo
         const auto a = static_cast<std::size_t>(joint.a);
         const auto b = static_cast<std::size_t>(joint.b);
         const JointReaction reaction = world.reaction(joint.id);
-        const JointPlace at = joint_place(joint, before[a]);
-        const Mat3& frame = at.axes;
-        const Vec3 force = frame * Vec3(reaction.axial, reaction.shear_vertical, reaction.shear_in_plane);
-        const Vec3 moment = frame * Vec3(reaction.torsion, reaction.in_plane_bending, reaction.bending);
-        const Vec3& pivot = at.pivot;
+        const CutJoint& cut = cut_joint(joint);
+        const Corner beside = cut.pivot - floe_of(joint).cut->elements[static_cast<std::size_t>(cut.a)].centre;
+        const Mat3 frame = floe_axes(joint.a, before[a]) * turned_to(cut.normal).toRotationMatrix();  // joint -> world
+        const Vec3 pivot =
+            before[a].position + 0.5 * cut.span * frame.col(0) + cross(cut.normal, beside) * frame.col(2);
+        const Vec3 force = frame * reaction.force();
+        const Vec3 moment = frame * reaction.moment();
         const Vec3 at_a = velocity[a] + angular_velocity[a].cross(pivot - before[a].position);
         const Vec3 at_b = velocity[b] + angular_velocity[b].cross(pivot - before[b].position);
         sum += force.dot(at_a - at_b) + moment.dot(angular_velocity[a] - angular_velocity[b]);
@@ -619,13 +608,6 @@ void IceField::read_utilisation(const World& world, std::vector<double>& worst) 
 Mat3 IceField::floe_axes(int element, const BodyState& state) const {
     const Corner& axis = cut_element(at(element)).axis;
     return state.rotation * turned_to(axis).toRotationMatrix().transpose();
-}
-
-IceField::JointPlace IceField::joint_place(const Joint& joint, const BodyState& a) const {
-    const CutJoint& cut = cut_joint(joint);
-    const Corner beside = cut.pivot - floe_of(joint).cut->elements[static_cast<std::size_t>(cut.a)].centre;
-    const Mat3 axes = floe_axes(joint.a, a) * turned_to(cut.normal).toRotationMatrix();
-    return {axes, a.position + 0.5 * cut.span * axes.col(0) + cross(cut.normal, beside) * axes.col(2)};
 }
 
 void IceField::Joint::archive(StateArchive& state) {

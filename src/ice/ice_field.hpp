@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <vector>
 
@@ -21,10 +22,6 @@
 
 namespace floes {
 
-class StateArchive;
-
-// How IceField numbers the elements and joints of floes: floe by floe, within a floe as its CutFloe has them.
-
 // The empty world of a scenario, the common start of a tow and of a laboratory test.
 
 /// Thickness of the scenario's ice over that of the paper's tank, 0.033 m: the scale of lengths that have no key.
@@ -34,6 +31,7 @@ double size_of_ice(const Scenario& scenario);
 /// ice, so that Bullet's margins keep their share of the thickness. Throws InputError for values that World refuses.
 World scenario_world(const Scenario& scenario);
 
+/// How IceField numbers the elements and joints of floes: floe by floe, within a floe as its CutFloe has them.
 struct IceLayout {
     struct LaidElement {
         int floe = 0;
@@ -68,8 +66,6 @@ struct IceLayout {
     }
 };
 
-// All floes of a run: their elements and joints in a World, and how they break.
-//
 //   IceField ice(world, scenario, floes);
 //   ... world.step();  ice.break_joints(world, time);
 
@@ -170,6 +166,11 @@ class IceField {
     }
     int elements(int floe) const { return floes_[static_cast<std::size_t>(floe)].elements(); }
     int first_element(int floe) const { return floes_[static_cast<std::size_t>(floe)].first; }  ///< in elements()
+    /// Where the elements of the floe at this place are in elements().
+    auto indices(int place) const {
+        const auto first = static_cast<std::size_t>(first_element(place));
+        return std::views::iota(first, first + static_cast<std::size_t>(elements(place)));
+    }
 
     int places() const { return static_cast<int>(floes_.size()); }
     int floes() const { return entered_; }                                   ///< that are there or have left
@@ -245,14 +246,8 @@ class IceField {
     void add_piece_areas(const Sheet& sheet, std::vector<PieceArea>& areas) const;
     void add_floe(World& world, const Scenario& scenario, const SingleFloe& floe, std::shared_ptr<const CutFloe> cut);
     void put_element(World& world, std::size_t at, const IceElement& element, const ElementDefinition& definition);
-    std::size_t put_joint(World& world, const JointDefinition& definition);
+    void add_joint(World& world, int place, int a, int b, const JointDefinition& definition);
     void feel(const Joint& joint);
-    /// Where a joint is, by the state of its element a.
-    struct JointPlace {
-        Mat3 axes;   ///< joint -> world
-        Vec3 pivot;  ///< m
-    };
-    JointPlace joint_place(const Joint& joint, const BodyState& a) const;
     /// The axes of its floe as an element has them; floe -> world.
     Mat3 floe_axes(int element, const BodyState& state) const;
     const IceElement& at(int element) const { return elements_[static_cast<std::size_t>(element)]; }

@@ -20,8 +20,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 /// A contact force on an element, in the axes of its floe.
 struct Press {
     double x = 0;  ///< of the contact, from the middle of the element, m
@@ -129,8 +127,7 @@ class StressField {
     /// Costs much more than the two above.
     JointLoad load(std::size_t joint) const;
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     static constexpr std::size_t none = ~std::size_t{0};
