@@ -12,8 +12,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 /// One model for all squares of the same size and density, and one for each polygon. floes: those at the places of the
 /// ice.
 WaterLanes make_water(const Scenario& scenario, const FloeSet& floes, const IceField& ice);
@@ -34,8 +32,7 @@ class PieceWater {
     /// What an element carries, by its place in ice.elements().
     const CarriedWater& carried(std::size_t element) const { return carried_[element]; }
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     void share_out_listed(const IceField& ice, World& world, WaterLanes& water);

@@ -15,8 +15,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 class HullLoads {
   public:
     /// `solids`: as the world has them; `steps` are kept.

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "core/contract.hpp"
 #include "core/error.hpp"
@@ -207,15 +206,6 @@ PlateTest whole_plate_test(const Scenario& scenario) {
     return test;
 }
 
-namespace {
-
-/// Joints by Σ know none: that of the paper's plates.
-double poisson_of_plate(const Scenario& scenario) {
-    return scenario.joint.model == JointModel::beam ? scenario.ice.poisson_ratio : FloatingPlate{}.poisson_ratio;
-}
-
-}  // namespace
-
 PlateDeflection measure_plate_deflection(const Scenario& scenario, const PlateTest& test) {
     if (!(test.load > 0) || test.increments < 1)
         throw InputError(fmt::format("A plate test needs a load above 0 N in at least 1 increment, not {} N in {}.",
@@ -228,10 +218,10 @@ PlateDeflection measure_plate_deflection(const Scenario& scenario, const PlateTe
         result.load.push_back(test.load * i / test.increments);
         result.deflection.push_back(sheet.settled_depth(result.load.back()) - unloaded);
     }
-    const FloatingPlate plate{.thickness = scenario.floe.thickness,
-                              .water_density = scenario.water.density,
-                              .gravity = scenario.general.gravity,
-                              .poisson_ratio = poisson_of_plate(scenario)};
+    FloatingPlate plate{.thickness = scenario.floe.thickness,
+                        .water_density = scenario.water.density,
+                        .gravity = scenario.general.gravity};  // and the ν of the paper's plates: Σ knows none
+    if (scenario.joint.model == JointModel::beam) plate.poisson_ratio = scenario.ice.poisson_ratio;
     const double loaded_area = (across % 2 == 1 ? 1 : 4) * scenario.floe.element * scenario.floe.element;
     result.slope = slope_through_origin(result);
     result.elastic_modulus = modulus_from_patch_slope(plate, result.slope, std::sqrt(loaded_area / std::numbers::pi));

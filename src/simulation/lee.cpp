@@ -111,15 +111,14 @@ Lee::Seen Lee::seen(std::size_t body, const BodyState& state) const {
 
 /// Where the elements of a floe are, and the circle round them.
 void Lee::see(int place, const IceField& ice, std::span<const BodyState> states) {
-    const auto first = static_cast<std::size_t>(ice.first_element(place));
-    const auto count = static_cast<std::size_t>(ice.elements(place));
+    const double count = ice.elements(place);
     Circle& circle = circles_[static_cast<std::size_t>(place)] = {};
-    for (std::size_t i = first; i < first + count; ++i) {
+    for (const std::size_t i : ice.indices(place)) {
         seen_[i] = seen(i, states[i]);
-        circle.x += seen_[i].x / static_cast<double>(count);
-        circle.z += seen_[i].z / static_cast<double>(count);
+        circle.x += seen_[i].x / count;
+        circle.z += seen_[i].z / count;
     }
-    for (std::size_t i = first; i < first + count; ++i) {
+    for (const std::size_t i : ice.indices(place)) {
         const double x = seen_[i].x - circle.x;
         const double z = seen_[i].z - circle.z;
         circle.radius = std::max(circle.radius, std::sqrt(x * x + z * z) + bodies_[i].radius);
@@ -143,16 +142,14 @@ void Lee::find_near(int place, bool itself, double reach) {
 
 void Lee::look_from(int place, const IceField& ice, std::span<const BodyState> states) {
     if (!shelters() || due_) return;
-    const auto first = static_cast<std::size_t>(ice.first_element(place));
-    for (std::size_t i = first; i < first + static_cast<std::size_t>(ice.elements(place)); ++i)
-        seen_[i] = seen(i, states[i]);
+    for (const std::size_t i : ice.indices(place)) seen_[i] = seen(i, states[i]);
     look(place, ice, states);
 }
 
 void Lee::look(int place, const IceField& ice, std::span<const BodyState> states) {
-    const auto first = static_cast<std::size_t>(ice.first_element(place));
-    find_near(place, ice.is_broken(place) || bays_[static_cast<std::size_t>(place)] != 0, reach(bodies_[first]));
-    for (std::size_t i = first; i < first + static_cast<std::size_t>(ice.elements(place)); ++i) {
+    const bool itself = ice.is_broken(place) || bays_[static_cast<std::size_t>(place)] != 0;
+    find_near(place, itself, reach(bodies_[ice.indices(place).front()]));
+    for (const std::size_t i : ice.indices(place)) {
         for (std::uint32_t left = ice.elements()[i].exposed_edges; left != 0; left &= left - 1) {
             const auto edge = static_cast<std::size_t>(std::countr_zero(left));
             ahead_[bodies_[i].first_edge + edge] = ahead_of(i, edge, ice, states[i]);
@@ -189,8 +186,7 @@ Lee::Ahead Lee::ahead_of(std::size_t element, std::size_t edge, const IceField& 
         const double aside = x * ray.along_z - z * ray.along_x;
         if (std::abs(aside) > circle.radius || ahead - circle.radius > ray.distance || ahead + circle.radius < 0)
             continue;
-        const auto first = static_cast<std::size_t>(ice.first_element(place));
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(ice.elements(place)); ++i)
+        for (const std::size_t i : ice.indices(place))
             if (i != element) meet(ray, i);
     }
     if (ray.body < 0) return {};

@@ -31,8 +31,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 class Lee {
   public:
     Lee(const Scenario& scenario, const Channel& channel, const FloeSet& floes, const IceField& ice);
@@ -53,8 +51,7 @@ class Lee {
     /// By edge, of those exposed; valid until the next call. Empty: nothing shelters.
     std::span<const EdgeShelter> of(std::size_t element, const IceField& ice, std::span<const BodyState> states);
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     /// An element or an ice sheet.

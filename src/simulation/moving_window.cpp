@@ -7,25 +7,15 @@
 #include <utility>
 
 #include "core/state_archive.hpp"
-#include "scenario/floes.hpp"
 
 namespace floes {
 
-namespace {
-
-// More strides lay the solver out anew more often.
-double stride_of(const Scenario& scenario, const FloeSet& floes) {
-    return scenario.arrangement.level() ? 2 * scenario.floe.element : largest_side(floes) / 4;
-}
-
 constexpr double floes_in_reserve = 3;  // side by side: what is pushed cannot pass them
-
-}  // namespace
 
 MovingWindow::MovingWindow(const Scenario& scenario, const FloeSet& floes, IceAhead ahead)
     : ahead_(scenario.window_ahead()),
       behind_(scenario.window_behind()),
-      stride_(stride_of(scenario, floes)),
+      stride_(scenario.arrangement.level() ? 2 * scenario.floe.element : largest_side(floes) / 4),
       least_(window_least(scenario)),
       reserve_(floes_in_reserve * largest_side(floes)),
       at_(-std::numeric_limits<double>::infinity()),

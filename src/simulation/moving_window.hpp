@@ -17,8 +17,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 class MovingWindow {
   public:
     /// floes: those laid already; ahead: where others come from.
@@ -48,7 +46,7 @@ class MovingWindow {
     void lay_again(IceField& ice);
 
     double ahead_, behind_;  // m
-    double stride_;          // m
+    double stride_;          // m; shorter ones would lay the solver out anew more often
     double least_;           // m from the structure's axis to the edge behind, at least
     double reserve_;         // m of ice at rest ahead of the window, at least
     double at_;              // largest x of the structure's axis so far, in whole strides, m
@@ -91,8 +89,7 @@ class SleepingFloes {
     /// Indices of awake elements. The same place of all floes side by side: mostly the same edges are exposed there.
     const std::vector<std::size_t>& awake_elements() const { return awake_elements_; }
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     struct FloeElements {

@@ -134,8 +134,7 @@ IceAmount NearbyIce::astern(const IceField& ice, std::span<const BodyState> stat
         if (!ice.is_there(place)) continue;
         double area = 0;
         double moment = 0;
-        const auto first = static_cast<std::size_t>(ice.first_element(place));
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(ice.elements(place)); ++i) {
+        for (const std::size_t i : ice.indices(place)) {
             const double own = ice.cut_element(ice.elements()[i]).area;
             const double x = states[i].position.x();
             area += own;

@@ -24,8 +24,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 /// An amount of ice.
 struct IceAmount {
     double area = 0;   ///< m²
@@ -53,8 +51,7 @@ class NearbyIce {
     /// Ice astern of the structure that is there.
     IceAmount astern(const IceField& ice, std::span<const BodyState> states, const StructurePose& at) const;
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     /// Refills box_ with the part of the box between the sheets, and its edges.

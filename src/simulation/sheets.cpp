@@ -31,15 +31,6 @@ double drift_of(const Scenario& scenario) {
     return duration * (water.current + std::sqrt(scenario.wind.stress().norm() / least_drag));
 }
 
-IceSheet sheet(const Scenario& scenario, const Vec2& x_range, const Vec2& z_range) {
-    const Vec2 x_part{x_range.mean(), 0.5 * (x_range.y() - x_range.x())};
-    const Vec2 z_part{z_range.mean(), 0.5 * (z_range.y() - z_range.x())};
-    return {{x_part.x(), scenario.floe.floating_height(scenario.ice, scenario.water.density), z_part.x()},
-            {x_part.y(), 0.5 * scenario.floe.thickness, z_part.y()},
-            Vec3::Zero(),
-            0};
-}
-
 }  // namespace
 
 Channel make_channel(const Scenario& scenario, const FloeSet& floes) {
@@ -59,10 +50,12 @@ Channel make_channel(const Scenario& scenario, const FloeSet& floes) {
     const double drift = drift_of(scenario);
     if (moves || field.sides == FieldSides::open || drift > 0) channel.drift = drift + towed;
     const Vec2 along{channel.begin, channel.end};
-    const auto add = [&](const Vec2& x_range, const Vec2& z_range, const Vec3& inwards, double faces) {
-        IceSheet& added = channel.sheets.emplace_back(sheet(scenario, x_range, z_range));
-        added.inwards = inwards;
-        added.faces = faces;
+    const double height = scenario.floe.floating_height(scenario.ice, scenario.water.density);
+    const auto add = [&](const Vec2& x, const Vec2& z, const Vec3& inwards, double faces) {
+        channel.sheets.push_back({{x.mean(), height, z.mean()},
+                                  {0.5 * (x.y() - x.x()), 0.5 * scenario.floe.thickness, 0.5 * (z.y() - z.x())},
+                                  inwards,
+                                  faces});
     };
     if (field.sides == FieldSides::ice_sheet) {
         const double faces = scenario.field_length();

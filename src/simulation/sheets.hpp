@@ -11,8 +11,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 /// A box with its sides along the world axes, m: fixed, or pressed along its normal (simulation/sheets.hpp).
 struct IceSheet {
     Vec3 centre = Vec3::Zero();
@@ -80,8 +78,7 @@ class Sheets {
     /// Mean velocity of a body in the last step; zero for those that are no sheets that give way.
     Vec3 velocity(BodyId body) const;
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     struct Sheet {

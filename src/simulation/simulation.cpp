@@ -5,17 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <span>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/error.hpp"
 #include "core/state_archive.hpp"
-#include "ice/ice_field.hpp"
-#include "simulation/field_water.hpp"
 
 namespace floes {
 
@@ -460,7 +455,10 @@ void Simulation::move_window() {
     leave_behind();
     bool came = false;
     while (enter_ahead()) came = true;
-    if (came) measure_anew();
+    if (came) {
+        measure_places();
+        piece_water_.share_out(ice_, world_, water_);
+    }
     lee_.distrust();
     for (int place = 0; place < ice_.places(); ++place) {
         if (!ice_.is_there(place) || !sleeping_.rests(place) || sleeping_.middle_x(place) > window_->last()) continue;
@@ -511,9 +509,8 @@ void Simulation::leave_behind() {
         for (const CutElement& one : ice_.cut(place).elements) left_.area += one.area;
         ++left_.floes;
         sleeping_.leave(place);
-        const auto first = static_cast<std::size_t>(ice_.first_element(place));
-        for (BodyState& one : std::span(states_).subspan(first, static_cast<std::size_t>(ice_.elements(place))))
-            one.velocity = one.angular_velocity = Vec3::Zero();
+        for (const std::size_t i : ice_.indices(place))
+            states_[i].velocity = states_[i].angular_velocity = Vec3::Zero();
     }
     ice_.leave(world_, places);
 }
@@ -537,9 +534,7 @@ bool Simulation::enter_ahead() {
         places.resize(static_cast<std::size_t>(ice_.places()));
         places[static_cast<std::size_t>(place)] = floe;
         states_.resize(ice_.elements().size());
-        const auto first = static_cast<std::size_t>(ice_.first_element(place));
-        for (std::size_t i = first; i < first + static_cast<std::size_t>(ice_.elements(place)); ++i)
-            states_[i] = world_.state(ice_.elements()[i].body);
+        for (const std::size_t i : ice_.indices(place)) states_[i] = world_.state(ice_.elements()[i].body);
         ice_.set_resting(place, true);
         sleeping_.rest(world_, ice_, place, states_);
         if (scenario_.field.level_pushed) push(place);
@@ -549,11 +544,6 @@ bool Simulation::enter_ahead() {
 }
 
 /// All that is kept by element, for the floes that are there now.
-void Simulation::measure_anew() {
-    measure_places();
-    piece_water_.share_out(ice_, world_, water_);
-}
-
 void Simulation::measure_places() {
     const FloeSet floes = gathered(window_->places());
     states_before_.resize(states_.size());

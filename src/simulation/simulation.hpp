@@ -31,8 +31,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 // Which floes were computed, and which of them touched the structure: what counts of broken floes are relative to.
 
 class Encounters {
@@ -79,8 +77,6 @@ struct Wellbeing {
     std::optional<std::string> trouble(const BodyState& state) const;
 };
 
-// One tow through one arrangement: the step loop and the record of it.
-//
 //   Simulation simulation(scenario, arrangement);
 //   if (simulation.run(stop)) use(simulation.loads(), simulation.ice());   // throws MemberFailure when the run leaves
 //   all sense
@@ -200,7 +196,6 @@ class Simulation {
     void leave_behind();
     bool enter_ahead();
     FieldPart next_part();
-    void measure_anew();
     void measure_places();
     void wake_floes();
     void apply_water();

@@ -204,10 +204,6 @@ std::vector<std::vector<int>> coupled(const std::vector<int>& directions, std::i
     return found;
 }
 
-}  // namespace
-
-namespace {
-
 /// A matrix of the hull's own axes in those of its moorings, from which it has yawed by `heading`, rad.
 Mat6 turned_by(const Mat6& own, double heading) {
     const Vec2 ahead = turned({1, 0}, heading);

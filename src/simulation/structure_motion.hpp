@@ -21,7 +21,6 @@
 // is pushed along does not feel it.
 
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -34,8 +33,6 @@
 #include "statistics/oscillator.hpp"
 
 namespace floes {
-
-class StateArchive;
 
 /// How a moored structure has moved.
 struct MooredState {
@@ -102,8 +99,7 @@ class MooredMotion {
     /// all; 0 where there are none.
     double line_use() const { return line_use_; }
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     std::vector<LinearMotion> linear_at(double heading) const;
@@ -189,8 +185,7 @@ class StructureMotion {
     const std::optional<MooredMotion>& moored() const { return moored_; }
     MooredState moored_state() const { return moored_ ? moored_->state() : MooredState{}; }
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     PathPlace prescribed(int step) const;

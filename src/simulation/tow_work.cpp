@@ -5,10 +5,6 @@
 namespace floes {
 namespace {
 
-Wrench difference(const Wrench& a, const Wrench& b) {
-    return {a.force - b.force, a.moment - b.moment};
-}
-
 /// 0.5 (v·p + ω·l) of the ice and the water that it carries.
 double kinetic_energy(const BodyState& state, double mass, const Vec3& inertia, const CarriedWater& water) {
     const Vec3 v = state.rotation.transpose() * state.velocity;
@@ -67,12 +63,11 @@ void TowWork::split_water(WaterLanes& water, double structure_x) {
         if (!water.acts(k)) continue;
         std::size_t before = k - 1;
         while (before > 0 && !water.acts(before)) --before;
-        for (std::size_t i = 0; i < terms_[k].size(); ++i) terms_[k][i] = difference(terms_[k][i], terms_[before][i]);
+        for (std::size_t i = 0; i < terms_[k].size(); ++i) {
+            terms_[k][i].force -= terms_[before][i].force;
+            terms_[k][i].moment -= terms_[before][i].moment;
+        }
     }
-}
-
-double TowWork::power(const Wrench& wrench, std::size_t element) const {
-    return wrench.force.dot(velocity_[element]) + wrench.moment.dot(angular_velocity_[element]);
 }
 
 void TowWork::add(const World& world, const IceField& ice, const Sheets& sheets, const PieceWater& water,
@@ -132,7 +127,8 @@ void TowWork::add_water() {
         double& share = sum_.*water_terms[k].work;
         for (std::size_t i = 0; i < velocity_.size(); ++i) {
             const double against_weight = k == 0 ? weight_[i] * velocity_[i].y() : 0;  // which buoyancy lifts
-            share -= power(terms_[k][i], i) - against_weight;
+            const auto& [force, moment] = terms_[k][i];
+            share -= (force.dot(velocity_[i]) + moment.dot(angular_velocity_[i])) - against_weight;
         }
     }
 }

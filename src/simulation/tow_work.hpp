@@ -20,8 +20,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 class TowWork {
   public:
     TowWork(const Scenario& scenario, const FloeSet& floes, const IceField& ice, BodyId structure);
@@ -44,13 +42,11 @@ class TowWork {
     /// Means over the steps looked at, N; of none: zeros.
     WorkShares shares() const;
 
-    /// Everything that the next steps depend on, saved or set (core/state_archive.hpp).
-    void archive(StateArchive& state);
+    void archive(StateArchive& state);  ///< core/state_archive.hpp
 
   private:
     static constexpr int stride = 5;
 
-    double power(const Wrench& wrench, std::size_t element) const;
     Vec3 add_contacts(const World& world, const IceField& ice, const Sheets& sheets, const StructureMotion& motion);
     void add_water();
     void add_motion(const PieceWater& water, std::span<const BodyState> before, std::span<const BodyState> after);

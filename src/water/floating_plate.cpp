@@ -77,6 +77,19 @@ PlateLoad plate_load(const Vec2& middle, const Vec2& size, double area, double d
     return load;
 }
 
+namespace {
+
+/// By their weights, which add up to `sum`.
+void share_out(const PlateLoad& load, double sum, std::vector<ElementWater>& shares) {
+    for (auto& [carried, damping] : shares) {
+        for (double* moment : {&carried.normal, &carried.x, &carried.z, &carried.xx, &carried.xz, &carried.zz})
+            *moment *= load.mass / sum;
+        damping = load.damping * carried.normal;
+    }
+}
+
+}  // namespace
+
 std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double side, double draught,
                                          const WaterBody& water) {
     const Box2 box = box_round(centres);
@@ -104,13 +117,10 @@ std::vector<ElementWater> water_of_piece(std::span<const Vec2> centres, double s
         sum += x0 * z0;
     }
     const double ice = water.density * side * side * draught;
+    share_out(load, sum, shares);
     for (ElementWater& share : shares) {
-        CarriedWater& carried = share.carried;
-        for (double* moment : {&carried.normal, &carried.x, &carried.z, &carried.xx, &carried.xz, &carried.zz})
-            *moment *= load.mass / sum;
-        carried.in_plane = water.in_plane * ice;
-        carried.yaw = carried.in_plane * side * side / 6;
-        share.damping = load.damping * carried.normal;
+        share.carried.in_plane = water.in_plane * ice;
+        share.carried.yaw = share.carried.in_plane * side * side / 6;
     }
     return shares;
 }
@@ -182,12 +192,7 @@ std::vector<ElementWater> water_of_piece(std::span<const CutElement* const> elem
         carried.yaw = carried.in_plane * (one->xx + one->zz) / one->area;
         shares.push_back({carried});
     }
-    for (ElementWater& share : shares) {
-        CarriedWater& carried = share.carried;
-        for (double* moment : {&carried.normal, &carried.x, &carried.z, &carried.xx, &carried.xz, &carried.zz})
-            *moment *= load.mass / sum;
-        share.damping = load.damping * carried.normal;
-    }
+    share_out(load, sum, shares);
     return shares;
 }
 

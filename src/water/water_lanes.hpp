@@ -24,8 +24,6 @@
 
 namespace floes {
 
-class StateArchive;
-
 /// A force of the water or the wind on floes.
 struct WaterTerm {
     void (*leave_out)(WaterFactors&);  ///< factors with which the kernel computes everything else

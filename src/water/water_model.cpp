@@ -4,12 +4,10 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 
 #include "water/floating_plate.hpp"
-#include "water/water_kernels.hpp"
 
 namespace floes {
 
