@@ -10,11 +10,8 @@ import pathlib
 import subprocess
 import sys
 
-import matplotlib
-
-matplotlib.use("svg")
-matplotlib.rcParams["svg.hashsalt"] = "floes"
-import matplotlib.pyplot as plt
+from validation_figures import finish, plt
+from validation_tables import table
 
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7"]
 MARKERS = ["o", "s", "^", "D"]
@@ -53,20 +50,16 @@ def draw(curve, x, line, labels, path, marks=None):
     axes.set_xlabel(labels["x"])
     axes.set_ylabel(labels["y"])
     axes.legend(frameon=False)
-    axes.spines[["top", "right"]].set_visible(False)
     axes.grid(True, which="major", alpha=0.3)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
+    finish(figure, path)
 
 
 def print_table(curve, row, column, value="elastic_modulus_MPa"):
-    columns = sorted({p[column] for p in curve})
-    print(f"| {row} \\ {column} | " + " | ".join(f"{c:g}" for c in columns) + " |")
-    print("|---" * (len(columns) + 1) + "|")
+    columns, rows = sorted({p[column] for p in curve}), []
     for r in sorted({p[row] for p in curve}, reverse=True):
         cells = {p[column]: p[value] for p in curve if p[row] == r}
-        print(f"| {r:g} | " + " | ".join(f"{cells[c]:.1f}" for c in columns) + " |")
-    print()
+        rows.append([f"{r:g}", *(f"{cells[c]:.1f}" for c in columns)])
+    print(table([f"{row} \\ {column}", *(f"{c:g}" for c in columns)], rows) + "\n")
 
 
 def main(folder, program="./floes"):

@@ -9,13 +9,12 @@ Usage:
                                   (jam.part1.h5, …)
 """
 import pathlib
-import sys
 import tomllib
 
 import numpy as np
 import pandas as pd
 
-from page_blocks import fill_or_check
+from page_blocks import make
 from validation_data import half_width
 from validation_tables import difference, number, table
 
@@ -113,31 +112,27 @@ def friction(data):
     return table(["friction", *(f"mean, N, {speed} m/s" for speed in speeds)], rows)
 
 
-def main(arguments):
-    if arguments[:1] == ["--collect"]:
-        for campaign, name in CAMPAIGNS.items():
-            folder = pathlib.Path(arguments[1])
-            files = [*folder.glob(f"{campaign}.h5"), *sorted(folder.glob(f"{campaign}.part*.h5"))]
-            if files:
-                rows = pd.concat([collected(file, {"case": "joint.name"}, COLUMNS) for file in files])
-                rows.sort_values("arrangement", kind="stable").round(6).to_csv(DATA / f"{name}.csv", index=False)
-    elif arguments not in ([], ["--check"]):
-        sys.exit(__doc__)
-    choices, resolution = members("choices"), members("resolution")
+def numerics():
+    return beside(members("resolution"), NUMERICS, "computed with", NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
-    def numerics():
-        return beside(resolution, NUMERICS, "computed with", NUMERIC_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
-    def jam():
-        rows = members("jam")
-        counts = rows.case.value_counts()
-        return beside(rows, {case: f"{text} ({counts[case]})" for case, text in JAM.items()},
-                      "contacts solved to (arrangements)", LONG_QUANTITIES, {"mean_sweeps": "sweeps a step"})
+def jam():
+    rows = members("jam")
+    counts = rows.case.value_counts()
+    return beside(rows, {case: f"{text} ({counts[case]})" for case, text in JAM.items()}, "contacts solved to (arrangements)",
+                  LONG_QUANTITIES, {"mean_sweeps": "sweeps a step"})
 
-    blocks = {"numerics": numerics, "jam": jam, "choices": lambda: beside(choices, CHOICES, "contacts"),
-              "friction_cone": lambda: friction(members("friction_cone"))}
-    fill_or_check({DOCS / "convergence.md": blocks}, arguments == ["--check"], "contact.py")
 
+def collect(folder):
+    for campaign, name in CAMPAIGNS.items():
+        files = [*pathlib.Path(folder).glob(f"{campaign}.h5"), *sorted(pathlib.Path(folder).glob(f"{campaign}.part*.h5"))]
+        if files:
+            rows = pd.concat([collected(file, {"case": "joint.name"}, COLUMNS) for file in files])
+            rows.sort_values("arrangement", kind="stable").round(6).to_csv(DATA / f"{name}.csv", index=False)
+
+
+BLOCKS = {"numerics": numerics, "jam": jam, "choices": lambda: beside(members("choices"), CHOICES, "contacts"),
+          "friction_cone": lambda: friction(members("friction_cone"))}
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    make({DOCS / "convergence.md": BLOCKS}, __doc__, collect=collect)

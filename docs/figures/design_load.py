@@ -10,12 +10,11 @@ Usage:
 import json
 import pathlib
 import subprocess
-import sys
 
 import numpy as np
 import pandas as pd
 
-from page_blocks import fill_or_check
+from page_blocks import make
 from validation_tables import table
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "design"
@@ -23,7 +22,7 @@ PAGE = DATA.parent / "design_load.md"
 SHOWN = ["both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"]
 
 
-def take_tails(campaign, program):
+def take_tails(campaign, program="./floes"):
     """Of the first case of the campaign."""
     command = [program, "design", campaign, "--format", "json"]
     told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)["design"]
@@ -52,11 +51,7 @@ def example():
 
 
 def draw(path):
-    import matplotlib
-
-    matplotlib.use("svg")
-    matplotlib.rcParams["svg.hashsalt"] = "floes"
-    import matplotlib.pyplot as plt
+    from validation_figures import finish, plt  # needs matplotlib, which --check does not
 
     told = tails()
     basis = told["basis"]
@@ -91,22 +86,9 @@ def draw(path):
     right.set_xlabel("share of the peaks that the tails are fitted to, %")
     right.set_ylabel("3 h load with 10 %\nexceedance probability, N")
     right.legend(frameon=False, fontsize=8)
-    for axes in (left, middle, right):
-        axes.spines[["top", "right"]].set_visible(False)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
-
-
-def main(arguments):
-    if arguments[:1] == ["--collect"]:
-        take_tails(arguments[1], arguments[2] if len(arguments) > 2 else "./floes")
-    elif arguments not in ([], ["--check"]):
-        sys.exit(__doc__)
-    check = arguments == ["--check"]
-    fill_or_check({PAGE: {"example": example}}, check, "design_load.py")
-    if not check:
-        draw(DATA / "tails.svg")
+    finish(figure, path)
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    if make({PAGE: {"example": example}}, __doc__, collect=take_tails):
+        draw(DATA / "tails.svg")

@@ -14,7 +14,7 @@ import sys
 import numpy as np
 import pandas as pd
 
-from page_blocks import fill_or_check
+from page_blocks import make
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 DOCS = ROOT / "docs"
@@ -216,20 +216,14 @@ def draw_wide_floe(recording, path, until=9.0):
     figure.savefig(path, metadata={"Date": None})
 
 
-def main():
-    arguments = sys.argv[1:]
-    DATA.mkdir(exist_ok=True)
-    if arguments == ["--grid"]:
-        patches().to_csv(DATA / "patches.csv", index=False)
-        first_cracks().to_csv(DATA / "first_cracks.csv", index=False)
-    elif arguments[:1] == ["--wide"] and len(arguments) == 2:
-        draw_wide_floe(arguments[1], DATA / "wide_floe.svg")
-        return
-    elif arguments not in ([], ["--check"]):
-        sys.exit(__doc__)
-    fill_or_check({DOCS / "fracture.md": {"patches": patch_says, "first_cracks": crack_says}}, arguments == ["--check"],
-                  "fracture.py")
+def solve_grid():
+    patches().to_csv(DATA / "patches.csv", index=False)
+    first_cracks().to_csv(DATA / "first_cracks.csv", index=False)
 
 
 if __name__ == "__main__":
-    main()
+    DATA.mkdir(exist_ok=True)
+    if sys.argv[1:2] == ["--wide"] and len(sys.argv) == 3:
+        draw_wide_floe(sys.argv[2], DATA / "wide_floe.svg")
+    else:
+        make({DOCS / "fracture.md": {"patches": patch_says, "first_cracks": crack_says}}, __doc__, grid=solve_grid)

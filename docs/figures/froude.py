@@ -11,13 +11,12 @@ import json
 import math
 import pathlib
 import subprocess
-import sys
 import tomllib
 
 import numpy as np
 import pandas as pd
 
-from page_blocks import fill_or_check
+from page_blocks import make
 from validation_data import half_width
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -73,6 +72,7 @@ def floes(program, folder, config, name):
 
 def run(program, folder):
     """Draws the arrangements once, then gives them, scaled, to the members of every scale."""
+    program, folder = pathlib.Path(program).resolve(), pathlib.Path(folder)
     config = resolved(program, SCENE)
     config["campaign"]["arrangements"] = ARRANGEMENTS
     drawn = folder / "drawn.toml"
@@ -87,6 +87,7 @@ def run(program, folder):
         path = folder / f"scale_{scale:g}.toml"
         path.write_text(toml(large))
         floes(program, folder, path, f"scale_{scale:g}")
+    collect(folder)
 
 
 def collected(path, scale):
@@ -111,7 +112,7 @@ def collected(path, scale):
 
 
 def collect(folder):
-    rows = [row for scale in SCALES for row in collected(folder / f"scale_{scale:g}.h5", scale)]
+    rows = [row for scale in SCALES for row in collected(pathlib.Path(folder) / f"scale_{scale:g}.h5", scale)]
     pd.DataFrame(rows).to_csv(DATA / "members.csv", index=False)
 
 
@@ -147,21 +148,5 @@ def equal():
             f"member at scale 16 from\nits twin's at scale 1: {worst:.1g}.")
 
 
-BLOCKS = {"scales": scales, "equal": equal}
-
-
-def main():
-    options = sys.argv[1:]
-    if options[:1] == ["--run"]:
-        program, folder = pathlib.Path(options[1]).resolve(), pathlib.Path(options[2])
-        run(program, folder)
-        collect(folder)
-    elif options[:1] == ["--collect"]:
-        collect(pathlib.Path(options[1]))
-    elif options not in ([], ["--check"]):
-        sys.exit(__doc__)
-    fill_or_check({DOCS / "validation.md": BLOCKS}, "--check" in options, "froude.py")
-
-
 if __name__ == "__main__":
-    main()
+    make({DOCS / "validation.md": {"scales": scales, "equal": equal}}, __doc__, run=run, collect=collect)

@@ -7,12 +7,11 @@ Usage:
     ice.py --collect FOLDER   first takes the members of the campaign joints_channel.h5 in FOLDER
 """
 import pathlib
-import sys
 
 import pandas as pd
 
 from contact import LONG_QUANTITIES, beside, collected
-from page_blocks import fill_or_check
+from page_blocks import make
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 DATA = DOCS / "ice/joints_channel.csv"
@@ -21,18 +20,13 @@ JOINTS = {"beams": "**beams between cells that crack by stress (the default)**",
           "cfm": "the paper's joints, solved exactly", "sweeps": "solved in 50 sweeps (the paper's)"}
 
 
-def main():
-    arguments = sys.argv[1:]
-    if arguments[:1] == ["--collect"]:
-        collected(pathlib.Path(arguments[1]) / "joints_channel.h5", {"case": "joint.name"}).to_csv(DATA, index=False)
-    elif arguments not in ([], ["--check"]):
-        sys.exit(__doc__)
+def channel():
+    return beside(pd.read_csv(DATA), JOINTS, "joints", LONG_QUANTITIES, step_by_step=True)
 
-    def channel():
-        return beside(pd.read_csv(DATA), JOINTS, "joints", LONG_QUANTITIES, step_by_step=True)
 
-    fill_or_check({DOCS / "fracture.md": {"channel": channel}}, arguments == ["--check"], "ice.py")
+def collect(folder):
+    collected(pathlib.Path(folder) / "joints_channel.h5", {"case": "joint.name"}).to_csv(DATA, index=False)
 
 
 if __name__ == "__main__":
-    main()
+    make({DOCS / "fracture.md": {"channel": channel}}, __doc__, collect=collect)

@@ -5,26 +5,16 @@ says to which power of the thickness the mean load grows.
     floes run configs/kulluk.toml -o kulluk.h5
     docs/figures/kulluk.py kulluk.h5
 """
-import math
 import pathlib
 import sys
 
 import h5py
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 import numpy as np
-from scipy import stats
+
+from endless import interval, plt
 
 DOCS = pathlib.Path(__file__).resolve().parent.parent
 MN = 1e6
-
-
-def interval(values):
-    """Mean of the members with its 95 % interval by Student's t."""
-    mean, half = values.mean(), stats.t.ppf(0.975, len(values) - 1) * values.std(ddof=1) / math.sqrt(len(values))
-    return mean, mean - half, mean + half
 
 
 def read(path):

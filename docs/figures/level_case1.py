@@ -11,7 +11,6 @@ level_case1.measured.csv: means over 0.5 s of the measured load; Lemström, Polo
 45 (2022) 108580, doi 10.5281/zenodo.6524282, CC BY 4.0. level_case1.windows.csv: its means in five windows, and those of
 four runs of another program (GitHub vasopatejdl/lemstrom-case1-viewer, 9ff4783).
 """
-import argparse
 import pathlib
 import tomllib
 
@@ -19,7 +18,8 @@ import numpy as np
 import pandas as pd
 from scipy import stats
 
-from page_blocks import fill_or_check
+from page_blocks import make
+from validation_tables import table
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "validation"
 PAGE = DATA.parent / "validation.md"
@@ -105,8 +105,8 @@ def renewed(name, rows, order):
 def collect(folder):
     rows, peaks, traces = [], [], {}
     for name, breadth in CAMPAIGNS.items():
-        if (folder / f"{name}.h5").exists():
-            add_members(folder / f"{name}.h5", breadth, rows, peaks, traces)
+        if (path := pathlib.Path(folder) / f"{name}.h5").exists():
+            add_members(path, breadth, rows, peaks, traces)
     order = [case["name"] for name in CAMPAIGNS
              for case in tomllib.loads((CONFIGS / f"{name}.toml").read_text())["case"]]
     renewed("level_case1.members.csv", rows, order)
@@ -137,14 +137,12 @@ def one_run(values):
     return values.mean(), stats.t.ppf(0.975, count - 1) * values.std(ddof=1) * np.sqrt(1 + 1 / count)
 
 
-def table():
+def load_table():
     reference = pd.read_csv(DATA / "level_case1.windows.csv")
     members = pd.read_csv(DATA / "level_case1.members.csv")
-    head = [f"{name} s" for name in NAMES]
-    lines = ["| load, kN for 10 m | " + " | ".join(head) + " |", "|---" * 6 + "|"]
-    lines.append("| measured | " + " | ".join(f"{value / 1e3:.2f}" for value in reference.measured_N) + " |")
     runs = reference[[f"run{k}_N" for k in range(1, 5)]].to_numpy() / 1e3
-    lines.append("| four runs of another program | " + " | ".join(f"{r.min():.2f} to {r.max():.2f}" for r in runs) + " |")
+    lines = [["measured", *(f"{value / 1e3:.2f}" for value in reference.measured_N)],
+             ["four runs of another program", *(f"{r.min():.2f} to {r.max():.2f}" for r in runs)]]
     for case, rows in members.groupby("case", sort=False):
         cells = []
         for name, measured in zip(NAMES, reference.measured_N):
@@ -155,27 +153,26 @@ def table():
             spread = f" ± {half / 1e3:.2f}" if np.isfinite(half) else ""
             cells.append(f"{mean / 1e3:.2f}{spread} ({mean / measured:.2f})")
         many = len(rows) > 1
-        lines.append(f"| {'floes, ' if many else ''}{words(case)}, {len(rows)} {'runs' if many else 'run'} | " +
-                     " | ".join(cells) + " |")
+        lines.append([f"{'floes, ' if many else ''}{words(case)}, {len(rows)} {'runs' if many else 'run'}", *cells])
         if case == members.case[0]:
-            lines.append("| of these, borne by the bed | " +
-                         " | ".join(f"{round(rows[f'bed_{name}'].mean() / 1e3, 2) + 0.0:.2f}" for name in NAMES) + " |")
-    return "\n".join(lines)
+            lines.append(["of these, borne by the bed",
+                          *(f"{round(rows[f'bed_{name}'].mean() / 1e3, 2) + 0.0:.2f}" for name in NAMES)])
+    return table(["load, kN for 10 m", *(f"{name} s" for name in NAMES)], lines)
 
 
 def peak_table():
     measured = pd.read_csv(DATA / "level_case1.measured.csv").force_N.to_numpy()
     peaks = pd.read_csv(DATA / "level_case1.peaks.csv")
     first = peaks[peaks.case == peaks.case[0]]
-    lines = ["| from 130 to 430 s | measured | floes, one run |", "|---" * 3 + "|"]
+    lines = []
     what = ["standard deviation, kN", "largest over 1 s, kN", "largest over 10 s, kN", "time between falls of more than 0.5 kN, s",
             "mean fall, kN", "share of the variance below 0.05 Hz, %"]
     for name, key, value in zip(what, PEAKS, peaks_of(measured, 0.5)):
         scale = 1e-3 if key.endswith("_N") else 100 if key.endswith("Hz") else 1
         mean, half = one_run(first[key])
         digits = 0 if key.endswith("Hz") else 1 if key.endswith("_s") and "largest" not in key else 2
-        lines.append(f"| {name} | {value * scale:.{digits}f} | {mean * scale:.{digits}f} ± {half * scale:.{digits}f} |")
-    return "\n".join(lines)
+        lines.append([name, f"{value * scale:.{digits}f}", f"{mean * scale:.{digits}f} ± {half * scale:.{digits}f}"])
+    return table(["from 130 to 430 s", "measured", "floes, one run"], lines)
 
 
 def widths():
@@ -189,16 +186,15 @@ def widths():
         about = part - np.polyval(np.polyfit(np.arange(len(part)), part, 1), np.arange(len(part)))
         return part.mean(), about.std(), part.min()
 
-    lines = ["| from 30 to 130 s, kN for 10 m | mean | standard deviation about its line | least of 2 s |", "|---" * 4 + "|"]
-    lines.append("| measured, 10 m | " + " | ".join(f"{x:.2f}" for x in figures(averaged(measured, 0.5))) + " |")
+    lines = [["measured, 10 m", *(f"{x:.2f}" for x in figures(averaged(measured, 0.5)))]]
     for name, case in (("slices of 1 m", "a50_d46"), ("slices of 3 m", "a50_d46_wide")):
         runs = [figures(traces[one].to_numpy()) for one in traces if one.split(": ")[0] == case]
         cells = []
         for values in zip(*runs):
             mean, half = one_run(values)
             cells.append(f"{mean:.2f} ± {half:.2f}" if np.isfinite(half) else f"{mean:.2f}")
-        lines.append(f"| {name}, {len(runs)} runs | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
+        lines.append([f"{name}, {len(runs)} runs", *cells])
+    return table(["from 30 to 130 s, kN for 10 m", "mean", "standard deviation about its line", "least of 2 s"], lines)
 
 
 def draw(path):
@@ -228,17 +224,6 @@ def draw(path):
     figure.savefig(path, metadata={"Date": None})
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("--collect", type=pathlib.Path, metavar="FOLDER")
-    options = parser.parse_args()
-    if options.collect is not None:
-        collect(options.collect)
-    fill_or_check({PAGE: {"level": table, "level_widths": widths, "level_peaks": peak_table}}, options.check, "level_case1.py")
-    if not options.check:
-        draw(DATA / "level_case1.svg")
-
-
 if __name__ == "__main__":
-    main()
+    if make({PAGE: {"level": load_table, "level_widths": widths, "level_peaks": peak_table}}, __doc__, collect=collect):
+        draw(DATA / "level_case1.svg")

@@ -11,10 +11,9 @@ Usage:
 import json
 import pathlib
 import subprocess
-import sys
 import tempfile
 
-from page_blocks import fill_or_check
+from page_blocks import make
 from validation_tables import table
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -34,7 +33,8 @@ def told(name):
     return json.loads((DATA / f"{name}.json").read_text())["match"]
 
 
-def collect(folder, floes):
+def collect(folder, floes=ROOT / "floes"):
+    folder = pathlib.Path(folder)
     DATA.mkdir(exist_ok=True)
     if not (folder / "wave2.h5").exists():
         wave = folder / "wave2.toml"
@@ -81,16 +81,5 @@ def picture(page, png):
                     f"--screenshot={png}", page.as_uri()], check=True, capture_output=True)
 
 
-BLOCKS = {"left": left, "design": design}
-
-
-def main(arguments):
-    if arguments[:1] == ["--collect"] and len(arguments) in (2, 3):
-        collect(pathlib.Path(arguments[1]), arguments[2] if len(arguments) == 3 else ROOT / "floes")
-    elif arguments not in ([], ["--check"]):
-        sys.exit(__doc__)
-    fill_or_check({PAGE: BLOCKS}, arguments == ["--check"], "matching.py")
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    make({PAGE: {"left": left, "design": design}}, __doc__, collect=collect)

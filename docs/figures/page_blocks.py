@@ -1,4 +1,5 @@
 """Pages of which some blocks are made from data: between <!-- NAME --> and <!-- end -->."""
+import inspect
 import pathlib
 import sys
 
@@ -24,3 +25,21 @@ def fill_or_check(pages, check, script):
             sys.exit(f"docs/{path.name} differs from its data; run docs/figures/{script}")
         if not check:
             path.write_text(made)
+
+
+def make(pages, usage, **first):
+    """What a page's script does: writes `pages`, path -> blocks; with --check only compares them; with --WORD first calls
+    first[WORD] with the words behind it. Returns whether it wrote them."""
+    words = sys.argv[1:]
+    act = first.get(words[0].removeprefix("--")) if words else None
+    try:
+        if act is not None:
+            inspect.signature(act).bind(*words[1:])
+        elif words not in ([], ["--check"]):
+            raise TypeError
+    except TypeError:
+        sys.exit(usage)
+    if act is not None:
+        act(*words[1:])
+    fill_or_check(pages, words == ["--check"], pathlib.Path(sys.argv[0]).name)
+    return words != ["--check"]

@@ -21,6 +21,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from validation_tables import table
+
 CASES = ["squares", "voronoi", "hexagons"]
 ARRANGEMENT = 1
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "sea_ice"
@@ -42,16 +44,15 @@ def cost(campaign, case):
         return np.mean(file["provenance/cpu_time"][()][mine])
 
 
-def table(program, campaign):
-    rows = rows_of(program, campaign)
-    print("| case | " + " | ".join(title for title, _, _ in COLUMNS) + " | a member, s |")
-    print("|---" * (len(COLUMNS) + 2) + "|")
+def print_table(program, campaign):
+    rows, lines = rows_of(program, campaign), []
     for case in rows:
         cells = []
         for _, key, scale in COLUMNS:
             value, low, high = (scale * float(rows[case][key + end]) for end in ("", "_low", "_high"))
             cells.append(f"{value:.1f} [{low:.1f}, {high:.1f}]")
-        print(f"| {case} | " + " | ".join(cells) + f" | {cost(campaign, case):.1f} |")
+        lines.append([case, *cells, f"{cost(campaign, case):.1f}"])
+    print(table(["case", *(title for title, _, _ in COLUMNS), "a member, s"], lines))
 
 
 def pictures(program, campaign):
@@ -68,6 +69,6 @@ def pictures(program, campaign):
 
 
 if __name__ == "__main__":
-    table(sys.argv[1], sys.argv[2])
+    print_table(sys.argv[1], sys.argv[2])
     if "--table" not in sys.argv:
         pictures(sys.argv[1], sys.argv[2])

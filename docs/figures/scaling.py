@@ -14,6 +14,8 @@ import matplotlib
 matplotlib.use("agg")
 import matplotlib.pyplot as plt
 
+from validation_tables import table
+
 CORES = [2, 8, 64, 512, 1000, 2000, 4000, 8000, 16000, 32000, 64000, 100000]
 IN_THE_TABLE = [1000, 4000, 8000, 100000]
 MEMBERS_A_CORE = 20
@@ -57,18 +59,18 @@ def size(number):
 
 def main(program, configs, output):
     figure, (efficiency, busy) = plt.subplots(1, 2, figsize=(10, 4), sharex=True)
-    print("| members | cores | wall time, s | efficiency | campaign file | written in, s |")
-    print("|---|---|---|---|---|---|")
+    lines = []
     for what, config, counts, record_bytes, options, colour, line in CURVES:
         rows = [plan(program, os.path.join(configs, config), cores, record_bytes, options) for cores in counts]
         title = f"{rows[-1]['member_s']:.2g} s members {what}, {rows[-1]['member_bytes'] / 1000:.0f} kB"
         for row in rows:
             if row["cores"] not in IN_THE_TABLE:
                 continue
-            print(f"| {title} | {row['cores']:.0f} | {row['wall_time_s']:.4g} | {100 * row['efficiency']:.1f} % "
-                  f"| {size(row['file_bytes'])} | {figures(row['file_s'])} |")
+            lines.append([title, f"{row['cores']:.0f}", f"{row['wall_time_s']:.4g}", f"{100 * row['efficiency']:.1f} %",
+                          size(row["file_bytes"]), figures(row["file_s"])])
         efficiency.plot(counts, [100 * row["efficiency"] for row in rows], line, color=colour, marker=".", label=title)
         busy.plot(counts, [100 * row["busiest"] for row in rows], line, color=colour, marker=".", label=title)
+    print(table(["members", "cores", "wall time, s", "efficiency", "campaign file", "written in, s"], lines))
     efficiency.set_ylabel("efficiency, campaign file included (%)")
     busy.set_ylabel("busiest of master and writers (%)")
     for axis in (efficiency, busy):

@@ -9,14 +9,13 @@ Usage:
 """
 import pathlib
 import subprocess
-import sys
 
 import numpy as np
 import pandas as pd
 from scipy import stats
 
 from contact import collected
-from page_blocks import fill_or_check
+from page_blocks import make
 from validation_data import change
 from validation_tables import bracketed, table
 
@@ -122,6 +121,7 @@ def verdicts():
 
 
 def collect(folder, floes):
+    folder = pathlib.Path(folder)
     for name, columns in COLUMNS.items():
         path = folder / f"{name}.h5"
         if path.exists():
@@ -132,14 +132,5 @@ def collect(folder, floes):
                         DATA / f"{case}.png"], check=True)
 
 
-def main():
-    arguments = sys.argv[1:]
-    if arguments[:1] == ["--collect"] and len(arguments) == 3:
-        collect(pathlib.Path(arguments[1]), arguments[2])
-    elif arguments not in ([], ["--check"]):
-        sys.exit(__doc__)
-    fill_or_check({DOCS / "trends.md": {"verdicts": verdicts}}, arguments == ["--check"], "trends.py")
-
-
 if __name__ == "__main__":
-    main()
+    make({DOCS / "trends.md": {"verdicts": verdicts}}, __doc__, collect=collect)

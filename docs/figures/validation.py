@@ -10,16 +10,14 @@ Usage:
 """
 import pathlib
 import subprocess
-import sys
 
 import numpy as np
 import pandas as pd
 
 import validation_tables
-from page_blocks import fill_or_check
+from page_blocks import make
 from validation_data import CAMPAIGNS, SUMMARIES, WINDOW_START
 
-PAGES = {SUMMARIES.parent / "validation.md": validation_tables.BLOCKS}
 WINDOW_S, SEGMENTS = 150, 3
 STARTS = range(80, 131, 10)  # s
 
@@ -62,7 +60,9 @@ def largest(path, start):
     return pd.DataFrame(rows, columns=["case", "arrangement", "averaged_over_s", "maximum_load"])
 
 
-def collect(folder, program):
+def collect(folder, program="./floes"):
+    folder = pathlib.Path(folder)
+
     def summary(name, part):
         command = [program, "summarize", str(folder / f"{name}.h5"), "--parts", part, "--format", "csv"]
         text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
@@ -87,19 +87,8 @@ def collect(folder, program):
     (SUMMARIES / "hybrid.json").write_text(curve)
 
 
-def main(arguments):
-    if arguments[:1] == ["--collect"]:
-        collect(pathlib.Path(arguments[1]), arguments[2] if len(arguments) > 2 else "./floes")
-    elif arguments not in ([], ["--check"]):
-        sys.exit(__doc__)
-    check = arguments == ["--check"]
-    fill_or_check(PAGES, check, "validation.py")
-    if check:
-        return
-    import validation_figures  # needs matplotlib, which --check does not
-
-    validation_figures.draw_all(SUMMARIES)
-
-
 if __name__ == "__main__":
-    main(sys.argv[1:])
+    if make({SUMMARIES.parent / "validation.md": validation_tables.BLOCKS}, __doc__, collect=collect):
+        import validation_figures  # needs matplotlib, which --check does not
+
+        validation_figures.draw_all(SUMMARIES)

@@ -8,13 +8,12 @@ Usage:
                                 as they are there
 """
 import pathlib
-import sys
 import textwrap
 
 import pandas as pd
 
 from contact import beside, collected
-from page_blocks import fill_or_check
+from page_blocks import make
 from validation_data import change
 from validation_tables import difference, table, with_interval
 
@@ -67,21 +66,14 @@ def work(name):
     return textwrap.fill(f"Of {total:.1f} N, where the mean load is {own.mean_N.mean():.1f} N: {shares}.", 125)
 
 
-def main():
-    arguments = sys.argv[1:]
-    if arguments[:1] == ["--collect"]:
-        for name in CAMPAIGNS:
-            path = pathlib.Path(arguments[1]) / f"{name}.h5"
-            if path.exists():
-                collected(path, {"case": "joint.name"}, [f"work_{key}" for key in WORK]).round(6).to_csv(
-                    DATA / f"{name}.csv", index=False)
-    elif arguments not in ([], ["--check"]):
-        sys.exit(__doc__)
-    fill_or_check({DOCS / "water.md": {"channel": lambda: beside(members("water_channel"), CASES, "water", QUANTITIES),
-                                       "work": lambda: work("water_channel"),
-                                       "boundaries": boundaries}},
-                  arguments == ["--check"], "water.py")
+def collect(folder):
+    for name in CAMPAIGNS:
+        path = pathlib.Path(folder) / f"{name}.h5"
+        if path.exists():
+            collected(path, {"case": "joint.name"}, [f"work_{key}" for key in WORK]).round(6).to_csv(
+                DATA / f"{name}.csv", index=False)
 
 
 if __name__ == "__main__":
-    main()
+    make({DOCS / "water.md": {"channel": lambda: beside(members("water_channel"), CASES, "water", QUANTITIES),
+                              "work": lambda: work("water_channel"), "boundaries": boundaries}}, __doc__, collect=collect)

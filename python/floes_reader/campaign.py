@@ -170,23 +170,13 @@ class Campaign:
     def breaks(self) -> pandas.DataFrame:
         """Every failed joint of the done members: `member`, `case`, `time` (s since the tow began), `floe`, `joint`
         of the floe, and `mode` in a word ("bending")."""
-        breaks = tables.table(self._stored, "breaks")
-        if not breaks.member.isin(self._members.index).all():
-            raise self._stored.damaged("/breaks/member names a member that the campaign does not have")
-        breaks.insert(1, "case", self._members.case.to_numpy()[breaks.member])
-        return breaks
+        return self._listed("breaks")
 
     @property
     def pieces(self) -> pandas.DataFrame | None:
         """Every piece of the floes that cracked through: `member`, `case`, `floe` and its `area`, m². None before
         layout 1.13."""
-        if "pieces" not in self._stored.names():
-            return None
-        pieces = tables.table(self._stored, "pieces")
-        if not pieces.member.isin(self._members.index).all():
-            raise self._stored.damaged("/pieces/member names a member that the campaign does not have")
-        pieces.insert(1, "case", self._members.case.to_numpy()[pieces.member])
-        return pieces
+        return self._listed("pieces") if "pieces" in self._stored.names() else None
 
     @property
     def provenance(self) -> dict[str, Any]:
@@ -316,6 +306,14 @@ class Campaign:
             known = ", ".join(self._cases.index)
             raise CampaignError(f"There is no case '{case}' in this campaign; its cases are {known}.")
         return case
+
+    def _listed(self, group: str) -> pandas.DataFrame:
+        """A group with any number of rows for a member, and its case."""
+        rows = tables.table(self._stored, group)
+        if not rows.member.isin(self._members.index).all():
+            raise self._stored.damaged(f"/{group}/member names a member that the campaign does not have")
+        rows.insert(1, "case", self._members.case.to_numpy()[rows.member])
+        return rows
 
     def _of_members(self, group: str) -> xarray.Dataset | None:
         """A group with a row for each member, and whose they are."""
