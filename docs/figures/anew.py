@@ -13,12 +13,13 @@ FLOES: the program. Steps of --pages need packages-test-all.txt.
 """
 import argparse
 import csv
-import json
 import os
 import pathlib
 import subprocess
 import sys
 import time
+
+from told import told
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 CONFIGS = ROOT / "configs"
@@ -117,17 +118,13 @@ STEPS = [
 OTHERS = [CONFIGS / f"targets_{name}.toml" for name in ("channel", "channel_ten", "table3", "tank")]
 
 
-def answer(command):
-    return json.loads(subprocess.run([*command, "--format", "json"], check=True, stdout=subprocess.PIPE).stdout)
-
-
 def members_left(floes, folder, name):
     """Members that are not done, and the seconds that they take on two cores by `floes plan`."""
     config, words = CAMPAIGNS[name]
-    plan = answer([floes, "plan", config, "--cores", "2", *words])
+    plan = told(floes, "plan", config, "--cores", "2", *words)
     members, file = plan["members"], folder / f"{name}.h5"
     if file.exists():
-        status = answer([floes, "status", file])
+        status = told(floes, "status", file)
         members = status["total"] - status["done"] - status["failed"]
     return members, members * plan["mean_run_time_s"] / 2
 

@@ -7,9 +7,9 @@ table. Takes some minutes.
 """
 import json
 import pathlib
-import subprocess
 import sys
 
+from told import told
 from validation_figures import finish, plt
 from validation_tables import table
 
@@ -20,8 +20,7 @@ SMALL = "1e-10"
 
 
 def calibrate(program, *arguments):
-    command = [program, "laboratory", "plate", "--format", "json", *arguments]
-    return json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)["curve"]
+    return told(program, "laboratory", "plate", *arguments)["curve"]
 
 
 def measure(program):

@@ -6,14 +6,13 @@ Usage: contour_percentile.py ICE [FLOES]
 
 ICE is what floes contour reads.
 """
-import json
-import subprocess
 import sys
 
 import numpy as np
 from scipy.optimize import brentq
 from scipy.stats import norm
 
+from told import told
 from validation_tables import table
 
 GROWTH = {"thickness": (1, 0), "thickness^2": (2, 0), "thickness^1.5 · speed^0.5": (1.5, 0.5)}
@@ -36,9 +35,8 @@ def main(arguments):
     if len(arguments) not in (1, 2):
         sys.exit(__doc__)
     ice, *program = arguments
-    command = [*(program or ["./floes"]), "contour", ice, "--points", "360", "--format", "json"]
-    told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)
-    one, other = told["inputs"]
+    found = told(*(program or ["./floes"]), "contour", ice, "--points", "360")
+    one, other = found["inputs"]
     scores = np.linspace(-8, 8, 801)
     weights = norm.pdf(scores)
     weights /= weights.sum()
@@ -49,14 +47,14 @@ def main(arguments):
     for name, (power, speed) in GROWTH.items():
         for words, spread in VARIABILITY.items():
             cells = []
-            for level in sorted({point["per_year"] for point in told["contours"]}, reverse=True):
-                own = [point for point in told["contours"] if point["per_year"] == level]
+            for level in sorted({point["per_year"] for point in found["contours"]}, reverse=True):
+                own = [point for point in found["contours"] if point["per_year"] == level]
                 beyond = norm.sf(own[0]["radius"])  # of one state, of the year's load as of the contour
                 location = x ** power * y ** speed
                 below = lambda load: np.sum(both * np.exp(-np.exp(-(load / location - 1) / spread)))
                 top = 20 * location[scores < 7][-1].max()
                 load = brentq(lambda load: 1 - below(load) - beyond, 1e-6 * top, top, xtol=1e-12 * top)
-                keys = [law["key"] for law in told["inputs"]]
+                keys = [law["key"] for law in found["inputs"]]
                 largest = max(point[keys[0]] ** power * point[keys[1]] ** speed for point in own)
                 cells.append(f"{100 * np.exp(-np.exp(-(load / largest - 1) / spread)):.0f} %")
             rows.append([name, words, *cells])

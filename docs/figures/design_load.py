@@ -9,12 +9,12 @@ Usage:
 """
 import json
 import pathlib
-import subprocess
 
 import numpy as np
 import pandas as pd
 
 from page_blocks import make
+from told import told
 from validation_tables import table
 
 DATA = pathlib.Path(__file__).resolve().parent.parent / "design"
@@ -24,10 +24,9 @@ SHOWN = ["both tails", "Pareto tail", "Weibull tail", "Gumbel", "GEV"]
 
 def take_tails(campaign, program="./floes"):
     """Of the first case of the campaign."""
-    command = [program, "design", campaign, "--format", "json"]
-    told = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout)["design"]
-    basis = told["basis"][0]
-    kept = {"basis": basis} | {name: [one for one in told[name] if one["case"] == basis["case"]]
+    found = told(program, "design", campaign)["design"]
+    basis = found["basis"][0]
+    kept = {"basis": basis} | {name: [one for one in found[name] if one["case"] == basis["case"]]
                                for name in ("over_thresholds", "loads", "rates")}
     kept["rates"] = [point for point in kept["rates"] if point["load"] > 0.6 * basis["threshold"]]
     (DATA / "tails.json").write_text(json.dumps(kept, indent=1) + "\n")
@@ -53,10 +52,10 @@ def example():
 def draw(path):
     from validation_figures import finish, plt  # needs matplotlib, which --check does not
 
-    told = tails()
-    basis = told["basis"]
+    found = tails()
+    basis = found["basis"]
     figure, (left, middle, right) = plt.subplots(1, 3, figsize=(13, 4.2))
-    rates = pd.DataFrame(told["rates"])
+    rates = pd.DataFrame(found["rates"])
     left.step(rates.load, 3600 * rates.seen_per_s, color="black", linewidth=1, label="declustered peaks seen")
     for name, colour in [("pareto", "#0072B2"), ("weibull", "#D55E00")]:
         left.plot(rates.load, 3600 * rates[f"{name}_per_s"].astype(float), color=colour, label=f"{name.title()} tail")
@@ -76,9 +75,9 @@ def draw(path):
     middle.set_xlabel("threshold, N")
     middle.set_ylabel("mean excess over it, N")
     middle.legend(frameon=False, fontsize=8)
-    loads = pd.DataFrame(told["loads"])
+    loads = pd.DataFrame(found["loads"])
     own = loads[(loads.method == "both tails") & (loads.figure == "quantile")].iloc[0]
-    points = pd.DataFrame(told["over_thresholds"])
+    points = pd.DataFrame(found["over_thresholds"])
     right.plot(100 * points.share, points.load, "o-", color="black", label="by share")
     right.errorbar(25, own.load, [[own.load - own.load_low], [own.load_high - own.load]], color="#D55E00", fmt="s",
                    capsize=4, label="both tails, 95 %")

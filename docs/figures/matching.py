@@ -14,6 +14,7 @@ import subprocess
 import tempfile
 
 from page_blocks import make
+from told import said
 from validation_tables import table
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -48,8 +49,7 @@ def collect(folder, floes=ROOT / "floes"):
                        ROOT / f"configs/targets_{targets}.toml", "--format", "json", "--exposure-h", "3", "-o", page]
             if targets != "tank":
                 command += [word for key, value in TRUTH.items() for word in ("--at", f"{key}={value}")]
-            done = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True)
-            (DATA / f"{name}.json").write_text(done.stdout)
+            (DATA / f"{name}.json").write_text(said(*command))
             if name == "ten_runs":
                 picture(page, DATA / "pairs.png")
 

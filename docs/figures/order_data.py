@@ -2,9 +2,10 @@
 import io
 import json
 import pathlib
-import subprocess
 
 import pandas as pd
+
+from told import said
 
 SUMMARIES = pathlib.Path(__file__).resolve().parent.parent / "order"
 ORDER = ["psi4", "local_order", "coverage"]
@@ -33,9 +34,7 @@ def finished(campaign, program):
     the number, equal for the same throw."""
     import h5py  # which --check does not need
 
-    command = [program, "summarize", str(campaign), "--parts", "members", "--format", "csv"]
-    text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
-    table = pd.read_csv(io.StringIO(text))
+    table = pd.read_csv(io.StringIO(said(program, "summarize", campaign, "--parts", "members", "--format", "csv")))
     with h5py.File(campaign) as file:
         row = table.arrangement.to_numpy()
         table = table.assign(field=row, arrangement=file["arrangements/number"][:][row])

@@ -9,13 +9,13 @@ Usage:
                                         the program FLOES (default ./floes)
 """
 import pathlib
-import subprocess
 
 import numpy as np
 import pandas as pd
 
 import validation_tables
 from page_blocks import make
+from told import said
 from validation_data import CAMPAIGNS, SUMMARIES, WINDOW_START
 
 WINDOW_S, SEGMENTS = 150, 3
@@ -64,9 +64,8 @@ def collect(folder, program="./floes"):
     folder = pathlib.Path(folder)
 
     def summary(name, part):
-        command = [program, "summarize", str(folder / f"{name}.h5"), "--parts", part, "--format", "csv"]
-        text = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
-        (SUMMARIES / f"{name}.{part}.csv").write_text(text)
+        words = said(program, "summarize", folder / f"{name}.h5", "--parts", part, "--format", "csv")
+        (SUMMARIES / f"{name}.{part}.csv").write_text(words)
 
     def is_here(name):
         return (folder / f"{name}.h5").exists()
@@ -82,8 +81,7 @@ def collect(folder, program="./floes"):
     if is_here("tank_walls"):
         largest(folder / "tank_walls.h5", WINDOW_START).to_csv(SUMMARIES / "tank_walls.largest.csv", index=False,
                                                                float_format="%.6g")
-    command = [program, "hybrid", "--modulus-MPa", "2,3,5,7,10,15,20,30,45,60,100,150,200,300,500", "--format", "json"]
-    curve = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
+    curve = said(program, "hybrid", "--modulus-MPa", "2,3,5,7,10,15,20,30,45,60,100,150,200,300,500", "--format", "json")
     (SUMMARIES / "hybrid.json").write_text(curve)
 
 
