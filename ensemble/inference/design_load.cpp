@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/units.hpp"
-#include "inference/posterior_load.hpp"
 
 namespace floes {
 namespace {
@@ -47,12 +46,9 @@ Figures figures_of(const ExtremeFit& fit, const Exposure& exposure, double segme
 }
 
 /// The peak that the given share of all peaks exceeds.
-double threshold_of(const std::vector<PeakRow>& rows, double share) {
-    std::vector<double> all;
-    for (const PeakRow& row : rows) all.insert(all.end(), row.peaks.begin(), row.peaks.end());
-    if (all.empty()) return undefined;
-    std::ranges::sort(all);
-    return quantile_of_sorted(all, 1 - share);
+double threshold_of(MemberPeakSpans peaks, double share) {
+    const std::vector<double> all = pooled_peaks(peaks, {}, false);
+    return all.empty() ? undefined : quantile_of_sorted(all, 1 - share);
 }
 
 struct BothTails {
@@ -71,33 +67,22 @@ Figures weighted(const Figures& one, const Figures& other, double weight) {
     return both;
 }
 
-/// Fits the peaks above one threshold, of rows drawn from all.
-class TailFitter {
-  public:
-    TailFitter(const std::vector<PeakRow>& rows, const Measured& measured, double threshold)
-        : rows_(rows), measured_(measured), threshold_(threshold) {}
-
-    BothTails fit(Rows drawn) const {
-        std::vector<double> excesses;
-        for (const std::uint32_t row : drawn)
-            for (const double peak : rows_[row].peaks) {
-                if (!(peak > threshold_)) break;  // sorted, falling
-                excesses.push_back(peak - threshold_);
-            }
-        std::ranges::sort(excesses, std::ranges::greater{});
-        const double time = measured_.window * static_cast<double>(drawn.size());
-        std::vector<double> weights;
-        for (std::size_t higher = 0; higher < excesses.size(); ++higher)
-            weights.push_back(events_per_peak((static_cast<double>(higher) + 0.5) * measured_.separation / time));
-        return {fit_tail(TailKind::pareto, excesses, weights, threshold_, measured_.mean, time),
-                fit_tail(TailKind::weibull, excesses, weights, threshold_, measured_.mean, time)};
-    }
-
-  private:
-    const std::vector<PeakRow>& rows_;
-    Measured measured_;
-    double threshold_;
-};
+/// Fitted to the peaks above one threshold, of rows drawn from all.
+BothTails fit_tails(const std::vector<PeakRow>& rows, const Measured& measured, double threshold, Rows drawn) {
+    std::vector<double> excesses;
+    for (const std::uint32_t row : drawn)
+        for (const double peak : rows[row].peaks) {
+            if (!(peak > threshold)) break;  // sorted, falling
+            excesses.push_back(peak - threshold);
+        }
+    std::ranges::sort(excesses, std::ranges::greater{});
+    const double time = measured.window * static_cast<double>(drawn.size());
+    std::vector<double> weights;
+    for (std::size_t higher = 0; higher < excesses.size(); ++higher)
+        weights.push_back(events_per_peak((static_cast<double>(higher) + 0.5) * measured.separation / time));
+    return {fit_tail(TailKind::pareto, excesses, weights, threshold, measured.mean, time),
+            fit_tail(TailKind::weibull, excesses, weights, threshold, measured.mean, time)};
+}
 
 /// Without limits.
 DesignLoadEstimate estimate(LargestBy method, const Figures& values) {
@@ -114,9 +99,7 @@ int resamples_for(std::size_t values) {
 
 /// Both tails of members that differ.
 void add_posterior(MemberPeakSpans peaks, const Measured& measured, const Exposure& exposure, DesignLoad& load) {
-    const PosteriorLoad found(
-        peaks, load.unlike.out,
-        {measured.window, measured.separation, measured.mean, averaged_shares(exposure.share, exposure.quick)});
+    const PosteriorLoad found(peaks, load.unlike.out, measured, averaged_shares(exposure.share, exposure.quick));
     if (!found.valid()) return;
     load.weibull_weight = found.weibull_weight();
     load.scatter = found.scatter();
@@ -128,20 +111,21 @@ void add_posterior(MemberPeakSpans peaks, const Measured& measured, const Exposu
 }
 
 /// Each tail alone, of members taken as alike, and draws of both for differences between cases.
-void add_tails(const std::vector<PeakRow>& rows, const TailFitter& fitter, const Exposure& exposure, DesignLoad& load) {
+void add_tails(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure, DesignLoad& load) {
     load.estimates.push_back(estimate(LargestBy::pareto, figures_of(load.pareto, exposure)));
     load.estimates.push_back(estimate(LargestBy::weibull, figures_of(load.weibull, exposure)));
     // A draw that cannot be fitted stays as NaN, so that the same draws of two cases keep the same place.
-    bootstrap(rows.size(),
-              [&](Rows drawn) {
-                  const BothTails found = fitter.fit(drawn);
-                  const Figures both = weighted(figures_of(found.pareto, exposure), figures_of(found.weibull, exposure),
-                                                load.weibull_weight);
-                  load.draws.emplace_back(both.begin() + 1, both.end());
-                  load.dropped += std::isfinite(both.back()) ? 0 : 1;
-                  return 0.0;
-              },
-              {.resamples = resamples_for(load.peaks)});
+    bootstrap(
+        rows.size(),
+        [&](Rows drawn) {
+            const BothTails found = fit_tails(rows, measured, load.threshold, drawn);
+            const Figures both =
+                weighted(figures_of(found.pareto, exposure), figures_of(found.weibull, exposure), load.weibull_weight);
+            load.draws.emplace_back(both.begin() + 1, both.end());
+            load.dropped += std::isfinite(both.back()) ? 0 : 1;
+            return 0.0;
+        },
+        resamples_for(load.peaks));
 }
 
 void add_maxima(const std::vector<PeakRow>& rows, double segment, const Exposure& exposure, DesignLoad& load) {
@@ -159,19 +143,24 @@ std::string_view name_of(LargestBy method) {
     return names.at(static_cast<std::size_t>(method));
 }
 
+std::vector<std::span<const double>> peaks_of(const std::vector<PeakRow>& rows) {
+    std::vector<std::span<const double>> peaks;
+    for (const PeakRow& row : rows) peaks.emplace_back(row.peaks);
+    return peaks;
+}
+
 DesignLoad load_by_both_tails(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure) {
     DesignLoad load;
     load.arrangements = rows.size();
     load.time_run = measured.window * static_cast<double>(rows.size());
-    load.threshold = threshold_of(rows, exposure.share);
+    const std::vector<std::span<const double>> peaks = peaks_of(rows);
+    load.threshold = threshold_of(peaks, exposure.share);
     for (const PeakRow& row : rows)
         load.peaks += static_cast<std::size_t>(
             std::ranges::count_if(row.peaks, [&](double peak) { return peak > load.threshold; }));
-    std::vector<std::span<const double>> peaks;
-    for (const PeakRow& row : rows) peaks.emplace_back(row.peaks);
     load.unlike = unlike_members(peaks, exposure.share);
     if (rows.size() < fewest_members || load.peaks < fewest_peaks || !(load.threshold > measured.mean)) return load;
-    const BothTails tails = TailFitter(rows, measured, load.threshold).fit(all_rows(rows.size()));
+    const BothTails tails = fit_tails(rows, measured, load.threshold, all_rows(rows.size()));
     if (!tails.valid()) return load;
     load.pareto = tails.pareto;
     load.weibull = tails.weibull;
@@ -182,7 +171,7 @@ DesignLoad load_by_both_tails(const std::vector<PeakRow>& rows, const Measured& 
 DesignLoad design_load(const std::vector<PeakRow>& rows, const Measured& measured, const Exposure& exposure) {
     DesignLoad load = load_by_both_tails(rows, measured, exposure);
     if (!load.valid()) return load;
-    add_tails(rows, TailFitter(rows, measured, load.threshold), exposure, load);
+    add_tails(rows, measured, exposure, load);
     add_maxima(rows, measured.segment, exposure, load);
     return load;
 }
@@ -191,10 +180,10 @@ std::vector<std::vector<double>> over_thresholds(const std::vector<PeakRow>& row
                                                  const Exposure& exposure, const std::vector<double>& shares) {
     std::vector<std::vector<double>> all;
     for (const double share : shares) {
-        const double threshold = threshold_of(rows, share);
+        const double threshold = threshold_of(peaks_of(rows), share);
         Figures& found = all.emplace_back(exposure.probabilities.size(), undefined);
         if (!(threshold > measured.mean)) continue;
-        const BothTails tails = TailFitter(rows, measured, threshold).fit(all_rows(rows.size()));
+        const BothTails tails = fit_tails(rows, measured, threshold, all_rows(rows.size()));
         if (!tails.valid()) continue;
         const Figures both =
             weighted(figures_of(tails.pareto, exposure), figures_of(tails.weibull, exposure), tails.weibull_weight());

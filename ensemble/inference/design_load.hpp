@@ -5,11 +5,13 @@
 // A member is one row: its peaks and its segment maxima are resampled together.
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "inference/extremes.hpp"
 #include "inference/interval.hpp"
+#include "inference/posterior_load.hpp"
 #include "inference/tails.hpp"
 
 namespace floes {
@@ -20,13 +22,8 @@ struct PeakRow {
     std::vector<double> segment_maxima;  ///< N
 };
 
-/// How the rows were measured.
-struct Measured {
-    double window = 0;      ///< length of each row's record, s
-    double segment = 0;     ///< s
-    double separation = 0;  ///< of the peaks, s
-    double mean = 0;        ///< load, N: the origin of the Weibull tail
-};
+/// The peaks of each row, which must outlive this.
+std::vector<std::span<const double>> peaks_of(const std::vector<PeakRow>& rows);
 
 struct Exposure {
     double time = 0;                    ///< s

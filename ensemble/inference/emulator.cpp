@@ -77,6 +77,14 @@ bool determines(const Eigen::MatrixXd& at, EmulatorKind trend) {
     return found && found->maxCoeff() < 1 - 1e-6;  // a point of leverage 1 determines a term alone
 }
 
+EmulatorKind plane_or_constant(const Eigen::MatrixXd& at) {
+    return determines(at, EmulatorKind::linear) ? EmulatorKind::linear : EmulatorKind::constant;
+}
+
+double freedom_of(const Eigen::MatrixXd& terms) {
+    return static_cast<double>(terms.rows() - terms.cols());
+}
+
 constexpr double far = 3;  // SDs
 constexpr double many_far_by_chance = 0.01;
 // Covariances were fitted to the same values, so mean squares scatter less than those of a covariance that is given: of
@@ -181,7 +189,7 @@ class Likelihood {
   public:
     explicit Likelihood(const EmulatorData& data)
         : data_(data),
-          trend_(determines(data.at, EmulatorKind::linear) ? EmulatorKind::linear : EmulatorKind::constant),
+          trend_(plane_or_constant(data.at)),
           terms_(trend_terms(trend_, data.at)),
           squares_(data.at.rows() * (data.at.rows() - 1) / 2, data.at.cols()) {
         Eigen::Index pair = 0;
@@ -271,10 +279,6 @@ EmulatorForm fit_gaussian_process(const EmulatorData& data) {
 
 constexpr Eigen::Index fewest_spare = 3;  // points more than terms, so that forms can be compared
 
-double freedom_of(const Eigen::MatrixXd& terms) {
-    return static_cast<double>(terms.rows() - terms.cols());
-}
-
 Kriging solve(const EmulatorData& data, const Eigen::MatrixXd& terms, double extra) {
     return {Eigen::MatrixXd((data.noise.array() + extra).matrix().asDiagonal()), terms, data.values};
 }
@@ -309,9 +313,7 @@ double predictive_score(const EmulatorForm& form, const Eigen::VectorXd& values)
 EmulatorForm fit_trend(const EmulatorData& data, EmulatorKind trend) {
     const Eigen::MatrixXd terms = trend_terms(trend, data.at);
     const double extra = extra_variance(data, terms);
-    EmulatorCovariance covariance;
-    covariance.extra = extra;
-    return {trend, trend, {EmulatorForm::Part{covariance, solve(data, terms, extra)}}};
+    return {trend, trend, {EmulatorForm::Part{{{}, 0, extra}, solve(data, terms, extra)}}};
 }
 
 EmulatorForm fit_polynomial(const EmulatorData& data) {
@@ -355,12 +357,9 @@ std::vector<Eigen::Index> sorted_rows(const EmulatorData& data) {
 
 /// SD of the deviations from a plane; from what else is known about the size of the values where these are 0.
 double size_of_deviations(const EmulatorData& data) {
-    const EmulatorKind trend =
-        determines(data.at, EmulatorKind::linear) ? EmulatorKind::linear : EmulatorKind::constant;
-    const Eigen::MatrixXd terms = trend_terms(trend, data.at);
+    const Eigen::MatrixXd terms = trend_terms(plane_or_constant(data.at), data.at);
     const Eigen::VectorXd rest = data.values - terms * least_squares(terms, data.values);
-    const double freedom = static_cast<double>(terms.rows() - terms.cols());
-    const double from_plane = rest.squaredNorm() / freedom;
+    const double from_plane = rest.squaredNorm() / freedom_of(terms);
     const double from_mean = (data.values.array() - data.values.mean()).square().mean();
     if (from_plane > 1e-12 * from_mean && from_mean > 1e-24 * data.values.squaredNorm()) return std::sqrt(from_plane);
     const double size = std::max({1e-12 * from_mean, data.noise.mean(), 1e-24 * data.values.squaredNorm()});

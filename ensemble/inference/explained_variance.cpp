@@ -1,7 +1,6 @@
 #include "inference/explained_variance.hpp"
 
 #include <cmath>
-#include <numeric>
 
 #include <Eigen/Core>
 
@@ -15,17 +14,26 @@ namespace floes {
 
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Of rows of one length.
+MatrixXd matrix_of(const std::vector<std::vector<double>>& rows) {
+    MatrixXd made(static_cast<Index>(rows.size()), static_cast<Index>(rows.empty() ? 0 : rows.front().size()));
+    for (Index row = 0; row < made.rows(); ++row)
+        for (Index column = 0; column < made.cols(); ++column)
+            made(row, column) = rows[static_cast<std::size_t>(row)].at(static_cast<std::size_t>(column));
+    return made;
+}
+
 /// A column of ones, then the coordinates.
-Eigen::MatrixXd model(const PointCoordinates& points) {
-    const auto axes = static_cast<Eigen::Index>(points.empty() ? 0 : points.front().size());
-    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(points.size()), axes + 1);
-    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-        const std::vector<double>& point = points[static_cast<std::size_t>(row)];
-        matrix(row, 0) = 1;
-        for (Eigen::Index axis = 0; axis < axes; ++axis)
-            matrix(row, axis + 1) = point.at(static_cast<std::size_t>(axis));
-    }
-    return matrix;
+MatrixXd model(const PointCoordinates& points) {
+    const MatrixXd coordinates = matrix_of(points);
+    MatrixXd made(coordinates.rows(), coordinates.cols() + 1);
+    made.col(0).setOnes();
+    made.rightCols(coordinates.cols()) = coordinates;
+    return made;
 }
 
 bool is_solvable(const Eigen::MatrixXd& matrix) {
@@ -86,7 +94,7 @@ LinearFit fit_points(const PointCoordinates& points, std::span<const double> val
     const Eigen::Index columns = matrix.cols();
     const double freedom = static_cast<double>(matrix.rows() - columns);
     const double residual = std::sqrt((vector - matrix * coefficients).squaredNorm() / freedom);
-    const double t = student_t(freedom, (1 - 0.95) / 2);
+    const double t = student_t(freedom, beyond_limit);
     LinearFit fit;
     fit.centre = coefficients(0);
     for (Eigen::Index axis = 1; axis < columns; ++axis) {
@@ -99,37 +107,21 @@ LinearFit fit_points(const PointCoordinates& points, std::span<const double> val
 
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
 /// Rows with the columns that vary in both samples.
 struct Samples {
     MatrixXd known;
     MatrixXd population;
 };
 
-MatrixXd matrix(const Covariates& rows) {
-    MatrixXd made(static_cast<Index>(rows.size()), static_cast<Index>(rows.empty() ? 0 : rows.front().size()));
-    for (Index row = 0; row < made.rows(); ++row)
-        for (Index column = 0; column < made.cols(); ++column)
-            made(row, column) = rows[static_cast<std::size_t>(row)].at(static_cast<std::size_t>(column));
-    return made;
-}
-
 Samples varying(const Covariates& known, const Covariates& population) {
-    const MatrixXd one = matrix(known);
-    const MatrixXd other = matrix(population);
-    Samples kept{MatrixXd(one.rows(), 0), MatrixXd(other.rows(), 0)};
+    const MatrixXd one = matrix_of(known);
+    const MatrixXd other = matrix_of(population);
+    std::vector<Index> kept;
     for (Index column = 0; column < one.cols(); ++column) {
         const bool finite = one.col(column).allFinite() && other.col(column).allFinite();
-        if (!finite || one.col(column).minCoeff() == one.col(column).maxCoeff()) continue;
-        kept.known.conservativeResize(Eigen::NoChange, kept.known.cols() + 1);
-        kept.population.conservativeResize(Eigen::NoChange, kept.population.cols() + 1);
-        kept.known.rightCols(1) = one.col(column);
-        kept.population.rightCols(1) = other.col(column);
+        if (finite && one.col(column).minCoeff() != one.col(column).maxCoeff()) kept.push_back(column);
     }
-    return kept;
+    return {one(Eigen::all, kept), other(Eigen::all, kept)};
 }
 
 MatrixXd centred(const MatrixXd& rows) {
@@ -252,16 +244,15 @@ double total(const SaltelliValues& values, std::size_t input, Rows rows) {
 
 }  // namespace
 
-SobolIndices sobol_indices(const SaltelliValues& values, const BootstrapOptions& options) {
+SobolIndices sobol_indices(const SaltelliValues& values, int resamples) {
     check(values);
     const std::size_t count = values.a.size();
-    std::vector<std::uint32_t> all(count);
-    std::iota(all.begin(), all.end(), 0u);
+    const std::vector<std::uint32_t> all = all_rows(count);
     const bool varies = count > 0 && moments(values, all).variance > 0;
     const auto index = [&](auto estimator, std::size_t input) -> SobolIndex {
         if (!varies) return {undefined, {undefined, undefined}};
         const RowStatistic statistic = [&](Rows rows) { return estimator(values, input, rows); };
-        return {statistic(all), bca_interval(count, statistic, options)};
+        return {statistic(all), bca_interval(count, statistic, resamples)};
     };
     SobolIndices indices;
     for (std::size_t input = 0; input < values.ab.size(); ++input) {
@@ -273,13 +264,7 @@ SobolIndices sobol_indices(const SaltelliValues& values, const BootstrapOptions&
 
 namespace {
 
-constexpr double tail = 0.025;
 constexpr double rounding = 1e-24;  // of the sum of squares, which equal values may scatter by
-
-/// What F exceeds with 2.5 %.
-double high_f(double above, double below) {
-    return fisher_quantile_above(tail, above, below);
-}
 
 }  // namespace
 
@@ -316,7 +301,8 @@ ArrangementShare arrangement_share(std::span<const std::vector<double>> values) 
     }
     const double f = of_arrangements / of_rest;
     found.share = share_of(f);
-    found.interval = {share_of(f / high_f(freedom, rest_freedom)), share_of(f * high_f(rest_freedom, freedom))};
+    found.interval = {share_of(f / fisher_quantile_above(0.025, freedom, rest_freedom)),
+                      share_of(f * fisher_quantile_above(0.025, rest_freedom, freedom))};
     return found;
 }
 

@@ -95,9 +95,9 @@ struct SobolIndices {
 ///   first  S_i = mean(y_B (y_ABi - y_A)) / V    A. Saltelli et al., Comput. Phys. Commun. 181 (2010) 259-270, (b)
 ///   total  T_i = mean((y_A - y_ABi)²) / (2 V)   M. J. W. Jansen, Comput. Phys. Commun. 117 (1999) 35-43
 /// as in scipy.stats.sobol_indices. All NaN if V is 0 or there is no base point. Intervals are those of bca_interval(),
-/// which treats base points as independent; for a Sobol sequence, which fills space more evenly, they are too wide.
-/// Throws InputError if the sizes differ or a value is not finite.
-SobolIndices sobol_indices(const SaltelliValues& values, const BootstrapOptions& options = {});
+/// of so many `resamples`, which treats base points as independent; for a Sobol sequence, which fills space more
+/// evenly, they are too wide. Throws InputError if the sizes differ or a value is not finite.
+SobolIndices sobol_indices(const SaltelliValues& values, int resamples = 0);
 
 // What of the scatter of single runs belongs to their arrangement: cases over the same arrangements, in a table of two
 // ways without repetition, value = case + arrangement + rest. The share of the arrangement is the intraclass

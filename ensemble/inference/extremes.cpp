@@ -150,7 +150,7 @@ ExtremeFit fit_by_simplex(std::span<const double> maxima, const ExtremeFit& star
     };
     const auto cost = [&](std::span<const double> point) {
         const ExtremeFit fit = at(point);
-        return std::abs(fit.shape) < 1 ? -log_likelihood(fit, maxima) : std::numeric_limits<double>::infinity();
+        return std::abs(fit.shape) < 1 ? -log_likelihood(fit, maxima) : infinity;
     };
     const Minimum found = walk_simplex(cost, std::array{0.0, 0.0, start.shape}, {size, small_enough});
     if (!std::isfinite(found.cost)) return no_fit;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 
 #include <fmt/format.h>
 #include <boost/random/gamma_distribution.hpp>
@@ -18,45 +17,45 @@
 
 namespace floes {
 
-Interval mean_interval(std::span<const double> values, double confidence) {
-    if (!(confidence > 0 && confidence < 1)) {
-        throw InputError(fmt::format("The confidence is {}; it must lie between 0 and 1, such as 0.95.", confidence));
-    }
-    double sum = 0;
-    for (const double value : values) {
-        if (!std::isfinite(value)) {
+namespace {
+
+constexpr Limits no_limits{undefined, undefined};
+
+std::vector<double> logarithms(std::span<const double> values) {
+    std::vector<double> logs;
+    for (const double value : values) logs.push_back(std::log(value));
+    return logs;
+}
+
+}  // namespace
+
+Interval mean_interval(std::span<const double> values) {
+    for (const double value : values)
+        if (!std::isfinite(value))
             throw InputError(
                 fmt::format("A mean over {} members includes the value {}; leave out members without a result.",
                             values.size(), value));
-        }
-        sum += value;
-    }
-    if (values.empty()) return {undefined, undefined, undefined, undefined, undefined};
+    const double mean = mean_of(values);
+    if (values.size() < 2) return {values.empty() ? undefined : mean, undefined, undefined, undefined, undefined};
     const double count = static_cast<double>(values.size());
-    const double mean = sum / count;
-    if (values.size() == 1) return {mean, undefined, undefined, undefined, undefined};
-
     const double sd = std::sqrt(squares_about(values, mean) / (count - 1));
-    const double t = student_t(count - 1, (1 - confidence) / 2);
+    const double t = student_t(count - 1, beyond_limit);
     const double of_mean = t * sd / std::sqrt(count);
     const double of_run = t * sd * std::sqrt(1 + 1 / count);
     return {mean, mean - of_mean, mean + of_mean, mean - of_run, mean + of_run};
 }
 
-Interval positive_interval(std::span<const double> values, double confidence) {
-    Interval interval = mean_interval(values, confidence);
+Interval positive_interval(std::span<const double> values) {
+    Interval interval = mean_interval(values);
     if (std::ranges::any_of(values, [](double value) { return value <= 0; })) return interval;
-    std::vector<double> logarithms(values.size());
-    std::ranges::transform(values, logarithms.begin(), [](double value) { return std::log(value); });
-    const Interval logarithmic = mean_interval(logarithms, confidence);
+    const Interval logarithmic = mean_interval(logarithms(values));
     interval.prediction_low = std::exp(logarithmic.prediction_low);
     interval.prediction_high = std::exp(logarithmic.prediction_high);
     return interval;
 }
 
 Interval clipped(const Interval& interval, double least, double most) {
-    // NaN stays NaN, because both comparisons are false.
-    const auto cut = [&](double value) { return value < least ? least : value > most ? most : value; };
+    const auto cut = [&](double value) { return std::clamp(value, least, most); };  // NaN stays NaN
     return {cut(interval.estimate), cut(interval.low), cut(interval.high), cut(interval.prediction_low),
             cut(interval.prediction_high)};
 }
@@ -79,55 +78,47 @@ struct Height {
     std::size_t row;
 };
 
-enum class Tails { upper, both };
-
 /// For falling values, how far the highest, or the farthest, is from the mean of all, in their SD: Rosner's R.
 struct Departure {
     double value;
     bool highest;  ///< else the lowest
 };
-Departure departure(std::span<const Height> falling, Tails tails) {
+Departure departure(std::span<const Height> falling, Sides sides) {
     const double count = static_cast<double>(falling.size());
     double mean = 0, squares = 0;
     for (const Height& one : falling) mean += one.value / count;
     for (const Height& one : falling) squares += (one.value - mean) * (one.value - mean);
     const double sd = std::sqrt(squares / (count - 1));
     const double up = falling.front().value - mean, down = mean - falling.back().value;
-    const bool highest = tails == Tails::upper || up >= down;
+    const bool highest = sides == Sides::above || up >= down;
     return {sd > 0 ? (highest ? up : down) / sd : 0, highest};
 }
 
 /// What the departure of the highest, or farthest, of `count` normal values is below with 99 %.
-double usual_departure(double count, Tails tails) {
-    const double t = student_t(count - 2, level / (tails == Tails::both ? 2 * count : count));
+double usual_departure(double count, Sides sides) {
+    const double t = student_t(count - 2, level / (sides == Sides::both ? 2 * count : count));
     return (count - 1) * t / std::sqrt((count - 2 + t * t) * count);
 }
 
 /// For heights in any order.
-std::vector<std::size_t> standing_out(std::vector<Height> heights, Tails tails = Tails::upper) {
+std::vector<std::size_t> standing_out(std::vector<Height> heights, Sides sides) {
     std::ranges::stable_sort(heights, [](const Height& a, const Height& b) { return a.value > b.value; });
     if (heights.size() < fewest_to_stand_out) return {};
     std::span<const Height> left = heights;
     std::vector<std::size_t> rows;  // in the order in which they are taken away
     std::size_t count = 0;
     const std::size_t most = heights.size() / 4;
-    const double least = usual_departure(static_cast<double>(heights.size() - most), tails);  // it grows with the count
+    const double least = usual_departure(static_cast<double>(heights.size() - most), sides);  // it grows with the count
     for (std::size_t k = 0; k < most; ++k) {
-        const Departure found = departure(left, tails);
+        const Departure found = departure(left, sides);
         rows.push_back((found.highest ? left.front() : left.back()).row);
-        if (found.value > least && found.value > usual_departure(static_cast<double>(left.size()), tails))
+        if (found.value > least && found.value > usual_departure(static_cast<double>(left.size()), sides))
             count = k + 1;
         left = found.highest ? left.subspan(1) : left.first(left.size() - 1);
     }
     rows.resize(count);
     std::ranges::sort(rows);
     return rows;
-}
-
-std::vector<Height> heights_of(std::span<const double> values) {
-    std::vector<Height> heights;
-    for (std::size_t row = 0; row < values.size(); ++row) heights.push_back({values[row], row});
-    return heights;
 }
 
 /// The highest peaks of all that are those of these rows.
@@ -150,14 +141,11 @@ UnlikeMembers unlike_members(MemberPeakSpans peaks, double share) {
     std::vector<Height> heights;
     for (std::size_t row = 0; row < peaks.size(); ++row)
         if (!peaks[row].empty()) heights.push_back({height_of(peaks[row]), row});
-    found.out = standing_out(std::move(heights));
+    found.out = standing_out(std::move(heights), Sides::above);
     if (!found.out.empty()) found.carried = carried_by(peaks, found.out);
-    std::vector<double> all;
-    for (std::size_t row = 0; row < peaks.size(); ++row)
-        if (!std::ranges::binary_search(found.out, row)) all.insert(all.end(), peaks[row].begin(), peaks[row].end());
+    const std::vector<double> all = pooled_peaks(peaks, found.out, false);
     const double members = static_cast<double>(peaks.size() - found.out.size());
     if (all.empty() || members < 2) return found;
-    std::ranges::sort(all);
     const double threshold = quantile_of_sorted(all, 1 - share);
     double sum = 0, squares = 0;
     for (std::size_t row = 0; row < peaks.size(); ++row) {
@@ -174,12 +162,12 @@ UnlikeMembers unlike_members(MemberPeakSpans peaks, double share) {
     return found;
 }
 
-std::vector<std::size_t> rows_standing_out(std::span<const double> values) {
-    return standing_out(heights_of(values));
-}
-
-std::vector<std::size_t> rows_standing_apart(std::span<const double> values) {
-    return standing_out(heights_of(values), Tails::both);
+std::vector<double> pooled_peaks(MemberPeakSpans peaks, std::span<const std::size_t> out, bool of_out) {
+    std::vector<double> all;
+    for (std::size_t row = 0; row < peaks.size(); ++row)
+        if (std::ranges::binary_search(out, row) == of_out) all.insert(all.end(), peaks[row].begin(), peaks[row].end());
+    std::ranges::sort(all);
+    return all;
 }
 
 double unseen_share(std::size_t members) {
@@ -245,38 +233,24 @@ class Draws {
     boost::random::normal_distribution<> normal_;
 };
 
-std::vector<double> logarithms(std::span<const double> values) {
-    std::vector<double> logs;
-    for (const double value : values) logs.push_back(std::log(value));
-    return logs;
-}
-
-std::vector<double> of_rows(std::span<const double> values, std::span<const std::size_t> rows) {
-    std::vector<double> chosen;
-    for (const std::size_t row : rows) chosen.push_back(values[row]);
-    return chosen;
-}
-
 }  // namespace
 
 Apart apart(std::span<const double> values, Sides sides) {
-    if (values.size() > most_tested) return {};
-    if (sides == Sides::both) {
-        Apart found;
-        if (values.empty()) return found;
-        std::vector<double> rising(values.begin(), values.end());
-        std::ranges::sort(rising);
-        const double middle = quantile_of_sorted(rising, 0.5);
-        for (const std::size_t row : rows_standing_apart(values))
-            (values[row] > middle ? found.above : found.below).push_back(row);
-        return found;
-    }
-    if (std::ranges::any_of(values, [](double value) { return !(value > 0); })) return {};
-    return {rows_standing_out(logarithms(values)), {}};
+    if (values.empty() || values.size() > most_tested) return {};
+    if (sides == Sides::above && std::ranges::any_of(values, [](double value) { return !(value > 0); })) return {};
+    std::vector<double> rising(values.begin(), values.end());
+    std::ranges::sort(rising);
+    const double middle = quantile_of_sorted(rising, 0.5);
+    std::vector<Height> heights;
+    for (std::size_t row = 0; row < values.size(); ++row)
+        heights.push_back({sides == Sides::above ? std::log(values[row]) : values[row], row});
+    Apart found;
+    for (const std::size_t row : standing_out(std::move(heights), sides))
+        (sides == Sides::above || values[row] > middle ? found.above : found.below).push_back(row);
+    return found;
 }
 
-Interval mixed_interval(std::span<const double> values, const Interval& plain, const Apart& apart, Sides sides,
-                        double confidence) {
+Interval mixed_interval(std::span<const double> values, const Interval& plain, const Apart& apart, Sides sides) {
     if (apart.count() == 0) return plain;
     std::vector<double> usual, distances;
     for (std::size_t row = 0; row < values.size(); ++row)
@@ -284,7 +258,7 @@ Interval mixed_interval(std::span<const double> values, const Interval& plain, c
             usual.push_back(values[row]);
     const Moments of_usual(usual);
     for (const std::vector<std::size_t>* side : {&apart.above, &apart.below})
-        for (const double value : of_rows(values, *side)) distances.push_back(std::abs(value - of_usual.mean));
+        for (const std::size_t row : *side) distances.push_back(std::abs(values[row] - of_usual.mean));
     const Moments far(logarithms(distances));
     const double squares = prior_members * usual_scatter * usual_scatter + (far.count - 1) * far.sd * far.sd;
 
@@ -309,12 +283,12 @@ Interval mixed_interval(std::span<const double> values, const Interval& plain, c
                               : std::exp(usual_logs.mean + usual_logs.sd * std::sqrt(1 + 1 / usual_logs.count) *
                                                                draw.student(usual_logs.freedom())));
     }
-    const Limits limits = percentile_interval(std::move(means), confidence);
+    const Limits limits = percentile_interval(std::move(means));
     Interval mixed = plain;
     mixed.low = std::min(limits.low, plain.estimate);
     mixed.high = std::max(limits.high, plain.estimate);
     if (!further.empty()) {
-        const Limits next = percentile_interval(std::move(further), confidence);
+        const Limits next = percentile_interval(std::move(further));
         mixed.prediction_low = next.low;
         mixed.prediction_high = next.high;
     }
@@ -323,7 +297,6 @@ Interval mixed_interval(std::span<const double> values, const Interval& plain, c
 
 namespace {
 
-constexpr Limits no_limits{undefined, undefined};
 constexpr std::size_t most_draws = 20'000'000;
 
 /// Acceleration from the jackknife, U the mean of the statistic without each row in turn less its value without one:
@@ -346,46 +319,24 @@ double acceleration(std::size_t rows, const RowStatistic& statistic) {
     return squares > 0 ? cubes / (6 * std::pow(squares, 1.5)) : 0;
 }
 
-/// Which quantile of the sorted resampled values is that of the estimate, Efron's Eq. (6.8).
-class Correction {
-  public:
-    /// None if the values do not vary, are not finite, or all lie on one side of the estimate.
-    static std::optional<Correction> of(std::span<const double> sorted, double estimate, double acceleration) {
-        if (sorted.empty() || !std::isfinite(estimate) || !std::isfinite(sorted.front()) ||
-            !std::isfinite(sorted.back()) || sorted.front() == sorted.back()) {
-            return {};
-        }
-        const auto [first, last] = std::ranges::equal_range(sorted, estimate);
-        const double below = static_cast<double>((first - sorted.begin()) + (last - sorted.begin())) /
-                             (2 * static_cast<double>(sorted.size()));
-        if (below <= 0 || below >= 1) return {};
-        return Correction(normal_quantile(below), acceleration);
-    }
-
-    double level(double p) const {
-        const double shifted = bias_ + normal_quantile(p);
-        return normal_below(bias_ + shifted / (1 - acceleration_ * shifted));
-    }
-
-  private:
-    Correction(double bias, double acceleration) : bias_(bias), acceleration_(acceleration) {}
-    double bias_;
-    double acceleration_;
-};
-
-/// The limits given the bootstrap distribution, the estimate and the acceleration.
-Limits corrected_limits(std::vector<double> resampled, double estimate, double accelerated, double confidence) {
+/// The limits given the bootstrap distribution, the estimate and the acceleration. NaN if the values do not vary, are
+/// not finite, or all lie on one side of the estimate.
+Limits corrected_limits(std::vector<double> resampled, double estimate, double accelerated) {
     std::ranges::sort(resampled);
-    const auto correction = Correction::of(resampled, estimate, accelerated);
-    if (!correction) return no_limits;
-    const double tail = (1 - confidence) / 2;
-    return {quantile_of_sorted(resampled, correction->level(tail)),
-            quantile_of_sorted(resampled, correction->level(1 - tail))};
-}
-
-void check_confidence(double confidence) {
-    if (confidence > 0 && confidence < 1) return;
-    throw InputError(fmt::format("The confidence is {}; it must lie between 0 and 1, such as 0.95.", confidence));
+    if (resampled.empty() || !std::isfinite(estimate) || !std::isfinite(resampled.front()) ||
+        !std::isfinite(resampled.back()) || resampled.front() == resampled.back())
+        return no_limits;
+    const auto [first, last] = std::ranges::equal_range(resampled, estimate);
+    const double below = static_cast<double>((first - resampled.begin()) + (last - resampled.begin())) /
+                         (2 * static_cast<double>(resampled.size()));
+    if (below <= 0 || below >= 1) return no_limits;
+    const double bias = normal_quantile(below);
+    // Which quantile of the resampled values is that of the estimate, Efron's Eq. (6.8).
+    const auto level = [&](double p) {
+        const double shifted = bias + normal_quantile(p);
+        return normal_below(bias + shifted / (1 - accelerated * shifted));
+    };
+    return {quantile_of_sorted(resampled, level(beyond_limit)), quantile_of_sorted(resampled, level(1 - beyond_limit))};
 }
 
 }  // namespace
@@ -396,16 +347,12 @@ std::vector<std::uint32_t> all_rows(std::size_t rows) {
     return all;
 }
 
-int default_resamples(std::size_t rows) {
-    return static_cast<int>(std::clamp<std::size_t>(most_draws / std::max<std::size_t>(rows, 1), 999, 9999));
-}
-
-std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options) {
+std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, int resamples) {
     FLOES_EXPECTS(rows >= 1);
-    const int resamples = options.resamples > 0 ? options.resamples : default_resamples(rows);
+    if (resamples == 0) resamples = static_cast<int>(std::clamp<std::size_t>(most_draws / rows, 999, 9999));
     std::vector<double> results(static_cast<std::size_t>(resamples));
     std::vector<std::uint32_t> drawn(rows);
-    RandomStream random{0, options.draw, StreamId::bootstrap, rows};
+    RandomStream random{0, 0, StreamId::bootstrap, rows};
     for (double& result : results) {
         for (std::uint32_t& row : drawn) row = random.below(static_cast<std::uint32_t>(rows));
         result = statistic(drawn);
@@ -413,20 +360,17 @@ std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, c
     return results;
 }
 
-Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options) {
-    check_confidence(options.confidence);
+Limits bca_interval(std::size_t rows, const RowStatistic& statistic, int resamples) {
     if (rows < 3) return no_limits;
-    return corrected_limits(bootstrap(rows, statistic, options), statistic(all_rows(rows)),
-                            acceleration(rows, statistic), options.confidence);
+    return corrected_limits(bootstrap(rows, statistic, resamples), statistic(all_rows(rows)),
+                            acceleration(rows, statistic));
 }
 
-Limits percentile_interval(std::vector<double> values, double confidence) {
-    check_confidence(confidence);
+Limits percentile_interval(std::vector<double> values) {
     std::erase_if(values, [](double value) { return !std::isfinite(value); });
     if (values.empty()) return no_limits;
     std::ranges::sort(values);
-    const double tail = (1 - confidence) / 2;
-    return {quantile_of_sorted(values, tail), quantile_of_sorted(values, 1 - tail)};
+    return {quantile_of_sorted(values, beyond_limit), quantile_of_sorted(values, 1 - beyond_limit)};
 }
 
 double quantile_of_sorted(std::span<const double> sorted, double p) {

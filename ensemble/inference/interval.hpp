@@ -1,5 +1,5 @@
 #pragma once
-// Inference from a sample of arrangements to all arrangements that could have been drawn.
+// Inference from a sample of arrangements to all arrangements that could have been drawn. Every interval is of 95 %.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +10,9 @@
 #include "statistics/distributions.hpp"
 
 namespace floes {
+
+/// The probability beyond each limit of an interval.
+inline constexpr double beyond_limit = (1 - 0.95) / 2;
 
 /// An estimate with two ranges, both in the unit of the values; NaN where undefined.
 struct Interval {
@@ -30,12 +33,12 @@ struct LoadFigure {
 /// Mean of `values`, one value an arrangement, with Student's t: mean ± t s / √n for the mean and mean ± t s √(1 + 1/n)
 /// for one further run, where s is the sample SD (n - 1). Both treat the values as independent and nearly normal; with
 /// large n the first tolerates a skewed distribution, the second does not. A single value gives only an estimate; no
-/// values give NaN. `values` finite; `confidence` between 0 and 1. Throws InputError otherwise.
-Interval mean_interval(std::span<const double> values, double confidence = 0.95);
+/// values give NaN. Throws InputError unless all `values` are finite.
+Interval mean_interval(std::span<const double> values);
 
 /// The same for values above 0, such as maxima: the prediction interval is that of their logarithms, so it cannot reach
 /// below 0, and allows for a longer tail above. Where a value is 0 or below it is mean_interval().
-Interval positive_interval(std::span<const double> values, double confidence = 0.95);
+Interval positive_interval(std::span<const double> values);
 
 /// The interval cut to [least, most], for quantities that cannot lie outside (a ratio: 0 to 1). The coverage stays.
 Interval clipped(const Interval& interval, double least, double most);
@@ -61,11 +64,8 @@ inline constexpr std::size_t fewest_to_stand_out = 5;
 /// 25 (1983) 165-172), one-sided at 1 %, of at most a quarter of the members.
 UnlikeMembers unlike_members(MemberPeakSpans peaks, double share);
 
-/// Rows of finite values that are too high for a normal distribution of the others, by that test; rising.
-std::vector<std::size_t> rows_standing_out(std::span<const double> values);
-
-/// The same to either side: rows of values too far from a normal distribution of the others, at 1 % for both together.
-std::vector<std::size_t> rows_standing_apart(std::span<const double> values);
+/// All peaks of the rows that stand out, or of the others, rising.
+std::vector<double> pooled_peaks(MemberPeakSpans peaks, std::span<const std::size_t> out, bool of_out);
 
 /// The largest share of members of a kind that is not among `members` in one of twenty samples.
 double unseen_share(std::size_t members);
@@ -108,8 +108,7 @@ Apart apart(std::span<const double> values, Sides sides);
 /// `plain`, the interval of the mean of `values`, unless some are apart: then with the limits of the mixture, which
 /// include the estimate, and for Sides::above with the prediction of one further run, of either kind. Draws come from a
 /// counter-based stream: the same values give the same limits.
-Interval mixed_interval(std::span<const double> values, const Interval& plain, const Apart& apart, Sides sides,
-                        double confidence = 0.95);
+Interval mixed_interval(std::span<const double> values, const Interval& plain, const Apart& apart, Sides sides);
 
 // Bootstrap over arrangements: how much an estimate would vary with other arrangements. No distribution is assumed. The
 // same values give the same limits on every machine: the draws are counter-based.
@@ -118,28 +117,20 @@ Interval mixed_interval(std::span<const double> values, const Interval& plain, c
 /// so that dependent values are drawn together.
 using RowStatistic = std::function<double(std::span<const std::uint32_t> rows)>;
 
-struct BootstrapOptions {
-    double confidence = 0.95;
-    int resamples = 0;       ///< 0: default_resamples()
-    std::uint32_t draw = 0;  ///< each number gives another, independent set of resamples
-};
-
 /// 0, 1, …, rows - 1.
 std::vector<std::uint32_t> all_rows(std::size_t rows);
 
-/// 9999; fewer if that would draw more than 20 million rows, but at least 999.
-int default_resamples(std::size_t rows);
-
-/// The statistic of `resamples` samples of `rows` rows drawn with replacement from `rows` rows, in order of drawing.
-std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options = {});
+/// The statistic of `resamples` samples of `rows` rows drawn with replacement from `rows` rows, in order of drawing. 0:
+/// of 9999 samples; fewer if that would draw more than 20 million rows, but at least 999.
+std::vector<double> bootstrap(std::size_t rows, const RowStatistic& statistic, int resamples = 0);
 
 /// Bias-corrected and accelerated interval: B. Efron, "Better bootstrap confidence intervals", J. Am. Stat. Assoc. 82
 /// (1987) 171-185; acceleration from the jackknife over rows, as in scipy.stats.bootstrap. NaN with fewer than 3 rows
-/// or if all resamples give the same value. Throws InputError unless the confidence is between 0 and 1.
-Limits bca_interval(std::size_t rows, const RowStatistic& statistic, const BootstrapOptions& options = {});
+/// or if all resamples give the same value.
+Limits bca_interval(std::size_t rows, const RowStatistic& statistic, int resamples = 0);
 
 /// Percentile interval of values in any order; those that are not finite are left out.
-Limits percentile_interval(std::vector<double> values, double confidence = 0.95);
+Limits percentile_interval(std::vector<double> values);
 
 /// Quantile of sorted values, linear between them (type 7 of Hyndman and Fan, numpy's default); 0 <= p <= 1.
 double quantile_of_sorted(std::span<const double> sorted, double p);

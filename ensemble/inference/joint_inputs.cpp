@@ -134,6 +134,19 @@ double all_hours(const std::vector<ClassHours>& classes) {
     return all;
 }
 
+/// Mean of the hours' - log likelihood, of the law of one of the inputs, given the first.
+double cost_of(const InputDistribution& law, const std::vector<ClassHours>& classes,
+               const std::map<double, Border>& borders, std::size_t input) {
+    const double all = all_hours(classes);
+    double sum = 0;
+    for (const ClassHours& part : classes) {
+        const Border& border = borders.at(part.value[input]);
+        const double share = law.between(border.low, border.high, part.value[0]);
+        sum -= part.hours / all * std::log(std::max(share, least_probability));
+    }
+    return sum;
+}
+
 struct OneFit {
     InputDistribution law;
     double cost;
@@ -142,19 +155,10 @@ struct OneFit {
 /// `mean`: of the input, a start.
 OneFit fit_one(InputLaw law, const std::vector<ClassHours>& classes, const std::map<double, Border>& borders,
                double mean) {
-    const double all = all_hours(classes);
     const auto of = [&](std::span<const double> at) {
         return InputDistribution{law, {.a = mean * std::exp(at[0])}, {.a = std::exp(at[1])}};
     };
-    const auto cost = [&](std::span<const double> at) {
-        const InputDistribution one = of(at);
-        double sum = 0;
-        for (const ClassHours& part : classes) {
-            const Border& border = borders.at(part.value[0]);
-            sum -= part.hours / all * std::log(std::max(one.between(border.low, border.high, 0), least_probability));
-        }
-        return sum;
-    };
+    const auto cost = [&](std::span<const double> at) { return cost_of(of(at), classes, borders, 0); };
     const std::vector<double> start{0, law == InputLaw::weibull ? std::log(2.0) : std::log(0.5)};
     const Minimum found = walk_simplex(cost, start, walk);
     return {of(found.at), found.cost};
@@ -172,7 +176,6 @@ bool scatter_varies(const std::vector<ClassHours>& classes) {
 InputDistribution fit_other(const std::vector<ClassHours>& classes, const std::array<double, 2>& middle,
                             bool scatter_fixed) {
     const std::map<double, Border> borders = borders_of(classes, 1);
-    const double all = all_hours(classes);
     const auto of = [&](std::span<const double> at) {
         const double power = scatter_fixed ? 0 : at[3];
         const double sd = std::exp(at[2]) * std::pow(middle[0], -power);
@@ -180,16 +183,7 @@ InputDistribution fit_other(const std::vector<ClassHours>& classes, const std::a
                                  {0, middle[1] * std::exp(at[0]) * std::pow(middle[0], -at[1]), at[1]},
                                  scatter_fixed ? SmoothParameter{.a = sd} : SmoothParameter{0, sd, power}};
     };
-    const auto cost = [&](std::span<const double> at) {
-        const InputDistribution other = of(at);
-        double sum = 0;
-        for (const ClassHours& part : classes) {
-            const Border& border = borders.at(part.value[1]);
-            sum -= part.hours / all *
-                   std::log(std::max(other.between(border.low, border.high, part.value[0]), least_probability));
-        }
-        return sum;
-    };
+    const auto cost = [&](std::span<const double> at) { return cost_of(of(at), classes, borders, 1); };
     std::vector<double> start{0, 0, std::log(0.5)};
     if (!scatter_fixed) start.push_back(0);
     return of(walk_simplex(cost, start, walk).at);

@@ -90,10 +90,21 @@ MatrixXd inverse_of(const MatrixXd& matrix) {
     return matrix.inverse();
 }
 
-SymmetricEigen eigen_of_symmetric(const MatrixXd& matrix) {
-    FLOES_EXPECTS(matrix.rows() == matrix.cols());
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(matrix);
-    return {solver.eigenvalues(), solver.eigenvectors()};
+double halved(double low, double high, int times, const std::function<bool(double)>& lies_above) {
+    for (int k = 0; k < times; ++k) {
+        const double middle = 0.5 * (low + high);
+        (lies_above(middle) ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+double halved_from(double low, int times, const std::function<bool(double)>& lies_above) {
+    double high = 2 * low;
+    for (int k = 0; k < 60 && lies_above(high); ++k) {
+        low = high;
+        high *= 2;
+    }
+    return halved(low, high, times, lies_above);
 }
 
 namespace {
@@ -278,9 +289,9 @@ Eigen::MatrixXd corners(Eigen::Index count) {
 }  // namespace
 
 std::vector<std::vector<double>> spread(const Cost& cost, const Minimum& least) {
-    const SymmetricEigen solved = eigen_of_symmetric(curvature(cost, least));
-    const Eigen::VectorXd sds = solved.values.array().max(least_curvature).rsqrt();
-    const Eigen::MatrixXd ways = solved.vectors * sds.asDiagonal() * corners(sds.size());
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solved(curvature(cost, least));
+    const Eigen::VectorXd sds = solved.eigenvalues().array().max(least_curvature).rsqrt();
+    const Eigen::MatrixXd ways = solved.eigenvectors() * sds.asDiagonal() * corners(sds.size());
     const double rise = 0.5 * static_cast<double>(sds.size());  // of the normal distribution's cost at the corners
     std::vector<std::vector<double>> places;
     for (Eigen::Index corner = 0; corner < ways.cols(); ++corner) {

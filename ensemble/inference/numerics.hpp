@@ -48,12 +48,11 @@ std::optional<Eigen::VectorXd> leverages(const Eigen::MatrixXd& matrix);
 
 Eigen::MatrixXd inverse_of(const Eigen::MatrixXd& matrix);
 
-struct SymmetricEigen {
-    Eigen::VectorXd values;   ///< ascending
-    Eigen::MatrixXd vectors;  ///< one a column
-};
+// Where a condition that holds up to a place ends, by halving the range in which that lies.
 
-SymmetricEigen eigen_of_symmetric(const Eigen::MatrixXd& matrix);
+double halved(double low, double high, int times, const std::function<bool(double)>& lies_above);
+/// In the range above `low` > 0, without an upper end: doubled at most 60 times first.
+double halved_from(double low, int times, const std::function<bool(double)>& lies_above);
 
 // The local minimum of a function of a few parameters without derivatives: the Nelder-Mead simplex of NLopt.
 

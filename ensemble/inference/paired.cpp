@@ -29,19 +29,19 @@ double sample_variance(std::span<const double> values) {
 
 }  // namespace
 
-PairedComparison compare_paired(std::span<const double> first, std::span<const double> second, double confidence) {
+PairedComparison compare_paired(std::span<const double> first, std::span<const double> second) {
     if (first.size() != second.size()) {
         throw InputError(fmt::format("{} values cannot be paired with {}.", first.size(), second.size()));
     }
     std::vector<double> differences(first.size());
     std::ranges::transform(second, first, differences.begin(), std::minus<>{});
-    const Interval plain = mean_interval(differences, confidence);
+    const Interval plain = mean_interval(differences);
     PairedComparison found;
     found.arrangements = static_cast<int>(differences.size());
     found.difference = plain.estimate;
     found.t_interval = {plain.low, plain.high};
     found.apart = apart(differences, Sides::both);
-    const Interval interval = mixed_interval(differences, plain, found.apart, Sides::both, confidence);
+    const Interval interval = mixed_interval(differences, plain, found.apart, Sides::both);
     found.interval = {interval.low, interval.high};
     const double variance = sample_variance(differences);
     found.sd = std::sqrt(variance);
@@ -60,7 +60,7 @@ PairedComparison compare_paired(std::span<const double> first, std::span<const d
     return found;
 }
 
-MeanDifference difference_of_means(std::span<const double> first, std::span<const double> second, double confidence) {
+MeanDifference difference_of_means(std::span<const double> first, std::span<const double> second) {
     FLOES_EXPECTS(!first.empty() && !second.empty());
     const double mean = mean_interval(second).estimate - mean_interval(first).estimate;
     if (std::min(first.size(), second.size()) < 2) return {mean, undefined, {undefined, undefined}};
@@ -74,7 +74,7 @@ MeanDifference difference_of_means(std::span<const double> first, std::span<cons
     const double freedom =
         all * all /
         (one * one / static_cast<double>(first.size() - 1) + other * other / static_cast<double>(second.size() - 1));
-    const double half = student_t(freedom, (1 - confidence) / 2) * std::sqrt(all);
+    const double half = student_t(freedom, beyond_limit) * std::sqrt(all);
     return {mean, std::sqrt(all), {mean - half, mean + half}};
 }
 
@@ -93,21 +93,21 @@ std::vector<double> holm(std::span<const double> p) {
     return adjusted;
 }
 
-double power_of_paired_test(int pairs, double difference, double sd, double confidence) {
+double power_of_paired_test(int pairs, double difference, double sd) {
     FLOES_EXPECTS(pairs >= 2);
     const double freedom = pairs - 1;
     const double noncentrality = std::abs(difference) / sd * std::sqrt(static_cast<double>(pairs));
-    const double limit = student_t(freedom, (1 - confidence) / 2);
+    const double limit = student_t(freedom, beyond_limit);
     if (noncentrality > std::max(30.0, 10 * limit)) return 1;  // to double precision; the series below would be slow
     const boost::math::non_central_t shifted(freedom, noncentrality);
     return boost::math::cdf(boost::math::complement(shifted, limit)) + boost::math::cdf(shifted, -limit);
 }
 
-int arrangements_to_resolve(double difference, double sd, double confidence, double power) {
+int arrangements_to_resolve(double difference, double sd, double power) {
     if (std::isnan(difference) || std::isnan(sd)) return 0;
     if (difference == 0) return most_arrangements;
     if (sd == 0) return 2;
-    const auto enough = [&](int pairs) { return power_of_paired_test(pairs, difference, sd, confidence) >= power; };
+    const auto enough = [&](int pairs) { return power_of_paired_test(pairs, difference, sd) >= power; };
     int too_few = 1;
     int plenty = 2;
     while (!enough(plenty)) {

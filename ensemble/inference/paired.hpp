@@ -30,8 +30,7 @@ struct PairedComparison {
 
 /// `first` and `second`: one finite value for each arrangement, in the same order. Figures that need more pairs or some
 /// scatter are NaN. Throws InputError if the sizes differ or a value is not finite.
-PairedComparison compare_paired(std::span<const double> first, std::span<const double> second,
-                                double confidence = 0.95);
+PairedComparison compare_paired(std::span<const double> first, std::span<const double> second);
 
 /// Two samples that have nothing in common.
 struct MeanDifference {
@@ -41,8 +40,7 @@ struct MeanDifference {
 };
 
 /// By B. L. Welch, Biometrika 34 (1947) 28-35. Values finite, at least one in each.
-MeanDifference difference_of_means(std::span<const double> first, std::span<const double> second,
-                                   double confidence = 0.95);
+MeanDifference difference_of_means(std::span<const double> first, std::span<const double> second);
 
 /// Wilcoxon's signed-rank test of differences, two-sided. Zeros are left out, ties share the mean of their ranks. Up to
 /// 50 differences p is exact given the ranks, also with ties (all 2^n signs are counted); above that, normal with the
@@ -60,13 +58,13 @@ SignedRank wilcoxon_signed_rank(std::span<const double> differences);
 /// Holm, Scand. J. Stat. 6 (1979) 65-70.
 std::vector<double> holm(std::span<const double> p);
 
-/// Smallest number of pairs with which a two-sided t test at level 1 - confidence finds a true mean `difference` with
-/// probability `power`, if differences are normal with the given `sd`, by the noncentral t distribution; at least 2,
-/// and at most 1e6, also for a difference of 0. NaN gives 0.
-int arrangements_to_resolve(double difference, double sd, double confidence = 0.95, double power = 0.8);
+/// Smallest number of pairs with which a two-sided t test at 5 % finds a true mean `difference` with probability
+/// `power`, if differences are normal with the given `sd`, by the noncentral t distribution; at least 2, and at most
+/// 1e6, also for a difference of 0. NaN gives 0.
+int arrangements_to_resolve(double difference, double sd, double power = 0.8);
 
 /// The power of that test with `pairs` pairs (at least 2).
-double power_of_paired_test(int pairs, double difference, double sd, double confidence = 0.95);
+double power_of_paired_test(int pairs, double difference, double sd);
 
 // Whether the load of a case rises or falls through the measured window, over all its members: a single member's load
 // wanders too slowly to tell. Each member gives one slope, and one difference of segment maxima. Their mean is judged

@@ -26,15 +26,6 @@ constexpr double most_kept = 0.4;         // declustered peaks in a separation a
 constexpr std::size_t each_expected = 3;  // of the draws one in so many gives an expected load, which takes longest
 constexpr double walk_budget = 3e5;       // peaks met in a walk's steps, beyond which it is shorter
 
-/// All peaks of a class, rising.
-std::vector<double> pooled(MemberPeakSpans peaks, const std::vector<std::size_t>& out, bool of_out) {
-    std::vector<double> all;
-    for (std::size_t row = 0; row < peaks.size(); ++row)
-        if (std::ranges::binary_search(out, row) == of_out) all.insert(all.end(), peaks[row].begin(), peaks[row].end());
-    std::ranges::sort(all);
-    return all;
-}
-
 /// The events that each peak above a threshold stands for, by its rank in its class.
 MemberPeaks above(std::span<const double> peaks, const std::vector<double>& rising, double threshold, double apart) {
     MemberPeaks member;
@@ -53,18 +44,18 @@ struct Classes {
 };
 
 TailData data_above(double share, MemberPeakSpans peaks, const std::vector<std::size_t>& out, const Classes& classes,
-                    const PosteriorAsked& asked) {
-    TailData data{.members = {}, .window = asked.window};
+                    const Measured& measured) {
+    TailData data{.members = {}, .window = measured.window};
     data.threshold = quantile_of_sorted(classes.usual, 1 - share);
     if (!classes.out.empty()) data.out_threshold = quantile_of_sorted(classes.out, 1 - share);
-    data.origin = std::min(asked.mean, highest_origin * data.threshold);
-    const double usual_time = asked.window * static_cast<double>(peaks.size() - out.size());
-    const double out_time = asked.window * static_cast<double>(out.size());
+    data.origin = std::min(measured.mean, highest_origin * data.threshold);
+    const double usual_time = measured.window * static_cast<double>(peaks.size() - out.size());
+    const double out_time = measured.window * static_cast<double>(out.size());
     for (std::size_t row = 0; row < peaks.size(); ++row) {
         const bool is_out = std::ranges::binary_search(out, row);
         MemberPeaks& member = data.members.emplace_back(
-            is_out ? above(peaks[row], classes.out, data.out_threshold, asked.separation / out_time)
-                   : above(peaks[row], classes.usual, data.threshold, asked.separation / usual_time));
+            is_out ? above(peaks[row], classes.out, data.out_threshold, measured.separation / out_time)
+                   : above(peaks[row], classes.usual, data.threshold, measured.separation / usual_time));
         member.stands_out = is_out;
     }
     return data;
@@ -98,16 +89,17 @@ std::vector<double> averaged_shares(double share, bool quick) {
     return shares;
 }
 
-PosteriorLoad::PosteriorLoad(MemberPeakSpans peaks, const std::vector<std::size_t>& out, const PosteriorAsked& asked)
-    : window_(asked.window) {
-    const Classes classes{pooled(peaks, out, false), pooled(peaks, out, true)};
+PosteriorLoad::PosteriorLoad(MemberPeakSpans peaks, const std::vector<std::size_t>& out, const Measured& measured,
+                             const std::vector<double>& shares)
+    : window_(measured.window) {
+    const Classes classes{pooled_peaks(peaks, out, false), pooled_peaks(peaks, out, true)};
     std::uint32_t number = 0;
     const double time = window_ * static_cast<double>(peaks.size() - out.size());
-    for (const double share : asked.shares) {
+    for (const double share : shares) {
         const double above = share * static_cast<double>(classes.usual.size());
         // Lower down most events are hidden, and what few peaks say of them is not what their many weights say.
-        const bool crowded = above * asked.separation / time > most_kept && share > asked.shares.back();
-        if (above >= fewest_peaks && !crowded) add(data_above(share, peaks, out, classes, asked), ++number);
+        const bool crowded = above * measured.separation / time > most_kept && share > shares.back();
+        if (above >= fewest_peaks && !crowded) add(data_above(share, peaks, out, classes, measured), ++number);
     }
     double all = 0;
     for (const Draw& draw : draws_) all += draw.weight;
@@ -232,16 +224,7 @@ double YearLoad::load_of(const Year& year, double probability) const {
     for (const YearRegime& regime : regimes_) low = std::min(low, regime.factor * year[regime.source].tail->threshold);
     low *= 0.1;
     if (!(expected_above(year, low) > wanted)) return undefined;
-    double high = 2 * low;
-    for (int k = 0; k < 60 && expected_above(year, high) > wanted; ++k) {
-        low = high;
-        high *= 2;
-    }
-    for (int k = 0; k < 20; ++k) {
-        const double middle = 0.5 * (low + high);
-        (expected_above(year, middle) > wanted ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+    return halved_from(low, 20, [&](double x) { return expected_above(year, x) > wanted; });
 }
 
 std::vector<double> YearLoad::loads(double probability) const {
@@ -290,7 +273,7 @@ std::vector<double> YearLoad::uncertainty(double probability) const {
         return std::ranges::all_of(all, [](double value) { return std::isfinite(value); });
     };
     if (!is_known(values.a) || !is_known(values.b) || !std::ranges::all_of(values.ab, is_known)) return made;
-    const SobolIndices indices = sobol_indices(values, {.resamples = 999});
+    const SobolIndices indices = sobol_indices(values, 999);
     for (std::size_t source = 0; source < made.size(); ++source)
         made[source] = std::clamp(indices.first[source].estimate, 0.0, 1.0);
     return made;

@@ -15,12 +15,12 @@
 
 namespace floes {
 
-/// How members of a case were measured, and above which thresholds their peaks are fitted.
-struct PosteriorAsked {
-    double window = 0;           ///< s, of each member
-    double separation = 0;       ///< s, of peaks
-    double mean = 0;             ///< load, N
-    std::vector<double> shares;  ///< of the peaks, the highest, each a threshold
+/// How the members of a case were measured.
+struct Measured {
+    double window = 0;      ///< length of each member's record, s
+    double segment = 0;     ///< s
+    double separation = 0;  ///< of the peaks, s
+    double mean = 0;        ///< load, N: the origin of the Weibull tail
 };
 
 /// Shares of the peaks above which both tails are averaged: 2, 1 and 0.4 times `share`; `quick`: that alone.
@@ -34,8 +34,9 @@ class PosteriorLoad {
         double weight;
     };
 
-    /// `out`: rows that stand out, rising.
-    PosteriorLoad(MemberPeakSpans peaks, const std::vector<std::size_t>& out, const PosteriorAsked& asked);
+    /// `out`: rows that stand out, rising. `shares`: of the peaks, the highest, each a threshold; falling.
+    PosteriorLoad(MemberPeakSpans peaks, const std::vector<std::size_t>& out, const Measured& measured,
+                  const std::vector<double>& shares);
 
     /// Tails that are known.
     PosteriorLoad(double window, std::vector<Draw> draws) : window_(window), draws_(std::move(draws)) {}

@@ -131,54 +131,40 @@ double PrecisionStop::share_seen(const StopRule& rule) {
     return rule.design_of() == nullptr ? rule.half_width : std::min(rule.half_width, seen_for_a_design_value);
 }
 
-/// Where the member's value goes; nullptr where it is known or no longer wanted.
-PrecisionStop::Waiting* PrecisionStop::place_for(int arrangement, int case_index) {
-    if (met_ || arrangement < arrangements_) return nullptr;
-    Waiting& row = waiting_[arrangement];
-    row.values.resize(cases_, undefined);
-    row.peaks.resize(cases_);
-    row.known.resize(cases_, false);
-    const auto place = static_cast<std::size_t>(case_index);
-    if (row.known[place]) return nullptr;
-    row.known[place] = true;
-    return &row;
-}
-
 void PrecisionStop::put(int arrangement, int case_index, double value) {
-    Waiting* row = place_for(arrangement, case_index);
-    if (row == nullptr) return;
-    row->values[static_cast<std::size_t>(case_index)] = value;
-    take_leading();
+    take_in(arrangement, case_index, {value, {}});
 }
 
 void PrecisionStop::put_member(int arrangement, int case_index, const MemberOutputs* outputs) {
-    if (!design_) {
-        put(arrangement, case_index, outputs == nullptr ? undefined : any_quantity(rule_.of)->of(*outputs));
-        return;
-    }
-    Waiting* row = place_for(arrangement, case_index);
-    if (row == nullptr) return;
-    const auto place = static_cast<std::size_t>(case_index);
-    if (outputs != nullptr) row->peaks[place] = design_->peaks_of(place, *outputs);
-    take_leading();
+    Said said;
+    if (outputs != nullptr && design_) said.peaks = design_->peaks_of(static_cast<std::size_t>(case_index), *outputs);
+    if (outputs != nullptr && !design_) said.value = any_quantity(rule_.of)->of(*outputs);
+    take_in(arrangement, case_index, std::move(said));
 }
 
-/// Takes the arrangements that are whole and follow those taken.
-void PrecisionStop::take_leading() {
-    const auto whole = [](const Waiting& one) { return std::ranges::find(one.known, false) == one.known.end(); };
-    while (!met_ && !waiting_.empty() && waiting_.begin()->first == arrangements_ && whole(waiting_.begin()->second)) {
-        Waiting row = std::move(waiting_.begin()->second);
+/// Keeps what a member says, and takes the arrangements that are whole and follow those taken.
+void PrecisionStop::take_in(int arrangement, int case_index, Said said) {
+    if (met_ || arrangement < arrangements_) return;
+    Members& members = waiting_[arrangement];
+    members.resize(cases_);
+    std::optional<Said>& place = members[static_cast<std::size_t>(case_index)];
+    if (place) return;
+    place = std::move(said);
+    const auto is_known = [](const std::optional<Said>& one) { return one.has_value(); };
+    while (!met_ && !waiting_.empty() && waiting_.begin()->first == arrangements_ &&
+           std::ranges::all_of(waiting_.begin()->second, is_known)) {
+        const Members next = std::move(waiting_.begin()->second);
         waiting_.erase(waiting_.begin());
         if (design_)
-            take_peaks(std::move(row.peaks));
+            take_peaks(next);
         else
-            take(row.values);
+            take(next);
     }
 }
 
-void PrecisionStop::take_peaks(std::vector<std::optional<MeasuredPeaks>> members) {
+void PrecisionStop::take_peaks(const Members& members) {
     for (std::size_t k = 0; k < members.size(); ++k)
-        if (members[k]) design_->add(k, std::move(*members[k]));
+        if (members[k]->peaks) design_->add(k, *members[k]->peaks);
     ++arrangements_;
     if (arrangements_ < next_) return;
     look();
@@ -210,8 +196,8 @@ int PrecisionStop::next_judgement(bool holds) const {
     return end_of_batch(arrangements_ < minimum_ ? std::min<double>(next, minimum_) : next);
 }
 
-void PrecisionStop::take(const std::vector<double>& values) {
-    for (Target& target : targets_) target.add(values);
+void PrecisionStop::take(const Members& members) {
+    for (Target& target : targets_) target.add(members);
     ++arrangements_;
     if (arrangements_ < minimum_) return;
     const bool holds = std::ranges::all_of(targets_, [&](const Target& target) {
@@ -235,9 +221,9 @@ double PrecisionStop::achieved() const {
     return largest;
 }
 
-void PrecisionStop::Target::add(const std::vector<double>& values) {
-    const double own = values[static_cast<std::size_t>(case_index)];
-    const double base = minus ? values[static_cast<std::size_t>(*minus)] : own;
+void PrecisionStop::Target::add(const Members& members) {
+    const double own = members[static_cast<std::size_t>(case_index)]->value;
+    const double base = minus ? members[static_cast<std::size_t>(*minus)]->value : own;
     const double value = minus ? own - base : own;
     if (std::isnan(value)) return;
     ++count;

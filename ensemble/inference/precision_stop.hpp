@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "campaign/campaign.hpp"
+#include "core/units.hpp"
 #include "inference/design_load.hpp"
 #include "inference/paired.hpp"
 
@@ -128,6 +129,14 @@ class PrecisionStop {
     static double share_seen(const StopRule& rule);
 
   private:
+    /// What a member says; of one that failed nothing.
+    struct Said {
+        double value = undefined;              ///< that is to be precise
+        std::optional<MeasuredPeaks> peaks{};  ///< for a design value
+    };
+    /// Of an arrangement, one a case; none of one that is not known yet.
+    using Members = std::vector<std::optional<Said>>;
+
     // One case, or the difference of two, over the leading arrangements; mean and squares after Welford.
     struct Target {
         int case_index = 0;
@@ -138,7 +147,7 @@ class PrecisionStop {
         double base_mean = 0;
         std::vector<double> taken = {};
 
-        void add(const std::vector<double>& values);
+        void add(const Members& members);
         double half_width_over_mean() const;
         double by_student() const;
     };
@@ -146,16 +155,9 @@ class PrecisionStop {
     static std::vector<Target> targets_of(const StopRule& rule, const std::vector<std::string>& cases,
                                           const std::vector<int>& groups);
 
-    struct Waiting {
-        std::vector<double> values;
-        std::vector<std::optional<MeasuredPeaks>> peaks;
-        std::vector<bool> known;
-    };
-
-    Waiting* place_for(int arrangement, int case_index);
-    void take_leading();
-    void take(const std::vector<double>& values);
-    void take_peaks(std::vector<std::optional<MeasuredPeaks>> members);
+    void take_in(int arrangement, int case_index, Said said);
+    void take(const Members& members);
+    void take_peaks(const Members& members);
     int end_of_batch(double arrangements) const;
     int next_judgement(bool holds) const;
 
@@ -163,7 +165,7 @@ class PrecisionStop {
     int minimum_;
     std::size_t cases_;
     std::vector<Target> targets_;
-    std::map<int, Waiting> waiting_;  ///< later arrangements, by number
+    std::map<int, Members> waiting_;  ///< later arrangements, by number
     int arrangements_ = 0;
     int held_for_ = 0;  ///< consecutive arrangements
     bool met_ = false;

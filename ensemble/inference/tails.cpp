@@ -177,18 +177,25 @@ double quantile_of_largest(const Tail& tail, double exposure, double p) {
     return level_at(tail, -std::log(p) / exposure);
 }
 
-// The integral of the quantile over p, with p = exp(-e^t): the trapezoid rule is exact to many digits for it.
-double expected_largest(const Tail& tail, double exposure) {
-    constexpr double step = 0.125;
-    constexpr double first = -34;  // the largest is beyond with probability e^first
-    constexpr int count = 304;     // to t = 4, where p is e^-54
+namespace {
+
+/// The integral of the quantile over p, with p = exp(-e^t): the trapezoid rule is exact to many digits for it. `first`:
+/// the largest is beyond with probability e^first. `quantile`: of the load that is exceeded so often as e^t says.
+template <class Quantile>
+double mean_of_largest(double first, double step, int count, Quantile quantile) {
     double sum = 0;
     for (int k = 0; k < count; ++k) {
-        const double t = first + step * k;
-        const double y = std::exp(t);
-        sum += level_at(tail, y / exposure) * y * std::exp(-y) * step;
+        const double y = std::exp(first + step * k);
+        sum += quantile(y) * y * std::exp(-y) * step;
     }
     return sum;
+}
+
+}  // namespace
+
+double expected_largest(const Tail& tail, double exposure) {
+    // To t = 4, where p is e^-54.
+    return mean_of_largest(-34, 0.125, 304, [&](double y) { return level_at(tail, y / exposure); });
 }
 
 namespace {
@@ -457,28 +464,11 @@ double log_below(const UnlikeTail& tail, double window, double members, double x
 }
 
 double largest_at(const UnlikeTail& tail, double window, double members, double log_p) {
-    double low = tail.threshold;
-    double high = 2 * low;
-    for (int k = 0; k < 60 && log_below(tail, window, members, high) < log_p; ++k) {
-        low = high;
-        high *= 2;
-    }
-    for (int k = 0; k < 24; ++k) {
-        const double middle = 0.5 * (low + high);
-        (log_below(tail, window, members, middle) < log_p ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
+    return halved_from(tail.threshold, 24, [&](double x) { return log_below(tail, window, members, x) < log_p; });
 }
 
-// The integral of the quantile over p, with p = exp(-e^t), as expected_largest() does.
 double mean_largest(const UnlikeTail& tail, double window, double members) {
-    constexpr double step = 0.75;
-    double sum = 0;
-    for (int k = 0; k < 25; ++k) {
-        const double y = std::exp(step * k - 15);
-        sum += largest_at(tail, window, members, -y) * y * std::exp(-y) * step;
-    }
-    return sum;
+    return mean_of_largest(-15, 0.75, 25, [&](double y) { return largest_at(tail, window, members, -y); });
 }
 
 namespace {

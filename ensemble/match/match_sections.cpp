@@ -148,20 +148,13 @@ Figure along_figure(const MatchData& data, const Matching& found) {
 
 namespace {
 
-const char* kind_word(const EmulatedTarget& target) {
-    return target.emulated() ? name_of(target.mean().kind()) : "none";
-}
-
-std::size_t points_of(const EmulatedTarget& target) {
-    return target.emulated() ? target.mean().left_out().size() : 0;
-}
-
 /// Root of the mean of the squared errors in standard deviations: 1 for a right emulator.
 double error_of_left_out(const EmulatedTarget& target) {
     if (!target.emulated()) return undefined;
+    const std::vector<LeftOut>& points = target.mean().left_out();
     double sum = 0;
-    for (const LeftOut& one : target.mean().left_out()) sum += one.standardised() * one.standardised();
-    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(1, target.mean().left_out().size())));
+    for (const LeftOut& one : points) sum += one.standardised() * one.standardised();
+    return std::sqrt(sum / static_cast<double>(points.size()));
 }
 
 std::string percent(double share) {
@@ -250,11 +243,13 @@ Section target_section(const std::vector<EmulatedTarget>& targets, const Matchin
     for (std::size_t k = 0; k < targets.size(); ++k) {
         const Target& about = targets[k].target();
         const TargetVerdict& verdict = found.verdicts[k];
+        const bool emulated = targets[k].emulated();
         rows.add(named(about) + std::vector<Datum>{about.shown(about.value), about.value, about.uncertainty,
-                                                   about.discrepancy, about.runs, kind_word(targets[k]),
-                                                   points_of(targets[k]), error_of_left_out(targets[k]),
-                                                   targets[k].unused(), verdict.least, verdict.bound, verdict.rules_out,
-                                                   verdict.alone});
+                                                   about.discrepancy, about.runs,
+                                                   emulated ? name_of(targets[k].mean().kind()) : "none",
+                                                   emulated ? targets[k].mean().left_out().size() : 0,
+                                                   error_of_left_out(targets[k]), targets[k].unused(), verdict.least,
+                                                   verdict.bound, verdict.rules_out, verdict.alone});
     }
     Section section{
         .title = "Targets",

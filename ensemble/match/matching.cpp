@@ -20,11 +20,12 @@
 
 namespace floes {
 
-DividedRows rows_of(std::span<const DividedRun> runs) {
-    DividedRows made;
+DividedRows rows_of(std::span<const DividedRun> runs, Measured measured) {
+    DividedRows made{{}, measured};
+    made.measured.mean = 0;
     for (const DividedRun& run : runs) {
         made.rows.push_back(run.row);
-        made.mean += run.mean / static_cast<double>(runs.size());
+        made.measured.mean += run.mean / static_cast<double>(runs.size());
     }
     return made;
 }
@@ -37,7 +38,8 @@ CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const 
         const MatchWave& wave = waves[static_cast<std::size_t>(point.wave)];
         const double time = averaging_time(wave.table, request);
         const double index = mean_maximum.mean().at(coordinates_of(point)).mean;
-        for (const MemberRow& row : wave.table.members) {
+        for (std::size_t member = 0; member < wave.table.members.size(); ++member) {
+            const MemberRow& row = wave.table.members[member];
             const auto number = static_cast<std::size_t>(row.case_index);
             const Case& about = wave.campaign.cases[number];
             if (about.point != point.number || about.base != mean_maximum.target().case_name) continue;
@@ -48,7 +50,7 @@ CaseRuns runs_of(std::span<const MatchWave> waves, const MatchData& data, const 
                     "{}: the emulated mean maximum at point {} of the design is {:.3g} N, which is no load; run more "
                     "points, or loads that differ less",
                     wave.file, point.number, index));
-            DividedRun run{index, left[k], row.load.mean / index, {averaged->peaks, averaged->segment_maximum}};
+            DividedRun run{member, index, left[k], row.load.mean / index, {averaged->peaks, averaged->segment_maximum}};
             for (double& peak : run.row.peaks) peak /= index;
             for (double& maximum : run.row.segment_maxima) maximum /= index;
             made.runs.push_back(std::move(run));
@@ -265,20 +267,12 @@ EmulatedTarget::ScatterAt EmulatedTarget::scatter_at(const Eigen::VectorXd& x) c
             freedom_of(log.variance)};
 }
 
-double EmulatedTarget::expected_difference(const Eigen::VectorXd& x) const {
-    return difference_of(mean_->at(x).variance, scatter(x));
-}
-
-double EmulatedTarget::difference_of(double mean_variance, double scatter) const {
-    return std::sqrt(mean_variance + scatter * (common_part_ + 1.0 / target_.runs) +
-                     target_.uncertainty * target_.uncertainty + target_.discrepancy * target_.discrepancy);
-}
-
 Comparison EmulatedTarget::compared(const Eigen::VectorXd& x) const {
     const Emulated mean = mean_->at(x);
     const ScatterAt scatter = scatter_at(x);
-    const double difference = difference_of(mean.variance, scatter.variance);
     const double by_scatter = scatter.variance * (common_part_ + 1.0 / target_.runs);
+    const double difference = std::sqrt(mean.variance + by_scatter + target_.uncertainty * target_.uncertainty +
+                                        target_.discrepancy * target_.discrepancy);
     const double share = by_scatter / (difference * difference);
     const double bound = share > 0 ? bound_of(scatter.freedom / (share * share)) : ruled_out_above;
     return {mean.mean, difference, std::abs(target_.value - mean.mean) / difference, bound};
@@ -405,9 +399,9 @@ std::vector<double> log_likelihoods(const Eigen::MatrixXd& points, const std::ve
     for (const EmulatedTarget& target : targets) {
         if (!target.unused().empty()) continue;
         for (std::size_t k = 0; k < logs.size(); ++k) {
-            const Eigen::VectorXd x = points.row(static_cast<Eigen::Index>(k)).transpose();
-            const double off = target.implausibility(x);
-            logs[k] -= off * off / 2 + std::log(target.expected_difference(x));
+            const Comparison here = target.compared(points.row(static_cast<Eigen::Index>(k)).transpose());
+            const double off = here.implausibility();
+            logs[k] -= off * off / 2 + std::log(here.expected);
         }
     }
     return logs;
@@ -430,16 +424,12 @@ Estimate range_of(const AtPoints& at, const std::vector<double>& weights, double
         }
         return share;
     };
-    // By halving: the distribution is continuous and rises.
     const auto quantile = [&](double share) {
-        const double widest = 10 * std::max(*std::ranges::max_element(sd), *std::ranges::max_element(sd_above));
-        double low = *std::ranges::min_element(at.mean) - widest;
-        double high = *std::ranges::max_element(at.mean) + widest;
-        for (int k = 0; k < 60; ++k) {
-            const double middle = (low + high) / 2;
-            (below(middle) < share ? low : high) = middle;
-        }
-        return std::clamp((low + high) / 2, least, most);
+        const double widest = 10 * std::max(std::ranges::max(sd), std::ranges::max(sd_above));
+        const auto lies_above = [&](double x) { return below(x) < share; };  // the distribution is continuous and rises
+        return std::clamp(
+            halved(std::ranges::min(at.mean) - widest, std::ranges::max(at.mean) + widest, 60, lies_above), least,
+            most);
     };
     double mean = 0;
     for (std::size_t k = 0; k < sd.size(); ++k) mean += weights[k] * at.mean[k];
@@ -560,10 +550,9 @@ std::vector<bool> points_left(const MatchData& data, const std::vector<EmulatedT
 }
 
 /// Growth of the quantile, of runs in order of their mean maxima.
-double growth_of(std::span<const DividedRun> runs, Measured measured, const Exposure& exposure) {
-    const DividedRows divided = rows_of(runs);
-    measured.mean = divided.mean;
-    return over_thresholds(divided.rows, measured, exposure, {exposure.share}).front().front();
+double growth_of(std::span<const DividedRun> runs, const Measured& measured, const Exposure& exposure) {
+    const DividedRows divided = rows_of(runs, measured);
+    return over_thresholds(divided.rows, divided.measured, exposure, {exposure.share}).front().front();
 }
 
 /// The growth, with its own uncertainty, times the mean maximum at each point.
@@ -591,10 +580,9 @@ PredictedDesignLoad of_case(CaseRuns all, const AtPoints& mean_maximum, const Ov
     if (made.only_left) std::erase_if(all.runs, [](const DividedRun& run) { return !run.left; });
     std::ranges::stable_sort(all.runs, {}, &DividedRun::mean_maximum);
     made.runs = all.runs.size();
-    const DividedRows divided = rows_of(all.runs);
-    all.measured.mean = divided.mean;
+    const DividedRows divided = rows_of(all.runs, all.measured);
     const Exposure exposure{request.model_exposure(), {request.quantiles.front()}, request.share};
-    const DesignLoad load = design_load(divided.rows, all.measured, exposure);
+    const DesignLoad load = design_load(divided.rows, divided.measured, exposure);
     if (!load.valid()) {
         made.unknown =
             fmt::format("{}too few peaks ({}; it takes {}) for a design load; run more points or arrangements.",

@@ -55,7 +55,7 @@ class EmulatedTarget {
     explicit EmulatedTarget(const MatchData& data, const TargetData& target);
 
     const Target& target() const { return target_; }
-    /// Whether there is any data of it; only then may the next three be asked.
+    /// Whether there is any data of it; only then may the next six be asked.
     bool emulated() const { return mean_ != nullptr; }
     /// For the mean over arrangements.
     const Emulator& mean() const { return *mean_; }
@@ -63,8 +63,6 @@ class EmulatedTarget {
     double scatter(const Eigen::VectorXd& x) const { return scatter_at(x).variance; }
     /// Variance of the error that all points have in common.
     double common_variance(const Eigen::VectorXd& x) const { return common_part_ * scatter(x); }
-    /// The difference from the target that is expected there, as one standard deviation.
-    double expected_difference(const Eigen::VectorXd& x) const;
     Comparison compared(const Eigen::VectorXd& x) const;
     double implausibility(const Eigen::VectorXd& x) const { return compared(x).implausibility(); }
     /// Whether it is used and rules the point out.
@@ -81,7 +79,6 @@ class EmulatedTarget {
         double freedom = 0;  ///< of an estimate from so many differences between runs
     };
     ScatterAt scatter_at(const Eigen::VectorXd& x) const;
-    double difference_of(double mean_variance, double scatter) const;
 
     Target target_;
     std::shared_ptr<const Emulator> mean_;
@@ -137,21 +134,22 @@ Eigen::MatrixXd next_points(const Matching& matching, const MatchData& data, int
 
 /// A run whose load is divided by the emulated mean maximum at its point.
 struct DividedRun {
+    std::size_t member;   ///< of its wave's table
     double mean_maximum;  ///< N
     bool left;            ///< whether its point is not ruled out
     double mean;          ///< load
     PeakRow row;
 };
 
-/// The rows, and the mean of their loads.
+/// Rows, and how they were measured, with the mean of their loads.
 struct DividedRows {
     std::vector<PeakRow> rows;
-    double mean = 0;
+    Measured measured;
 };
 
-DividedRows rows_of(std::span<const DividedRun> runs);
+DividedRows rows_of(std::span<const DividedRun> runs, Measured measured);
 
-/// How the rows of a case were measured, and its runs.
+/// How the rows of a case were measured, without their mean, and its runs.
 struct CaseRuns {
     Measured measured;
     std::vector<DividedRun> runs;

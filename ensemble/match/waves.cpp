@@ -245,6 +245,10 @@ std::vector<RangedAxis> match_axes(std::span<const MatchWave> waves) {
     return axes;
 }
 
+std::string nearest(const std::vector<std::string>& names, const std::string& name) {
+    return *std::ranges::min_element(names, {}, [&](const std::string& one) { return edit_distance(one, name); });
+}
+
 std::vector<std::string> match_cases(std::span<const MatchWave> waves) {
     std::vector<std::string> names;
     for (const MatchWave& wave : waves)
@@ -287,8 +291,9 @@ double covariance(std::span<const PointRuns> points, const std::vector<double>& 
 
 }  // namespace
 
-Scatter scatter_of(std::span<const PointRuns> points, double pooled_weight) {
-    Scatter found{{}, {}, {}, undefined, 0};
+Scatter scatter_of(std::span<const PointRuns> points) {
+    Scatter found;
+    found.pooled = undefined;
     double squares = 0;
     double freedom = 0;
     std::vector<double> own_squares;
@@ -302,8 +307,8 @@ Scatter scatter_of(std::span<const PointRuns> points, double pooled_weight) {
     }
     if (freedom > 0) found.pooled = squares / freedom;
     for (std::size_t p = 0; p < points.size(); ++p)
-        found.variance.push_back((pooled_weight * found.pooled + own_squares[p]) /
-                                 (pooled_weight + static_cast<double>(points[p].values.size()) - 1));
+        found.variance.push_back((pooled_runs * found.pooled + own_squares[p]) /
+                                 (pooled_runs + static_cast<double>(points[p].values.size()) - 1));
     if (found.pooled > 0) found.shared = std::clamp(covariance(points, found.mean) / found.pooled, 0.0, 1.0);
     return found;
 }
@@ -364,12 +369,10 @@ std::optional<std::string> case_of(const Target& target, const std::vector<std::
             fmt::format("The target {} is about a case, and the design has no [[case]]; take case = \"{}\" away from "
                         "the target, or give the design a [[case]] of that name.",
                         target.name(), target.case_name));
-    const auto near = std::ranges::min_element(
-        cases, {}, [&](const std::string& one) { return edit_distance(one, target.case_name); });
     throw InputError(
         fmt::format("The target {} is about a case that no campaign has: the cases are {}; did you mean {}? A target "
                     "that is held out may lack its case.",
-                    target.name(), name_list(cases), *near));
+                    target.name(), name_list(cases), nearest(cases, target.case_name)));
 }
 
 /// Collects the results of all waves, point by point.
@@ -427,16 +430,12 @@ class Collector {
             all.push_back(std::move(point));
         }
         if (all.empty() && !target.held_out) throw no_data(target);
-        const Scatter scatter = scatter_of(all, pooled_runs);
-        if (!all.empty() && std::isnan(scatter.pooled))
+        static_cast<Scatter&>(data) = scatter_of(all);
+        if (!all.empty() && std::isnan(data.pooled))
             throw InputError(
                 fmt::format("The target {} has one run at every point, which says nothing of the scatter; run two "
                             "arrangements or more.",
                             target.name()));
-        data.mean = scatter.mean;
-        data.sample_variance = scatter.sample_variance;
-        data.variance = scatter.variance;
-        data.shared = scatter.shared;
         return data;
     }
 

@@ -64,6 +64,9 @@ std::vector<RangedAxis> match_axes(std::span<const MatchWave> waves);
 /// The names of the [[case]] tables that are run at the points of some wave, in order; "" where a design has none.
 std::vector<std::string> match_cases(std::span<const MatchWave> waves);
 
+/// The name nearest to a mistyped one, of one name at least.
+std::string nearest(const std::vector<std::string>& names, const std::string& name);
+
 // Means and scatter over arrangements at the points of a design. For this module only.
 
 /// The runs at one point. Runs of two points of one wave with equal arrangements began from the same floes.
@@ -75,15 +78,20 @@ struct PointRuns {
 
 /// The lists have an element for each point.
 struct Scatter {
-    std::vector<double> mean;
-    std::vector<double> sample_variance;  ///< n - 1; NaN for one run
-    std::vector<double> variance;         ///< weighted with the pooled one
-    double pooled;                        ///< variance of single runs over all points; NaN where each has one run
-    double shared;                        ///< part of it that is common to the points of an arrangement, 0-1
+    std::vector<double> mean;             ///< over the runs
+    std::vector<double> sample_variance;  ///< of single runs, n - 1; NaN for one run
+    std::vector<double> variance;  ///< of single runs, weighted with the pooled one; used where it cannot be emulated
+    double pooled = 0;             ///< variance of single runs over all points; NaN where each has one run
+    /// Part of the variance that an arrangement has in common at all points, 0-1: where points begin from the same
+    /// floes, their means err together. The error of the mean of n runs has variance v / n, and two such errors at
+    /// different points with the same n arrangements the covariance shared v / n. An emulator that takes the errors for
+    /// independent does not see this part, which must be added to the variance that it states. Where
+    /// campaign.common_arrangements is false there is none.
+    double shared = 0;
 };
 
-/// As match_data() says, with `pooled_weight` as the weight of the pooled variance.
-Scatter scatter_of(std::span<const PointRuns> points, double pooled_weight);
+/// As match_data() says.
+Scatter scatter_of(std::span<const PointRuns> points);
 
 // The data of emulators: the coordinates of a design's points, and for each target mean and scatter at each point.
 
@@ -97,20 +105,10 @@ struct MatchPoint {
 
 /// Results for one target. The lists have an element for each point with a done member of the target's case that
 /// measured the quantity; numbers are in the quantity's stored unit.
-struct TargetData {
+struct TargetData : Scatter {
     Target target;
-    std::vector<int> point;               ///< index into MatchData::points, rising
-    std::vector<double> mean;             ///< over the done runs
-    std::vector<double> sample_variance;  ///< of single runs, n - 1; NaN for one run
-    std::vector<double> variance;         ///< of single runs, weighted with the pooled one, see match_data(); used
-                                          ///< where the scatter cannot be emulated
-    std::vector<int> runs;                ///< done, at least 1
-    /// Part of the variance that an arrangement has in common at all points, 0-1: where points begin from the same
-    /// floes, their means err together. The error of the mean of n runs has variance v / n, and two such errors at
-    /// different points with the same n arrangements the covariance shared v / n. An emulator that takes the errors for
-    /// independent does not see this part, which must be added to the variance that it states. Where
-    /// campaign.common_arrangements is false there is none.
-    double shared = 0;
+    std::vector<int> point;  ///< index into MatchData::points, rising
+    std::vector<int> runs;   ///< done, at least 1
 };
 
 struct MatchData {

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <numeric>
+#include <ranges>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -20,16 +21,10 @@
 #include "findings/conditions.hpp"
 #include "findings/page_one.hpp"
 #include "findings/summary.hpp"
-#include "keys/meant.hpp"
 
 namespace floes {
 
 namespace {
-
-/// At least one, so that a nearest one exists.
-std::string nearest(const std::vector<std::string>& names, const std::string& name) {
-    return *std::ranges::min_element(names, {}, [&](const std::string& one) { return edit_distance(one, name); });
-}
 
 void refuse_rising(const JointTrend& trend, const std::string& who, const YearRequest& request) {
     if (trend.rises() && !request.load.rising)
@@ -68,8 +63,7 @@ class InterpolatedDesign {
     /// constant: the share of a regime would be that of its hours.
     InterpolatedDesign(const MatchWave& campaign, const std::string& base, const DesignLoadRequest& request);
 
-    const std::vector<PeakRow>& rows() const { return rows_; }  ///< divided by the mean maximum at their points
-    const Measured& measured() const { return measured_; }
+    const DividedRows& divided() const { return divided_; }  ///< by the mean maximum at their points
     const std::vector<int>& members() const { return members_; }
     const Emulator& index() const { return index_.front().mean(); }
     std::size_t fewest_arrangements() const { return fewest_; }  ///< of a point
@@ -81,8 +75,7 @@ class InterpolatedDesign {
   private:
     MatchData data_;
     std::vector<EmulatedTarget> index_;  ///< one
-    std::vector<PeakRow> rows_;
-    Measured measured_;
+    DividedRows divided_;
     std::vector<int> members_;
     std::size_t fewest_ = 0;
 };
@@ -104,22 +97,13 @@ InterpolatedDesign::InterpolatedDesign(const MatchWave& campaign, const std::str
                         "points, or name points as cases",
                         campaign.file, fault));
     const CaseRuns runs = runs_of(waves, data_, std::vector<bool>(data_.points.size(), true), index, request);
-    DividedRows divided = rows_of(runs.runs);
-    measured_ = runs.measured;
-    measured_.mean = divided.mean;
-    rows_ = std::move(divided.rows);
-    std::vector<std::size_t> counts(campaign.campaign.cases.size(), 0);
-    for (const MatchPoint& point : data_.points)  // in the order of runs_of()
-        for (const MemberRow& row : campaign.table.members) {
-            const auto of_case = static_cast<std::size_t>(row.case_index);
-            const Case& about = campaign.campaign.cases[of_case];
-            if (about.point != point.number || about.base != base || row.averaged_over(time) == nullptr) continue;
-            members_.push_back(static_cast<int>(&row - campaign.table.members.data()));
-            ++counts[of_case];
-        }
-    fewest_ = std::numeric_limits<std::size_t>::max();
-    for (const std::size_t count : counts)
-        if (count > 0) fewest_ = std::min(fewest_, count);
+    divided_ = rows_of(runs.runs, runs.measured);
+    std::map<int, std::size_t> counts;  // by case
+    for (const DividedRun& run : runs.runs) {
+        members_.push_back(static_cast<int>(run.member));
+        ++counts[campaign.table.members[run.member].case_index];
+    }
+    fewest_ = std::ranges::min(counts | std::views::values);
 }
 
 Emulated InterpolatedDesign::at(const Regime& regime) const {
@@ -173,14 +157,14 @@ class TailFinder {
           sample_(campaign.table),
           time_(averaging_time(campaign.table, request.load)) {}
 
-    YearRegimeRow row(const Regime& regime) {
+    void add(const Regime& regime) {
         YearRegimeRow row{regime, {}};
         row.tail.time = regime.time / std::sqrt(request_.load.scale);
         if (regime.values.empty())
             row.tail.source = source_of_case(regime);
         else
             interpolate(row);
-        return row;
+        made.regimes.push_back(std::move(row));
     }
 
     YearTails made;
@@ -199,7 +183,8 @@ class TailFinder {
         refuse_rising(joint_trend(sample_, of_case), fmt::format("{}: case {}", regime.where, regime.case_name),
                       request_);
         const CasePeaks peaks = case_peaks(sample_, of_case, time_);
-        add({regime.case_name, of_case, peaks.members, peaks.rows.size(), 0, {}}, peaks.rows, peaks.measured, regime);
+        add_source({regime.case_name, of_case, peaks.members, peaks.rows.size(), 0, {}}, peaks.rows, peaks.measured,
+                   regime);
         return made.sources.size() - 1;
     }
 
@@ -215,15 +200,15 @@ class TailFinder {
                                   fmt::format("{}: point {}", regime.where, campaign_.table.cases[k].name), request_);
             const InterpolatedDesign& design =
                 designs_.try_emplace(made.sources.size(), campaign_, base, request_.load).first->second;
-            add({base,
-                 std::nullopt,
-                 design.members(),
-                 design.fewest_arrangements(),
-                 0,
-                 {},
-                 name_of(design.index().kind()),
-                 design.index().simpler()},
-                design.rows(), design.measured(), regime);
+            add_source({base,
+                        std::nullopt,
+                        design.members(),
+                        design.fewest_arrangements(),
+                        0,
+                        {},
+                        name_of(design.index().kind()),
+                        design.index().simpler()},
+                       design.divided().rows, design.divided().measured, regime);
             known = made.sources.end() - 1;
         }
         row.tail.source = static_cast<std::size_t>(known - made.sources.begin());
@@ -232,20 +217,19 @@ class TailFinder {
         row.tail.factor_sd = std::sqrt(index.variance) / index.mean;
     }
 
-    void add(TailSource source, const std::vector<PeakRow>& rows, const Measured& measured, const Regime& regime) {
+    void add_source(TailSource source, const std::vector<PeakRow>& rows, const Measured& measured,
+                    const Regime& regime) {
         if (rows.size() < fewest_members)
             throw InputError(
                 fmt::format("{}: {} has {} of the {} members that a tail needs; 8 or more are a beginning, 50 say "
                             "something of rare loads",
                             regime.where, source.words(), rows.size(), fewest_members));
-        std::vector<std::span<const double>> peaks;
-        for (const PeakRow& one : rows) peaks.emplace_back(one.peaks);
+        const std::vector<std::span<const double>> peaks = peaks_of(rows);
         source.unlike = unlike_members(peaks, request_.load.share);
         source.time_run = measured.window * static_cast<double>(rows.size());
         auto posterior = std::make_unique<const PosteriorLoad>(
-            peaks, source.unlike.out,
-            PosteriorAsked{measured.window, measured.separation, measured.mean,
-                           averaged_shares(request_.load.share, campaign_.table.cases.size() > most_averaged_cases)});
+            peaks, source.unlike.out, measured,
+            averaged_shares(request_.load.share, campaign_.table.cases.size() > most_averaged_cases));
         if (!posterior->valid())
             throw InputError(
                 fmt::format("{}: {} has too few peaks for a tail in its {:.3g} h (a fit needs {}); run more "
@@ -287,16 +271,6 @@ std::vector<Item> as_given(std::vector<Item> sorted, const std::vector<std::size
     return given;
 }
 
-YearTails year_tails(const MatchWave& campaign, const std::vector<Regime>& regimes,
-                     const std::vector<std::size_t>& order, const YearRequest& request) {
-    TailFinder finder(campaign, request);
-    for (const std::size_t k : order) {
-        YearRegimeRow row = finder.row(regimes[k]);
-        finder.made.regimes.push_back(std::move(row));
-    }
-    return std::move(finder.made);
-}
-
 constexpr double counts_from = 0.1;  // of the peaks: a regime that has them decides the load
 
 /// Frequencies of the curve: nine in ten years, then two to a power of ten, down to the rarest asked for.
@@ -334,7 +308,9 @@ std::string per_year_text(double per_year) {
 
 Year find_year(const MatchWave& campaign, const std::vector<Regime>& regimes, const YearRequest& request) {
     const std::vector<std::size_t> order = order_of(campaign, regimes);
-    YearTails tails = year_tails(campaign, regimes, order, request);
+    TailFinder finder(campaign, request);
+    for (const std::size_t k : order) finder.add(regimes[k]);
+    YearTails& tails = finder.made;
     std::vector<const PosteriorLoad*> posteriors;
     for (const auto& one : tails.posteriors) posteriors.push_back(one.get());
     std::vector<YearRegime> parts;

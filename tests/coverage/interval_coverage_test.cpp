@@ -74,8 +74,8 @@ TEST_P(IntervalCoverage, IsAsTheIntervalsSay) {
     });
     for_each_sample(72, trials, true, [&](const known::SetMembers& made, RandomStream&) {
         const auto peaks = known::spans(made.peaks);
-        const PosteriorLoad load(peaks, unlike_members(peaks, 0.25).out,
-                                 {known::window, 1e-9, made.least, averaged_shares(0.25, false)});
+        const PosteriorLoad load(peaks, unlike_members(peaks, 0.25).out, {known::window, 0, 1e-9, made.least},
+                                 averaged_shares(0.25, false));
         if (!load.valid()) return;
         const LoadFigure figure = load.quantile(times * static_cast<double>(members) * known::window, 0.9);
         held["design load, both tails"].add(figure.interval, largest, figure.interval.high / figure.interval.low);

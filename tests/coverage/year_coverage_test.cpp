@@ -83,7 +83,7 @@ PosteriorLoad run(const Ice& ice, std::size_t members, RandomStream& random) {
         mean += 10 * ice.times * scale / static_cast<double>(members);
     }
     const auto spans = known::spans(peaks);
-    return {spans, unlike_members(spans, 0.25).out, {window, 0.01, mean, averaged_shares(0.25, false)}};
+    return {spans, unlike_members(spans, 0.25).out, {window, 0, 0.01, mean}, averaged_shares(0.25, false)};
 }
 
 int trials() {

@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "core/error.hpp"
 #include "core/random.hpp"
 
 namespace floes {
@@ -16,7 +15,7 @@ namespace bootstrap_test {
 TEST(Bootstrap, DrawsEveryRowAsOften) {
     const std::vector<double> values{0.0, 1.0};
     const auto sum = [&](std::span<const std::uint32_t> rows) { return values[rows[0]] + values[rows[1]]; };
-    const std::vector<double> found = bootstrap(2, sum, {.resamples = 40000});
+    const std::vector<double> found = bootstrap(2, sum, 40000);
     ASSERT_EQ(found.size(), 40000u);
     double ones = 0;
     double twos = 0;
@@ -29,25 +28,23 @@ TEST(Bootstrap, DrawsEveryRowAsOften) {
 }
 
 /// Of the mean of values.
-Limits interval_of(const std::vector<double>& values, const BootstrapOptions& options = {}) {
+Limits interval_of(const std::vector<double>& values, int resamples = 0) {
     const auto mean = [&](std::span<const std::uint32_t> rows) {
         double sum = 0;
         for (const std::uint32_t row : rows) sum += values[row];
         return sum / static_cast<double>(rows.size());
     };
-    return bca_interval(values.size(), mean, options);
+    return bca_interval(values.size(), mean, resamples);
 }
 
-TEST(Bootstrap, GivesTheSameAgainAndAnotherForAnotherDraw) {
+TEST(Bootstrap, GivesTheSameAgain) {
     const std::vector<double> values{3.14, 1.59, 4.65, 3.58, 9.79, 3.23, 8.46};
     EXPECT_EQ(interval_of(values), interval_of(values));
-    EXPECT_NE(interval_of(values), interval_of(values, {.draw = 1}));
 }
 
 TEST(Bootstrap, IsUndefinedWithoutSpreadOrRows) {
     EXPECT_TRUE(std::isnan(interval_of({2, 2, 2, 2}).low));
     EXPECT_TRUE(std::isnan(interval_of({1, 2}).high));
-    EXPECT_THROW(interval_of({1, 2, 3}, {.confidence = 1}), InputError);
 }
 
 // Skewed values (exponential, n = 40): both tails of BCa miss about as often, 2.5 %; plus what 40 values cost.
@@ -58,7 +55,7 @@ TEST(Bootstrap, CoversSkewedValues) {
     for (int trial = 0; trial < trials; ++trial) {
         std::vector<double> values(40);
         for (double& value : values) value = -std::log(1 - random.uniform());
-        const Limits found = interval_of(values, {.resamples = 999});
+        const Limits found = interval_of(values, 999);
         inside += found.low <= 1 && 1 <= found.high;
     }
     EXPECT_NEAR(inside / double{trials}, 0.935, 4 * std::sqrt(0.95 * 0.05 / trials));
@@ -70,8 +67,9 @@ TEST(Quantile, IsLinearBetweenSortedValues) {
     EXPECT_EQ(quantile_of_sorted(sorted, 0.25), 1.5);
     EXPECT_EQ(quantile_of_sorted(sorted, 0.75), 3);
     EXPECT_EQ(quantile_of_sorted(sorted, 1), 4);
-    const Limits limits = percentile_interval({4, std::nan(""), 1, 2}, 0.5);
-    EXPECT_EQ(limits, (Limits{1.5, 3}));
+    const Limits limits = percentile_interval({4, std::nan(""), 0});
+    EXPECT_NEAR(limits.low, 0.1, 1e-12);
+    EXPECT_NEAR(limits.high, 3.9, 1e-12);
 }
 
 }  // namespace bootstrap_test

@@ -68,8 +68,7 @@ TEST(MeanInterval, AgreesWithScipyOnThePapersMaxima) {
     EXPECT_NEAR(found.prediction_high, 300.28059169796484, 2e-8);
 }
 
-// The same with x = [26.1, 31.4, 28.0, 22.7, 35.2, 29.9, 27.3, 30.8, 25.5, 33.0, 28.6, 24.2], 11 degrees of freedom,
-// .95 and .90.
+// The same with x = [26.1, 31.4, 28.0, 22.7, 35.2, 29.9, 27.3, 30.8, 25.5, 33.0, 28.6, 24.2], 11 degrees of freedom.
 TEST(MeanInterval, AgreesWithScipyOnTwelveMembers) {
     const std::vector<double> values{26.1, 31.4, 28.0, 22.7, 35.2, 29.9, 27.3, 30.8, 25.5, 33.0, 28.6, 24.2};
     const Interval found = mean_interval(values);
@@ -77,11 +76,6 @@ TEST(MeanInterval, AgreesWithScipyOnTwelveMembers) {
     EXPECT_NEAR(found.high, 30.899495787569833, 1e-9);
     EXPECT_NEAR(found.prediction_low, 20.11715206039252, 1e-9);
     EXPECT_NEAR(found.prediction_high, 36.99951460627415, 1e-9);
-    const Interval narrow = mean_interval(values, 0.90);
-    EXPECT_NEAR(narrow.low, 26.648071426104526, 1e-9);
-    EXPECT_NEAR(narrow.high, 30.468595240562138, 1e-9);
-    EXPECT_NEAR(narrow.prediction_low, 21.670786077254235, 1e-9);
-    EXPECT_NEAR(narrow.prediction_high, 35.445880589412425, 1e-9);
 }
 
 TEST(MeanInterval, OfOneValueHasNoLimits) {
@@ -107,8 +101,6 @@ TEST(MeanInterval, OfEqualValuesHasNoWidth) {
 TEST(MeanInterval, RefusesWhatIsNoValue) {
     EXPECT_THROW(mean_interval(std::vector<double>{1.0, std::numeric_limits<double>::quiet_NaN()}), InputError);
     EXPECT_THROW(mean_interval(std::vector<double>{1.0, std::numeric_limits<double>::infinity()}), InputError);
-    EXPECT_THROW(mean_interval(std::vector<double>{1.0, 2.0}, 1.0), InputError);
-    EXPECT_THROW(mean_interval(std::vector<double>{1.0, 2.0}, 0.0), InputError);
 }
 
 // 95 % means 95 %: of 20000 samples of six normal values, the mean and one further value fall inside as often as

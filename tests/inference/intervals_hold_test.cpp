@@ -48,8 +48,8 @@ TEST(Intervals, OfBothTailsHoldAndAreNoWiderThanThat) {
         RandomStream random{74, trial, StreamId::bootstrap, 8};
         const known::SetMembers made = known::draw(set, 8, random);
         const auto peaks = known::spans(made.peaks);
-        const PosteriorLoad load(peaks, unlike_members(peaks, 0.25).out,
-                                 {known::window, 1e-9, made.least, averaged_shares(0.25, false)});
+        const PosteriorLoad load(peaks, unlike_members(peaks, 0.25).out, {known::window, 0, 1e-9, made.least},
+                                 averaged_shares(0.25, false));
         const Limits found = load.quantile(80 * known::window, 0.9).interval;
         within += found.low <= truth && truth <= found.high;
         width += std::log(found.high / found.low) / trials;

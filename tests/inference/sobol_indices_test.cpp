@@ -58,8 +58,8 @@ SaltelliValues random_values(int base_points, std::uint32_t draw) {
 
 TEST(SobolIndices, AreIshigamisOverASobolSequence) {
     boost::random::sobol sequence(6);
-    const SobolIndices found = sobol_indices(
-        values(4096, [&] { return static_cast<double>(sequence() >> 11) * 0x1p-53; }), {.resamples = 199});
+    const SobolIndices found =
+        sobol_indices(values(4096, [&] { return static_cast<double>(sequence() >> 11) * 0x1p-53; }), 199);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(found.first[i].estimate, first[i], 0.01) << i;
         EXPECT_NEAR(found.total[i].estimate, total[i], 0.01) << i;
@@ -74,7 +74,7 @@ TEST(SobolIndices, HaveIntervalsThatCover) {
     constexpr std::uint32_t trials = 200;
     int covered = 0;
     for (std::uint32_t trial = 0; trial < trials; ++trial) {
-        const SobolIndices found = sobol_indices(random_values(256, trial), {.resamples = 499});
+        const SobolIndices found = sobol_indices(random_values(256, trial), 499);
         for (std::size_t i = 0; i < 3; ++i) {
             covered += found.first[i].interval.low <= first[i] && first[i] <= found.first[i].interval.high;
             covered += found.total[i].interval.low <= total[i] && total[i] <= found.total[i].interval.high;
@@ -86,8 +86,8 @@ TEST(SobolIndices, HaveIntervalsThatCover) {
 
 // Twice the base points, 1/√2 of the error: the bootstrap's width says so.
 TEST(SobolIndices, ConvergeAsTheBootstrapSays) {
-    const SobolIndices few = sobol_indices(random_values(500, 3), {.resamples = 999});
-    const SobolIndices many = sobol_indices(random_values(8000, 4), {.resamples = 999});
+    const SobolIndices few = sobol_indices(random_values(500, 3), 999);
+    const SobolIndices many = sobol_indices(random_values(8000, 4), 999);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto width = [&](const SobolIndices& one) {
             return one.total[i].interval.high - one.total[i].interval.low;
@@ -101,7 +101,7 @@ TEST(SobolIndices, ConvergeAsTheBootstrapSays) {
 //   a, b, ab = [1, 2, 4], [3, 1, 5], [[2, 2, 5], [1, 3, 4]]; mean = np.mean([a, b]); var = np.var([a, b])
 //   np.mean((b - mean) * (ab - a), axis=-1) / var, 0.5 * np.mean((a - ab)**2, axis=-1) / var
 TEST(SobolIndices, AreScipys) {
-    const SobolIndices found = sobol_indices({{1, 2, 4}, {3, 1, 5}, {{2, 2, 5}, {1, 3, 4}}}, {.resamples = 99});
+    const SobolIndices found = sobol_indices({{1, 2, 4}, {3, 1, 5}, {{2, 2, 5}, {1, 3, 4}}}, 99);
     EXPECT_NEAR(found.first[0].estimate, 0.4, 1e-14);
     EXPECT_NEAR(found.first[1].estimate, -0.25, 1e-14);
     EXPECT_NEAR(found.total[0].estimate, 0.15, 1e-14);

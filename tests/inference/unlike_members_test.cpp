@@ -81,9 +81,13 @@ TEST(UnlikeMembers, OfFewOrNoneAreNone) {
 }
 
 TEST(UnlikeMembers, OfValuesAreThoseFarAboveTheOthers) {
-    EXPECT_EQ(rows_standing_out(std::vector{1.0, 1.2, 9.0, 0.9, 1.1, 1.0, 1.3, 0.8}), std::vector<std::size_t>{2});
-    EXPECT_TRUE(rows_standing_out(std::vector{1.0, 1.2, -9.0, 0.9, 1.1, 1.0, 1.3, 0.8}).empty());
-    EXPECT_TRUE(rows_standing_out(std::vector<double>(8, 2.0)).empty());
+    const auto above = [](std::vector<double> logarithms) {
+        for (double& one : logarithms) one = std::exp(one);
+        return apart(logarithms, Sides::above).above;
+    };
+    EXPECT_EQ(above({1.0, 1.2, 9.0, 0.9, 1.1, 1.0, 1.3, 0.8}), std::vector<std::size_t>{2});
+    EXPECT_TRUE(above({1.0, 1.2, -9.0, 0.9, 1.1, 1.0, 1.3, 0.8}).empty());
+    EXPECT_TRUE(above(std::vector<double>(8, 2.0)).empty());
 }
 
 TEST(UnlikeMembers, ThatAreNotSeenAreRarerWithMoreMembers) {

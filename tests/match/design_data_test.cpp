@@ -239,14 +239,14 @@ TEST(MatchData, RefusesWavesOfWhichOneIsToBeCalibrated) {
 // product is 1/4; its expectation is 1 - 1/3 - 1/2 + 2/6 = 1/2 of the covariance, hence 1/2. V is (26/3 + 1/2) / 3.
 TEST(Scatter, SharedIsCorrectedForTheMeansOwnErrors) {
     std::vector<PointRuns> points{{0, {0, 1, 2}, {0, 1, 4}}, {0, {1, 0}, {8, 7}}};
-    EXPECT_NEAR(scatter_of(points, 4).shared, 0.5 / (55.0 / 18), 1e-12);
+    EXPECT_NEAR(scatter_of(points).shared, 0.5 / (55.0 / 18), 1e-12);
     points[1].arrangements = {3, 4};
-    EXPECT_EQ(scatter_of(points, 4).shared, 0);
+    EXPECT_EQ(scatter_of(points).shared, 0);
     points[1].arrangements = {1, 0};
     points[1].wave = 1;
-    EXPECT_EQ(scatter_of(points, 4).shared, 0);
+    EXPECT_EQ(scatter_of(points).shared, 0);
     points[1] = {0, {0, 1}, {8, 7}};
-    EXPECT_EQ(scatter_of(points, 4).shared, 0);  // a negative one is chance
+    EXPECT_EQ(scatter_of(points).shared, 0);  // a negative one is chance
 }
 
 TEST(MatchData, TakesARepeatedPointOfAWaveOnce) {

@@ -267,7 +267,6 @@ TEST(Matching, SaysWhichMultipleOfTheExpectedDifferenceRulesOut) {
         const std::vector<EmulatedTarget> targets = emulate(data);
         const Comparison here = targets[0].compared(at);
         EXPECT_DOUBLE_EQ(here.ratio, (70 - here.predicted) / here.expected);
-        EXPECT_DOUBLE_EQ(here.expected, targets[0].expected_difference(at));
         EXPECT_DOUBLE_EQ(targets[0].implausibility(at), 3 * here.ratio / here.bound);
         EXPECT_EQ(targets[0].rules_out(at), here.ratio > here.bound);
         const Section point = point_section(data, targets, at);
