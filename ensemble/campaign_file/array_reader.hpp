@@ -32,9 +32,7 @@ class ArrayReader {
             sizes_.push_back(longest ? rows_->width() / std::max<std::size_t>(known, 1)
                                      : places.axis(*axis).places.size());
         }
-        std::size_t width = 1;
-        for (const std::size_t size : sizes_) width *= size;
-        hdf5::check_count(file.id(), name, rows_->width(), width);
+        hdf5::check_count(file.id(), name, rows_->width(), hdf5::product(std::span<const std::size_t>(sizes_)));
     }
 
     ArrayValues read(std::size_t row, int case_index) {

@@ -37,20 +37,19 @@ int ArrangementRows::row(MemberKey member) const {
     return member.arrangement * groups_ + group_of_case_.at(static_cast<std::size_t>(member.case_index));
 }
 
-namespace {
-
-/// What a function gives of the scenarios of all cases, rising, each value once.
-template <class Function>
-std::vector<double> of_all_cases(const Campaign& campaign, Function function) {
+std::vector<double> of_all_cases(const Campaign& campaign,
+                                 const std::function<std::vector<double>(const Scenario&)>& of) {
     std::vector<double> values;
     for (const Case& one : campaign.cases) {
-        const std::vector<double> own = std::invoke(function, one.scenario);
+        const std::vector<double> own = of(one.scenario);
         values.insert(values.end(), own.begin(), own.end());
     }
     std::ranges::sort(values);
     values.erase(std::ranges::unique(values).begin(), values.end());
     return values;
 }
+
+namespace {
 
 void set_missing(MemberRow& row, int segments, std::size_t levels) {
     static_cast<MemberOutputs&>(row) = unmeasured(segments);

@@ -110,6 +110,10 @@ class ArrangementRows {
 
 // Rows of members, made of their records one by one. For this module only.
 
+/// What a function gives of the scenarios of all cases, rising, each value once.
+std::vector<double> of_all_cases(const Campaign& campaign,
+                                 const std::function<std::vector<double>(const Scenario&)>& of);
+
 class MemberRows {
   public:
     /// `campaign` must outlive the rows.

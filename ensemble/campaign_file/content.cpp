@@ -23,14 +23,6 @@ std::vector<const ArrayAxis*> all_axes() {
     return axes;
 }
 
-std::vector<double> united(const std::vector<std::vector<double>>& of_cases) {
-    std::vector<double> all;
-    for (const std::vector<double>& own : of_cases) all.insert(all.end(), own.begin(), own.end());
-    std::ranges::sort(all);
-    all.erase(std::ranges::unique(all).begin(), all.end());
-    return all;
-}
-
 FiledAxis filed(const ArrayAxis& axis, const Campaign& campaign) {
     FiledAxis filed;
     if (axis.places == nullptr) return filed;
@@ -38,7 +30,7 @@ FiledAxis filed(const ArrayAxis& axis, const Campaign& campaign) {
     for (const Case& one : campaign.cases) of_cases.push_back(axis.places(one.scenario));
     for (const std::vector<double>& own : of_cases) filed.own_sizes.push_back(own.size());
     if (axis.kind == AxisKind::placed) {
-        filed.places = united(of_cases);
+        filed.places = of_all_cases(campaign, axis.places);
         for (const std::vector<double>& own : of_cases) {
             std::vector<std::size_t>& positions = filed.positions.emplace_back();
             for (const double place : own)
@@ -78,8 +70,7 @@ void ArrayPlaces::for_each_place(const ArrayOutput& array, int case_index, std::
         const auto& positions = axis(*array.axes[k]).positions;
         return positions.empty() ? index : positions.at(static_cast<std::size_t>(case_index)).at(index);
     };
-    std::size_t count = 1;
-    for (const std::size_t size : own) count *= size;
+    const std::size_t count = hdf5::product(own);
     std::vector<std::size_t> index(own.size(), 0);
     for (std::size_t value = 0; value < count; ++value) {
         std::size_t place = 0;
@@ -96,9 +87,7 @@ void ArrayPlaces::for_each_place(const ArrayOutput& array, int case_index, std::
 
 std::vector<double> ArrayPlaces::row(const ArrayOutput& array, int case_index, const ArrayValues& own,
                                      std::span<const std::size_t> sizes) const {
-    std::size_t width = 1;
-    for (const std::size_t size : sizes) width *= size;
-    std::vector<double> row(width, undefined);
+    std::vector<double> row(hdf5::product(sizes), undefined);
     if (!own.empty())
         for_each_place(array, case_index, own.sizes, sizes,
                        [&](std::size_t value, std::size_t place) { row[place] = own.values[value]; });
@@ -110,9 +99,7 @@ ArrayValues ArrayPlaces::own(const ArrayOutput& array, int case_index, std::span
     ArrayValues own{own_sizes(array, case_index), {}};
     for (std::size_t k = 0; k < own.sizes.size(); ++k)
         if (array.axes[k]->kind == AxisKind::longest) own.sizes[k] = sizes[k];
-    std::size_t count = 1;
-    for (const std::size_t size : own.sizes) count *= size;
-    own.values.resize(count, undefined);
+    own.values.resize(hdf5::product(std::span<const std::size_t>(own.sizes)), undefined);
     for_each_place(array, case_index, own.sizes, sizes,
                    [&](std::size_t value, std::size_t place) { own.values[value] = row[place]; });
     if (std::ranges::all_of(own.values, [](double value) { return std::isnan(value); })) own.values.clear();
@@ -232,45 +219,21 @@ CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
             content.lies_in_pieces(axes_.at(found_axes[k]), [k](const FilePiece& piece) { return piece.found[k]; });
 }
 
-namespace {
-
-struct Row {
-    std::int32_t case_index;
-    const CurvePoint* point;
-};
-
-/// A column of what `of` says of each of the rows.
-template <class Rows, class Of>
-void write_column(hid_t group, const Label& label, const Scale& scale, const Rows& rows, Of of) {
-    std::vector<std::decay_t<std::invoke_result_t<Of, const std::ranges::range_value_t<Rows>&>>> values;
-    for (const auto& row : rows) values.push_back(std::invoke(of, row));
-    hdf5::write_values(group, label, {scale}, values);
-}
-
-std::vector<Row> calibration_rows(const CampaignContent& content, std::span<const CalibrationRecord> calibrations) {
-    std::vector<Row> rows;
+void write_calibration(hid_t file, const CampaignContent& content, std::span<const CalibrationRecord> calibrations) {
+    std::vector<std::int32_t> cases;
+    std::vector<CurvePoint> points;
     const std::vector<const Calibration*> of_case = match_calibrations(content.campaign, calibrations);
     for (std::size_t k = 0; k < of_case.size(); ++k) {
         if (of_case[k] == nullptr) continue;
-        for (const CurvePoint& point : of_case[k]->curve) rows.push_back({static_cast<std::int32_t>(k), &point});
+        cases.resize(cases.size() + of_case[k]->curve.size(), static_cast<std::int32_t>(k));
+        points.insert(points.end(), of_case[k]->curve.begin(), of_case[k]->curve.end());
     }
-    return rows;
-}
-
-}  // namespace
-
-void write_calibration(hid_t file, const CampaignContent& content, std::span<const CalibrationRecord> calibrations) {
-    const std::vector<Row> rows = calibration_rows(content, calibrations);
-    if (rows.empty()) return;
+    if (points.empty()) return;
     const hdf5::Scale scale =
-        hdf5::write_index_scale(file, "calibration_point", "plate test, a row of /calibration", rows.size());
+        hdf5::write_index_scale(file, "calibration_point", "plate test, a row of /calibration", points.size());
     const hdf5::Handle group = hdf5::create_group(file, "calibration");
-    write_column(group.id(), {"case", "1", "case that the test calibrated"}, scale, rows, &Row::case_index);
-    const auto write = [&](const auto& column) {
-        write_column(group.id(), {column.name, column.unit, column.long_name}, scale, rows,
-                     [&](const Row& row) { return row.point->*column.field; });
-    };
-    std::apply([&](const auto&... column) { (write(column), ...); }, calibration_columns);
+    hdf5::write_values(group.id(), {"case", "1", "case that the test calibrated"}, {scale}, cases);
+    write_columns(group.id(), scale, points, calibration_columns);
 }
 
 namespace {
@@ -369,19 +332,14 @@ void add_members(hid_t id, const CampaignScales& scales, MemberTables& tables) {
 void add_arrangement_numbers(hid_t group, const CampaignContent& content, const CampaignScales& scales,
                              MemberTables& tables) {
     // Members come in the order of their arrangements, so each row begins where its number is first seen.
-    struct Numbers {
-        hdf5::Column<std::int32_t> column;
-        int rows;
-        void finish() { column.finish(); }
-    };
     const ArrangementRows& rows = content.rows.arrangements();
-    auto numbers = std::make_shared<Numbers>(
-        Numbers{{group, {"number", "1", "arrangement number"}, {scales.arrangement}}, content.first * rows.groups()});
-    tables.add(numbers, [&rows](Numbers& all, const FiledMember& member) {
-        for (const int last = rows.number(member.row.arrangement) * rows.groups() + rows.groups(); all.rows < last;
-             ++all.rows)
-            all.column.add(rows.number(all.rows));
-    });
+    using Numbers = hdf5::Column<std::int32_t>;
+    tables.add(std::make_shared<Numbers>(group, hdf5::Label{"number", "1", "arrangement number"},
+                                         hdf5::Dimensions{scales.arrangement}),
+               [&rows, next = content.first * rows.groups()](Numbers& column, const FiledMember& member) mutable {
+                   const int last = rows.number(member.row.arrangement) * rows.groups() + rows.groups();
+                   for (; next < last; ++next) column.add(rows.number(next));
+               });
 }
 
 namespace {
@@ -416,10 +374,7 @@ void add_members(hid_t group, const CampaignContent& content, MemberTables& tabl
 void write_sessions(hid_t group, std::span<const Session> sessions) {
     const Scale scale =
         hdf5::write_index_scale(group, "session", "start of the program on the campaign", sessions.size());
-    const auto write = [&](const auto& column) {
-        write_column(group, {column.name, column.unit, column.long_name}, scale, sessions, column.field);
-    };
-    std::apply([&](const auto&... column) { (write(column), ...); }, session_columns);
+    write_columns(group, scale, sessions, session_columns);
     write_column(group, {"session_software", "1", "software and versions"}, scale, sessions, [](const Session& s) {
         std::string text;
         for (const Software& software : s.software)
@@ -479,7 +434,7 @@ class MemberArray {
           checksums_(std::move(checksums)) {
         for (const hdf5::Scale& one : axes) sizes_.push_back(one.size());
         if (array.chunks == ArrayChunks::of_its_own) {
-            rows_.emplace(group, label, member, axes);
+            rows_.emplace(group, label, with(member, axes));
         } else {
             column_.emplace(group, label, with(member, axes), undefined);
         }
@@ -527,10 +482,8 @@ class ArrangementArray {
           places_(content.places),
           rows_(content.rows.arrangements()),
           column_(group, label, with(arrangement, axes), undefined) {
-        for (const hdf5::Scale& one : axes) {
-            sizes_.push_back(one.size());
-            width_ *= one.size();
-        }
+        for (const hdf5::Scale& one : axes) sizes_.push_back(one.size());
+        width_ = hdf5::product(std::span<const std::size_t>(sizes_));
         begin(content.first * rows_.groups());
     }
 
@@ -565,7 +518,7 @@ class ArrangementArray {
     const ArrayPlaces& places_;
     const ArrangementRows& rows_;
     std::vector<std::size_t> sizes_;
-    std::size_t width_ = 1;
+    std::size_t width_;
     hdf5::Column<double> column_;
     int first_ = 0;  ///< row of the present arrangement number
     std::vector<double> values_;
@@ -595,12 +548,12 @@ class ListedArray {
 /// To which member each row of a list belongs.
 class ListOwners {
   public:
-    ListOwners(hid_t group, const ArrayAxis& axis, const hdf5::Scale& scale)
-        : axis_(axis), column_(group, {"member", "1", std::string(axis.owner)}, {scale}) {}
+    ListOwners(hid_t group, const ArrayAxis& axis, const CampaignContent& content, const hdf5::Scale& scale)
+        : axis_(axis), content_(content), column_(group, {"member", "1", std::string(axis.owner)}, {scale}) {}
 
-    void write(const FiledMember& member, const CampaignContent& content) {
+    void write(const FiledMember& member) {
         if (!member.row.done()) return;
-        for (int k = 0; k < found_along(content.note(member.place), axis_); ++k)
+        for (int k = 0; k < found_along(content_.note(member.place), axis_); ++k)
             column_.add(static_cast<std::int32_t>(member.number));
     }
 
@@ -608,14 +561,14 @@ class ListOwners {
 
   private:
     const ArrayAxis& axis_;
+    const CampaignContent& content_;
     hdf5::Column<std::int32_t> column_;
 };
 
 void add_listed(hid_t group, const ArrayOutput& array, const hdf5::Label& label, const hdf5::Scale& scale,
                 MemberTables& tables) {
     const auto add = [&]<class Value>(Value, const auto& missing) {
-        tables.add(std::make_shared<ListedArray<Value>>(group, array, label, scale, missing),
-                   [](ListedArray<Value>& list, const FiledMember& member) { list.write(member); });
+        tables.add(std::make_shared<ListedArray<Value>>(group, array, label, scale, missing));
     };
     switch (array.numbers) {
         case ArrayNumbers::real:
@@ -640,17 +593,12 @@ void add_arrays(hid_t group, std::string_view name, const CampaignContent& conte
             if (axis != nullptr) axes.push_back(scales.along(*axis));
         if (const ArrayAxis* listed = array.axis_of(AxisKind::listed)) {
             const hdf5::Scale& scale = scales.along(*listed);
-            if (owned.insert(listed).second)
-                tables.add(
-                    std::make_shared<ListOwners>(group, *listed, scale),
-                    [&content](ListOwners& owners, const FiledMember& member) { owners.write(member, content); });
+            if (owned.insert(listed).second) tables.add(std::make_shared<ListOwners>(group, *listed, content, scale));
             add_listed(group, array, label, scale, tables);
         } else if (array.of_arrangement) {
-            tables.add(std::make_shared<ArrangementArray>(group, array, content, label, scales.arrangement, axes),
-                       [](ArrangementArray& one, const FiledMember& member) { one.write(member); });
+            tables.add(std::make_shared<ArrangementArray>(group, array, content, label, scales.arrangement, axes));
         } else {
-            tables.add(std::make_shared<MemberArray>(group, array, content, label, scales.member, axes, checksums),
-                       [](MemberArray& one, const FiledMember& member) { one.write(member); });
+            tables.add(std::make_shared<MemberArray>(group, array, content, label, scales.member, axes, checksums));
         }
     }
 }

@@ -9,10 +9,12 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -71,6 +73,45 @@ inline constexpr std::tuple calibration_columns{
     FiledColumn{"elastic_modulus_point", "Pa", "elastic modulus shown, as if the load were a point",
                 &CurvePoint::elastic_modulus_point}};
 
+/// In /provenance of a file over pieces, beside their names.
+inline constexpr std::tuple piece_columns{
+    FiledColumn{"piece_digest", "1", "contents_digest of the piece", &FilePiece::digest},
+    FiledColumn{"piece_first", "1", "first arrangement number in the piece", &FilePiece::first},
+    FiledColumn{"piece_count", "1", "arrangement numbers in the piece", &FilePiece::count}};
+
+/// A column of what `of` says of each of the rows.
+template <class Rows, class Of>
+void write_column(hid_t group, const hdf5::Label& label, const hdf5::Scale& scale, const Rows& rows, Of of) {
+    std::vector<std::decay_t<std::invoke_result_t<Of, const std::ranges::range_value_t<Rows>&>>> values;
+    for (const auto& row : rows) values.push_back(std::invoke(of, row));
+    hdf5::write_values(group, label, {scale}, values);
+}
+
+template <class Rows, class Columns>
+void write_columns(hid_t group, const hdf5::Scale& scale, const Rows& rows, const Columns& columns) {
+    const auto write = [&](const auto& column) {
+        write_column(group, {column.name, column.unit, column.long_name}, scale, rows, column.field);
+    };
+    std::apply([&](const auto&... column) { (write(column), ...); }, columns);
+}
+
+template <class Row, class Value>
+void read_column(hid_t file, const std::string& group, const FiledColumn<Row, Value>& column, std::vector<Row>& rows) {
+    const std::string name = group + "/" + column.name;
+    std::vector<Value> all;
+    if constexpr (std::is_same_v<Value, std::string>)
+        all = hdf5::read_texts(file, name, rows.size());
+    else
+        all = hdf5::read_column<Value>(file, name, rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].*column.field = all[k];
+}
+
+/// Fills the columns' fields of the rows, of which there are as many as the file has.
+template <class Row, class Columns>
+void read_columns(hid_t file, const std::string& group, const Columns& columns, std::vector<Row>& rows) {
+    std::apply([&](const auto&... column) { (read_column(file, group, column, rows), ...); }, columns);
+}
+
 /// An axis in a file.
 struct FiledAxis {
     std::vector<double> places;                       ///< none of axes that members find
@@ -113,9 +154,6 @@ struct FiledMember {
     std::size_t place = 0;                 ///< row of the file
     const MemberRecord* record = nullptr;  ///< nullptr where there is none
     const MemberRow& row;
-
-    /// The result of a done member, else nullptr: of a failed one nothing stands in the file but that it failed.
-    const MemberResult* done() const { return row.done() ? &record->result : nullptr; }
 };
 
 class MemberTables {
@@ -123,8 +161,13 @@ class MemberTables {
     /// A table with a finish(), and what it takes: write(table, member) is called for each member, in member order.
     template <class Table, class Write>
     void add(std::shared_ptr<Table> table, Write write) {
-        tables_.push_back(
-            {[table, write](const FiledMember& member) { write(*table, member); }, [table] { table->finish(); }});
+        tables_.push_back({[table, write](const FiledMember& member) mutable { write(*table, member); },
+                           [table] { table->finish(); }});
+    }
+    /// The same of a table with a write(member) of its own.
+    template <class Table>
+    void add(std::shared_ptr<Table> table) {
+        add(table, [](Table& own, const FiledMember& member) { own.write(member); });
     }
 
     /// A dataset of numbers: of(member) is a value, or a row of them. `missing`: a value, or flags.

@@ -9,8 +9,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
-#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -59,12 +57,6 @@ std::vector<double> listed_values(const CampaignFile& file, const ArrayOutput& a
             return doubles(hdf5::read_values<std::int8_t>(file.id(), name));
     }
     return {};
-}
-
-std::vector<std::string> read_text_column(const CampaignFile& file, const std::string& name, std::size_t rows) {
-    std::vector<std::string> all = hdf5::read_texts(file.id(), name);
-    hdf5::check_count(file.id(), name, all.size(), rows);
-    return all;
 }
 
 /// Reads all columns when it is made, and the arrays with each record.
@@ -136,7 +128,7 @@ class FiledRecords {
         cpu_time_ = column<double>("provenance/cpu_time");
         peak_memory_ = column<double>("provenance/peak_memory");
         rank_ = column<std::int32_t>("provenance/rank");
-        host_ = read_text_column(file_, "provenance/host", states_.size());
+        host_ = hdf5::read_texts(file_.id(), "provenance/host", states_.size());
         for (std::size_t number = 0; number < array_outputs.size(); ++number) {
             const ArrayOutput& one = array_outputs[number];
             std::optional<ArrayReader>& reader = readers_.emplace_back();
@@ -200,25 +192,11 @@ std::vector<Software> software_in(std::string_view text) {
     return software;
 }
 
-template <class Row, class Value>
-void read_column(const CampaignFile& file, const char* group, const FiledColumn<Row, Value>& column,
-                 std::vector<Row>& rows) {
-    const std::string name = fmt::format("{}/{}", group, column.name);
-    const auto all = [&] {
-        if constexpr (std::is_same_v<Value, std::string>)
-            return read_text_column(file, name, rows.size());
-        else
-            return hdf5::read_column<Value>(file.id(), name, rows.size());
-    }();
-    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].*column.field = all[k];
-}
-
 std::vector<Session> read_sessions(const CampaignFile& file) {
     std::vector<Session> sessions;
     for (const std::string& text : hdf5::read_texts(file.id(), "provenance/session_software"))
         sessions.emplace_back().software = software_in(text);
-    std::apply([&](const auto&... column) { (read_column(file, "provenance", column, sessions), ...); },
-               session_columns);
+    read_columns(file.id(), "provenance", session_columns, sessions);
     return sessions;
 }
 
@@ -226,8 +204,7 @@ std::vector<CalibrationRecord> read_calibrations(const CampaignFile& file) {
     if (!hdf5::exists(file.id(), "calibration")) return {};
     const auto of_case = hdf5::read_values<std::int32_t>(file.id(), "calibration/case");
     std::vector<CurvePoint> points(of_case.size());
-    std::apply([&](const auto&... column) { (read_column(file, "calibration", column, points), ...); },
-               calibration_columns);
+    read_columns(file.id(), "calibration", calibration_columns, points);
     std::vector<CalibrationRecord> found;
     for (std::size_t k = 0; k < file.campaign().cases.size(); ++k) {
         const Scenario& scenario = file.campaign().cases[k].scenario;

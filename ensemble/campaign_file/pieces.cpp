@@ -91,15 +91,7 @@ std::vector<FilePiece> pieces_of(std::int64_t file) {
     if (!hdf5::exists(file, "provenance/piece")) return {};
     std::vector<FilePiece> pieces;
     for (std::string& name : hdf5::read_texts(file, "provenance/piece")) pieces.emplace_back().file = std::move(name);
-    const std::vector<std::string> digests = hdf5::read_texts(file, "provenance/piece_digest");
-    hdf5::check_count(file, "provenance/piece_digest", digests.size(), pieces.size());
-    const auto first = hdf5::read_column<std::int32_t>(file, "provenance/piece_first", pieces.size());
-    const auto count = hdf5::read_column<std::int32_t>(file, "provenance/piece_count", pieces.size());
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-        pieces[k].digest = digests[k];
-        pieces[k].first = first[k];
-        pieces[k].count = count[k];
-    }
+    read_columns(file, "provenance", piece_columns, pieces);
     return pieces;
 }
 

@@ -52,20 +52,10 @@ void write_members(const CampaignContent& content, const MemberTables& tables) {
 void write_piece_list(hid_t file, std::span<const FilePiece> pieces) {
     const hdf5::Handle group(H5Gopen2(file, "provenance", H5P_DEFAULT), H5Gclose, "H5Gopen", "provenance");
     std::vector<std::string> files;
-    std::vector<std::string> digests;
-    std::vector<std::int32_t> first;
-    std::vector<std::int32_t> count;
-    for (const FilePiece& piece : pieces) {
-        files.push_back(piece.file);
-        digests.push_back(piece.digest);
-        first.push_back(piece.first);
-        count.push_back(piece.count);
-    }
+    for (const FilePiece& piece : pieces) files.push_back(piece.file);
     const hdf5::Scale scale = hdf5::write_scale(
         group.id(), {"piece", "1", "file with some of the rows, relative to the folder of this one"}, files);
-    hdf5::write_values(group.id(), {"piece_digest", "1", "contents_digest of the piece"}, {scale}, digests);
-    hdf5::write_values(group.id(), {"piece_first", "1", "first arrangement number in the piece"}, {scale}, first);
-    hdf5::write_values(group.id(), {"piece_count", "1", "arrangement numbers in the piece"}, {scale}, count);
+    write_columns(group.id(), scale, pieces, piece_columns);
 }
 
 /// All but the digests of what lies in pieces, and of the whole. Returns the file, still open.

@@ -58,19 +58,6 @@ std::int64_t CampaignFile::id() const {
     return opened_->file.id();
 }
 
-namespace {
-
-/// Readers of the arrays of one group, or of one array.
-std::vector<ArrayReader> array_readers(const CampaignFile& file, std::string_view group_or_path,
-                                       const ArrayPlaces& places) {
-    std::vector<ArrayReader> readers;
-    for (const ArrayOutput& array : array_outputs)
-        if (array.path == group_or_path || array.group() == group_or_path) readers.emplace_back(file, array, places);
-    return readers;
-}
-
-}  // namespace
-
 std::vector<RowStatus> read_states(const CampaignFile& file) {
     const auto count = static_cast<std::size_t>(member_count(file.campaign()));
     const auto values = hdf5::read_numbers<std::int8_t>(file.id(), "members/status", count, -1, 1);
@@ -176,37 +163,26 @@ void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* c
     }
 }
 
-namespace {
-
-void for_histories(const CampaignFile& file, const ArrayOutput& array, const std::function<bool(int member)>& wanted,
-                   const std::function<void(const StoredHistory&)>& use) {
-    const ArrayOutput* const only = &array;
-    for_each_histories(file, std::span(&only, 1), wanted, [&](const StoredHistories& of) {
-        use({of.member, of.step, of.values.front()});
-    });
-}
-
-}  // namespace
-
 void for_each_history(const CampaignFile& file, const ArrayOutput& of,
-                      const std::function<void(const StoredHistory&)>& use) {
-    for_histories(file, of, {}, use);
+                      const std::function<void(const StoredHistory&)>& use,
+                      const std::function<bool(int member)>& wanted) {
+    const ArrayOutput* const only = &of;
+    for_each_histories(file, std::span(&only, 1), wanted, [&](const StoredHistories& found) {
+        use({found.member, found.step, found.values.front()});
+    });
 }
 
 void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use) {
     for_each_history(file, array_output("history/surge_load"), use);
 }
 
-void with_history(const CampaignFile& file, int member, const std::function<void(const StoredHistory&)>& use) {
-    for_histories(
-        file, array_output("history/surge_load"), [member](int one) { return one == member; }, use);
-}
-
 void for_each_load_map(const CampaignFile& file, const std::function<void(int, const LoadMap&)>& use) {
     const hdf5::QuietErrors quiet;
     const ArrayPlaces places(file.campaign());
     const std::vector<RowStatus> states = read_states(file);
-    std::vector<ArrayReader> readers = array_readers(file, "load_map", places);
+    std::vector<ArrayReader> readers;
+    for (const ArrayOutput& array : array_outputs)
+        if (array.group() == "load_map") readers.emplace_back(file, array, places);
     for (std::size_t member = 0; member < states.size(); ++member) {
         if (states[member] != RowStatus::done) continue;
         MemberResult result;
@@ -263,8 +239,7 @@ CampaignTable read_campaign_file(const CampaignFile& file) {
     std::vector<MemberResult> results = read_quantities(file, states.size());
     read_table_arrays(file, states, results);
     const auto steady = hdf5::read_numbers<std::int8_t>(file.id(), "members/steady", states.size(), -1, 1);
-    const auto reason = hdf5::read_texts(file.id(), "members/reason");
-    hdf5::check_count(file.id(), "members/reason", reason.size(), states.size());
+    const auto reason = hdf5::read_texts(file.id(), "members/reason", states.size());
     for (std::size_t k = 0; k < states.size(); ++k) {
         results[k].load.steady = steady[k] == 1;
         results[k].reason = reason[k];

@@ -85,8 +85,6 @@ std::vector<PieceRow> read_pieces(const CampaignFile& file);
 
 // The histories of a campaign file, member by member: all of them at once may not fit into memory.
 
-struct ArrayOutput;
-
 struct StoredHistory {
     int member = 0;
     double step = 0;                 ///< s from value to value: the case's Δt times its history_stride
@@ -94,9 +92,11 @@ struct StoredHistory {
 };
 
 /// Calls `use` for each done member with the stored history, in member order: never where the file has none, so that
-/// who reads must say when there was none. Throws as read_campaign_file() does.
+/// who reads must say when there was none. Of others than the members that `wanted` takes, if there is such a function,
+/// nothing is read. Throws as read_campaign_file() does.
 void for_each_history(const CampaignFile& file, const ArrayOutput& of,
-                      const std::function<void(const StoredHistory&)>& use);
+                      const std::function<void(const StoredHistory&)>& use,
+                      const std::function<bool(int member)>& wanted = {});
 /// Of the surge load.
 void for_each_history(const CampaignFile& file, const std::function<void(const StoredHistory&)>& use);
 
@@ -106,13 +106,9 @@ struct StoredHistories {
     double step = 0;  ///< s
     std::vector<std::span<const double>> values;
 };
-/// Of others than the members that `wanted` takes, if there is such a function, nothing is read.
 void for_each_histories(const CampaignFile& file, std::span<const ArrayOutput* const> of,
                         const std::function<bool(int member)>& wanted,
                         const std::function<void(const StoredHistories&)>& use);
-
-/// The loads of one member.
-void with_history(const CampaignFile& file, int member, const std::function<void(const StoredHistory&)>& use);
 
 // Where the load of each member acts, as the campaign file has it.
 

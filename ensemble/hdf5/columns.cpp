@@ -1,8 +1,6 @@
 #include "hdf5/columns.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
 
 #include <hdf5_hl.h>
 
@@ -51,7 +49,7 @@ template <class Value>
 Column<Value>::Column(hid_t parent, const Label& label, const Dimensions& dimensions, std::optional<Value> missing)
     : name_(label.name),
       sizes_(sizes_of(dimensions)),
-      width_(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{})),
+      width_(product(std::span<const hsize_t>(sizes_).subspan(1))),
       rows_at_once_(rows_in_a_chunk(sizes_, sizeof(Value), chunk_size)),
       dataset_(create_column<Value>(parent, label, dimensions, missing)),
       space_(simple_space(sizes_)) {
@@ -134,12 +132,6 @@ namespace {
 
 constexpr std::uint32_t shuffle_and_deflate = 0b11;  // the filters before the checksum
 
-std::vector<hsize_t> sizes_of(const Scale& rows, const Dimensions& columns) {
-    std::vector<hsize_t> sizes = sizes_of(columns);
-    sizes.insert(sizes.begin(), rows.size());
-    return sizes;
-}
-
 Handle create_rows(hid_t parent, const Label& label, std::span<const hsize_t> sizes, const Scale& rows) {
     if (!rows.sources().empty())
         return create_numbers<double>(parent, label, sizes, undefined,
@@ -159,16 +151,14 @@ std::vector<double> filled_up(std::span<const double> values, std::size_t width)
 
 }  // namespace
 
-Rows::Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions& columns)
+Rows::Rows(hid_t parent, const Label& label, const Dimensions& dimensions)
     : name_(label.name),
-      sizes_(sizes_of(rows, columns)),
-      width_(std::accumulate(sizes_.begin() + 1, sizes_.end(), hsize_t{1}, std::multiplies{})),
-      dataset_(create_rows(parent, label, sizes_, rows)),
+      sizes_(sizes_of(dimensions)),
+      width_(product(std::span<const hsize_t>(sizes_).subspan(1))),
+      dataset_(create_rows(parent, label, sizes_, dimensions.front())),
       space_(simple_space(sizes_)),
-      checksums_(width_ > 0 ? rows.size() : 0, checksum(filled_up({}, width_))) {
-    Dimensions all{rows};
-    all.insert(all.end(), columns.begin(), columns.end());
-    attach(dataset_, all, 0, name_);
+      checksums_(width_ > 0 ? sizes_[0] : 0, checksum(filled_up({}, width_))) {
+    attach(dataset_, dimensions, 0, name_);
 }
 
 void Rows::write(std::size_t row, std::span<const double> values) {
@@ -209,19 +199,12 @@ std::vector<hsize_t> with_rows(hsize_t rows, const std::vector<hsize_t>& row) {
     return sizes;
 }
 
-Handle space_of(std::span<const hsize_t> sizes, const hsize_t* most, const std::string& name) {
-    return Handle(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), most), H5Sclose, "H5Screate_simple",
-                  name);
-}
-
 Handle create(hid_t parent, const Label& label, hid_t type, const std::vector<hsize_t>& row, hsize_t chunk_rows) {
     const std::vector<hsize_t> most = with_rows(H5S_UNLIMITED, row);
     const Handle properties = compressed_properties(with_rows(chunk_rows, row), fast_compression, label.name);
-    return create_dataset(parent, label, type, space_of(with_rows(0, row), most.data(), label.name), properties);
-}
-
-hsize_t product(std::span<const hsize_t> sizes) {
-    return std::accumulate(sizes.begin(), sizes.end(), hsize_t{1}, std::multiplies{});
+    const Handle space(H5Screate_simple(static_cast<int>(most.size()), with_rows(0, row).data(), most.data()), H5Sclose,
+                       "H5Screate_simple", label.name);
+    return create_dataset(parent, label, type, space, properties);
 }
 
 }  // namespace
@@ -234,19 +217,16 @@ Series<Value>::Series(hid_t parent, const Label& label, const Dimensions& row, h
 
 template <class Value>
 void Series<Value>::append(std::span<const Value> values) {
-    const hsize_t added = values.size() / product(row_);
+    const hsize_t width = product(std::span<const hsize_t>(row_));
+    const hsize_t added = values.size() / width;
     if (added == 0) return;
     const std::vector<hsize_t> larger = with_rows(rows_ + added, row_);
     check(H5Dset_extent(dataset_.id(), larger.data()), "H5Dset_extent", name_);
     const Handle there(H5Dget_space(dataset_.id()), H5Sclose, "H5Dget_space", name_);
-    const std::vector<hsize_t> first = with_rows(rows_, std::vector<hsize_t>(row_.size(), 0));
-    const std::vector<hsize_t> count = with_rows(added, row_);
-    check(H5Sselect_hyperslab(there.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
-          "H5Sselect_hyperslab", name_);
-    const Handle here = space_of(count, nullptr, name_);
+    const Handle here = select_rows(there, larger, rows_, added, name_);
     check(H5Dwrite(dataset_.id(), native_type<Value>(), here.id(), there.id(), H5P_DEFAULT, values.data()), "H5Dwrite",
           name_);
-    digest_.add<Value>(values, product(row_));
+    digest_.add<Value>(values, width);
     rows_ += added;
 }
 

@@ -99,11 +99,16 @@ std::vector<Value> read_numbers(hid_t file, const std::string& name, std::size_t
     return values;
 }
 
+/// The same of texts.
+inline std::vector<std::string> read_texts(hid_t file, const std::string& name, std::size_t count) {
+    std::vector<std::string> texts = read_texts(file, name);
+    check_count(file, name, texts.size(), count);
+    return texts;
+}
+
 /// The value of a dataset with one text.
 inline std::string read_text(hid_t file, const std::string& name) {
-    const std::vector<std::string> texts = read_texts(file, name);
-    check_count(file, name, texts.size(), 1);
-    return texts.front();
+    return read_texts(file, name, 1).front();
 }
 
 /// Values of `rows` rows of equal width; none if there are no rows.
@@ -117,11 +122,11 @@ std::vector<Value> read_table(hid_t file, const std::string& name, std::size_t r
 
 // Compressed tables whose rows are written one at a time or arrive compressed.
 
-/// A compressed table of doubles with one chunk per row, written row by row. A row may itself have dimensions; it is
-/// then given in row-major order.
+/// A compressed table of doubles with one chunk per row, the first of its dimensions, written row by row. A row may
+/// itself have dimensions; it is then given in row-major order.
 class Rows {
   public:
-    Rows(hid_t parent, const Label& label, const Scale& rows, const Dimensions& columns);
+    Rows(hid_t parent, const Label& label, const Dimensions& dimensions);
     /// A row of one dimension may be shorter than the table is wide; the rest is NaN, and so are rows never written.
     void write(std::size_t row, std::span<const double> values);
     /// The same for a compressed row; one of full width is written unchanged.

@@ -39,7 +39,7 @@ Handle compressed_properties(std::span<const hsize_t> chunk, unsigned level, con
 
 hsize_t rows_in_a_chunk(std::span<const hsize_t> sizes, std::size_t value_bytes, hsize_t most_in_a_chunk) {
     FLOES_EXPECTS(!sizes.empty() && value_bytes > 0);
-    const hsize_t row = std::accumulate(sizes.begin() + 1, sizes.end(), hsize_t{value_bytes}, std::multiplies{});
+    const hsize_t row = value_bytes * product(sizes.subspan(1));
     return std::clamp<hsize_t>(most_in_a_chunk / std::max<hsize_t>(row, 1), 1, std::max<hsize_t>(sizes[0], 1));
 }
 
@@ -99,6 +99,7 @@ void write_flags(const Handle& dataset, const Flags& flags) {
 
 Handle select_rows(const Handle& space, std::span<const hsize_t> sizes, hsize_t begin, hsize_t rows,
                    const std::string& name) {
+    if (sizes.empty()) return simple_space(sizes);
     std::vector<hsize_t> first(sizes.size(), 0);
     std::vector<hsize_t> count(sizes.begin(), sizes.end());
     first[0] = begin;
@@ -299,14 +300,9 @@ void write_values(hid_t parent, const Label& label, const Dimensions& dimensions
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int32_t> values,
-                  std::int32_t missing) {
+                  std::optional<std::int32_t> missing) {
     attach(write_numbers<std::int32_t>(parent, label, sizes_of(dimensions), values, missing), dimensions, 0,
            label.name);
-}
-
-void write_values(hid_t parent, const Label& label, const Dimensions& dimensions,
-                  std::span<const std::int32_t> values) {
-    attach(write_numbers<std::int32_t>(parent, label, sizes_of(dimensions), values, {}), dimensions, 0, label.name);
 }
 
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int8_t> values,

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
@@ -135,11 +136,18 @@ Handle create_numbers(hid_t parent, const Label& label, std::span<const hsize_t>
 
 void write_flags(const Handle& dataset, const Flags& flags);
 
-/// Selects rows of `space`, which has these sizes, and returns the dataspace of their values in memory.
+/// Selects rows of `space`, which has these sizes, and returns the dataspace of their values in memory. A single value
+/// is one row.
 Handle select_rows(const Handle& space, std::span<const hsize_t> sizes, hsize_t begin, hsize_t rows,
                    const std::string& name);
 
 std::vector<hsize_t> sizes_of(const Dimensions& dimensions);
+
+/// 1 of none.
+template <class Size>
+Size product(std::span<const Size> sizes) {
+    return std::accumulate(sizes.begin(), sizes.end(), Size{1}, std::multiplies{});
+}
 
 /// Attaches a scale to each dimension from number `first` on.
 void attach(const Handle& dataset, const Dimensions& dimensions, unsigned first, const std::string& name);
@@ -164,9 +172,7 @@ void write_values(hid_t parent, const Label& label, const Dimensions& dimensions
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::string> values);
 /// `missing`: the number that stands for a missing value.
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int32_t> values,
-                  std::int32_t missing);
-/// The same for values none of which is missing.
-void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int32_t> values);
+                  std::optional<std::int32_t> missing = {});
 void write_values(hid_t parent, const Label& label, const Dimensions& dimensions, std::span<const std::int8_t> values,
                   const Flags& flags);
 /// Writes one text, without dimensions.

@@ -71,17 +71,10 @@ void for_pieces(const Handle& dataset, const std::string& name, const StoredShap
     const Handle space = stored_space(dataset, name);
     std::vector<std::byte> bytes;
     for (hsize_t row = 0; row < shape.rows(); row += rows_at_once) {
-        std::vector<hsize_t> first(shape.sizes.size(), 0);
-        std::vector<hsize_t> count = shape.sizes;
-        if (!first.empty()) first[0] = row;
-        if (!count.empty()) count[0] = std::min(rows_at_once, shape.rows() - row);
-        const hsize_t values = shape.row_values * (count.empty() ? 1 : count[0]);
-        bytes.resize(values * shape.value_bytes);
+        const hsize_t rows = std::min(rows_at_once, shape.rows() - row);
+        bytes.resize(rows * shape.row_values * shape.value_bytes);
         if (bytes.empty()) return;
-        if (!first.empty())
-            check_read(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
-                       id, name);
-        const Handle memory = simple_space(std::span(&values, 1));
+        const Handle memory = select_rows(space, shape.sizes, row, rows, name);
         check_read(H5Dread(id, type.id(), memory.id(), space.id(), H5P_DEFAULT, bytes.data()), id, name);
         use(std::span<const std::byte>(bytes));
     }

@@ -417,18 +417,12 @@ template <class Value>
 std::span<const Value> RowReader<Value>::read(std::size_t row, std::size_t rows) {
     if (row > sizes_[0] || rows > sizes_[0] - row)
         refuse_damaged(dataset_.id(), fmt::format("{} ends before row {}", name_, row + rows));
-    std::vector<hsize_t> first(sizes_.size(), 0);
-    std::vector<hsize_t> count = sizes_;
-    first[0] = row;
-    count[0] = rows;
     const hsize_t length = rows * width_;
     if (length > most_values_at_once)
         refuse_damaged(dataset_.id(), fmt::format("{} rows of {} are too many", rows, name_));
     values_.resize(length);
     if (length == 0) return values_;
-    check_read(H5Sselect_hyperslab(space_.id(), H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
-               dataset_.id(), name_);
-    const Handle memory = simple_space(std::span(&length, 1));
+    const Handle memory = select_rows(space_, sizes_, row, rows, name_);
     check_read(H5Dread(dataset_.id(), native_type<Value>(), memory.id(), space_.id(), H5P_DEFAULT, values_.data()),
                dataset_.id(), fmt::format("row {} of {}", row, name_));
     return values_;

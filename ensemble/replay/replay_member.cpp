@@ -37,13 +37,14 @@ void compare_quantities(const MemberRow& stored, const MemberResult& now, std::v
 }
 
 void compare_histories(const CampaignFile& file, int member, const MemberResult& now, std::vector<std::string>& found) {
-    with_history(file, member, [&](const StoredHistory& stored) {
+    const auto compare = [&](const StoredHistory& stored) {
         const std::vector<double>& surge = now.history.surge;
         const auto [there, here] = std::ranges::mismatch(stored.values, surge, same_bits);
         if (there == stored.values.end() && here == surge.end()) return;
         found.push_back(fmt::format("the surge load differs from t = {:.2f} s on.",
                                     stored.step * static_cast<double>(here - surge.begin() + 1)));
-    });
+    };
+    for_each_history(file, array_output("history/surge_load"), compare, [member](int one) { return one == member; });
 }
 
 void compare_breaks(const CampaignFile& file, int member, const MemberResult& now, std::vector<std::string>& found) {

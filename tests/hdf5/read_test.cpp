@@ -117,7 +117,7 @@ TEST(Rows, FillUpShortRowsAndThoseNeverWritten) {
         const hdf5::Handle file = hdf5::create_file(folder / "d.h5");
         const hdf5::Scale row = hdf5::write_index_scale(file.id(), "row", "row", 3);
         const hdf5::Scale part = hdf5::write_index_scale(file.id(), "part", "part", 2);
-        hdf5::Rows rows(file.id(), {"loads", "N", "loads"}, row, {part});
+        hdf5::Rows rows(file.id(), {"loads", "N", "loads"}, {row, part});
         rows.write(0, std::span<const double>(std::array{1.0, 2.0}));
         rows.write(2, std::span<const double>(std::array{3.0}));
         rows.finish();
