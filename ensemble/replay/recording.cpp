@@ -8,7 +8,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
@@ -17,11 +16,7 @@
 
 #include "campaign/read.hpp"
 #include "core/error.hpp"
-#include "hdf5/columns.hpp"
-#include "hdf5/handle.hpp"
 #include "hdf5/pages.hpp"
-#include "hdf5/read.hpp"
-#include "replay/frame_series.hpp"
 #include "store/file_calls.hpp"
 
 namespace floes {
@@ -163,233 +158,172 @@ bool is_recording(const std::filesystem::path& path) {
     }
 }
 
-class Recording::File {
-  public:
-    explicit File(const std::filesystem::path& path)
-        : file_(opened(path)),
-          subject(read_subject(file_.id())),
-          layout(subject.floes),
-          elements_(element_columns(file_.id(), hdf5::exists(file_.id(), "states") ? "states/" : "frames/")),
-          contacts_{{file_.id(), "contacts/element"},
-                    {file_.id(), "contacts/other"},
-                    {file_.id(), "contacts/point"},
-                    {file_.id(), "contacts/normal_force"},
-                    {file_.id(), "contacts/friction_force"}} {
-        times = hdf5::read_values<double>(file_.id(), "time");
-        outcome = read_outcome(file_.id(), layout);
-        step_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
-        for (const FrameNumber& one : frame_numbers) {
-            const std::string name = fmt::format("frames/{}", one.name);
-            numbers_.push_back(one.late && !hdf5::exists(file_.id(), name)
-                                   ? std::vector<double>(times.size(), 0.0)
-                                   : hdf5::read_values<double>(file_.id(), name));
-        }
-        first_contact_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
-        contact_count_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
-        if (subject.scenario.field.endless()) states_.emplace(file_.id());
-        if (hdf5::exists(file_.id(), "frames/line_tension"))
-            lines_.emplace(LineColumns<hdf5::RowReader>{{file_.id(), "frames/line_fairlead"},
-                                                        {file_.id(), "frames/line_anchor"},
-                                                        {file_.id(), "frames/line_tension"}});
-        if (times.empty()) throw InputError(fmt::format("{} has no frames.", path.string()));
-        check_sizes();
-    }
+namespace {
 
-    StructurePose structure(std::size_t number) const {
-        Vec3 load = Vec3::Zero();
-        return moment(number, load);
-    }
-
-    std::vector<FrameLine> lines(std::size_t number) {
-        std::vector<FrameLine> held;
-        if (!lines_) return held;
-        const std::span<const float> fairlead = lines_->fairlead.read(number);
-        const std::span<const float> anchor = lines_->anchor.read(number);
-        const std::span<const float> tension = lines_->tension.read(number);
-        for (std::size_t k = 0; k < tension.size(); ++k) {
-            if (std::isnan(tension[k])) continue;
-            held.push_back({static_cast<int>(k), vector_at(fairlead, k), vector_at(anchor, k), tension[k]});
-        }
-        return held;
-    }
-
-    void read(std::size_t number, Frame& frame) {
-        frame.step = step_.at(number);
-        frame.time = times.at(number);
-        frame.structure = moment(number, frame.load);
-        read_elements(number, frame);
-        read_contacts(number, frame);
-        frame.lines = lines(number);
-    }
-
-  private:
-    hdf5::QuietErrors quiet_;
-    hdf5::Handle file_;
-
-  public:
-    const RecordingSubject subject;
-    const IceLayout layout;
-    RecordingOutcome outcome;
-    std::vector<double> times;
-
-  private:
-    static ElementColumns<hdf5::RowReader> element_columns(hid_t file, const std::string& group) {
-        return {{file, group + "position"},
-                {file, group + "orientation"},
-                {file, group + "velocity"},
-                {file, group + "piece"},
-                {file, group + "utilisation"}};
-    }
-
-    /// In a field without end, which rows of the elements are of a frame.
-    struct States {
-        explicit States(hid_t file)
-            : first(hdf5::read_values<std::int32_t>(file, "frames/first_state")),
-              count(hdf5::read_values<std::int32_t>(file, "frames/states")),
-              element(file, "states/element") {}
-        std::vector<std::int32_t> first;
-        std::vector<std::int32_t> count;
-        hdf5::RowReader<std::int32_t> element;
-    };
-
-    static hdf5::Handle opened(const std::filesystem::path& path) {
-        hdf5::Handle file = hdf5::open_for_reading(path);
-        hdf5::check_kind(file.id(), recording_kind, path);
-        return file;
-    }
-
-    /// The structure and the load on it.
-    StructurePose moment(std::size_t number, Vec3& load) const {
-        StructurePose structure;
-        for (std::size_t k = 0; k < frame_numbers.size(); ++k)
-            frame_numbers[k].of(structure, load) = frame_numbers[k].sign * numbers_[k].at(number);
-        return structure;
-    }
-
-    void check_sizes() const {
-        if (lines_) {
-            const std::size_t lines = lines_->tension.width();
-            hdf5::check_count(file_.id(), "frames/line_tension", lines, subject.scenario.moorings.line_count());
-            hdf5::check_count(file_.id(), "frames/line_fairlead", lines_->fairlead.width(), 3 * lines);
-            hdf5::check_count(file_.id(), "frames/line_anchor", lines_->anchor.width(), 3 * lines);
-        }
-        const std::size_t count = states_ ? 1 : layout.elements.size();
-        if (states_) {
-            hdf5::check_count(file_.id(), "frames/first_state", states_->first.size(), times.size());
-            hdf5::check_count(file_.id(), "frames/states", states_->count.size(), times.size());
-        }
-        hdf5::check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
-        hdf5::check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
-        hdf5::check_count(file_.id(), "frames/velocity", elements_.velocity.width(), 3 * count);
-        hdf5::check_count(file_.id(), "frames/utilisation", elements_.utilisation.width(), count);
-        hdf5::check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
-        for (const hdf5::RowReader<float>* one : {&contacts_.point, &contacts_.normal, &contacts_.friction})
-            hdf5::check_count(file_.id(), "a vector of contacts", one->width(), 3);
-        for (const std::vector<double>& one : numbers_)
-            hdf5::check_count(file_.id(), "a number of frames", one.size(), times.size());
-        for (const std::vector<std::int32_t>* one : {&step_, &first_contact_, &contact_count_})
-            hdf5::check_count(file_.id(), "a number of frames", one->size(), times.size());
-    }
-
-    void read_elements(std::size_t number, Frame& frame) {
-        std::size_t row = number;
-        std::size_t rows = 1;
-        frame.ids.clear();
-        if (states_) {
-            row = static_cast<std::size_t>(states_->first[number]);
-            rows = static_cast<std::size_t>(states_->count[number]);
-            for (const std::int32_t id : states_->element.read(row, rows)) {
-                if (id < 0 || static_cast<std::size_t>(id) >= layout.elements.size())
-                    hdf5::refuse_damaged(file_.id(), fmt::format("states/element has the value {}", id));
-                frame.ids.push_back(id);
-            }
-        }
-        const std::span<const float> position = elements_.position.read(row, rows);
-        const std::span<const float> orientation = elements_.orientation.read(row, rows);
-        const std::span<const float> velocity = elements_.velocity.read(row, rows);
-        frame.elements.resize(states_ ? rows : layout.elements.size());
-        for (std::size_t k = 0; k < frame.elements.size(); ++k) {
-            const float* q = &orientation[4 * k];
-            frame.elements[k] = {.position = vector_at(position, k),
-                                 .rotation = Quat(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(),
-                                 .velocity = vector_at(velocity, k)};
-        }
-        const std::span<const float> utilisation = elements_.utilisation.read(row, rows);
-        const std::span<const std::int32_t> pieces = elements_.piece.read(row, rows);
-        frame.utilisation.assign(utilisation.begin(), utilisation.end());
-        frame.pieces.assign(pieces.begin(), pieces.end());
-    }
-
-    void read_contacts(std::size_t number, Frame& frame) {
-        const auto first = static_cast<std::size_t>(first_contact_.at(number));
-        const auto count = static_cast<std::size_t>(contact_count_.at(number));
-        const std::span<const std::int32_t> element = contacts_.element.read(first, count);
-        const std::span<const std::int32_t> other = contacts_.other.read(first, count);
-        const std::span<const float> point = contacts_.point.read(first, count);
-        const std::span<const float> normal = contacts_.normal.read(first, count);
-        const std::span<const float> friction = contacts_.friction.read(first, count);
-        frame.contacts.clear();
-        for (std::size_t k = 0; k < count; ++k) {
-            frame.contacts.push_back(
-                {element[k], other[k], vector_at(point, k), vector_at(normal, k), vector_at(friction, k)});
-        }
-    }
-
-    ElementColumns<hdf5::RowReader> elements_;
-    ContactColumns<hdf5::RowReader> contacts_;
-    std::optional<States> states_;                       ///< of a field without end
-    std::optional<LineColumns<hdf5::RowReader>> lines_;  ///< of a structure with mooring lines
-    std::vector<std::vector<double>> numbers_;           ///< of frame_numbers
-    std::vector<std::int32_t> step_;
-    std::vector<std::int32_t> first_contact_;
-    std::vector<std::int32_t> contact_count_;
-};
-
-Recording::Recording(const std::filesystem::path& path) : file_(std::make_unique<File>(path)) {}
-Recording::~Recording() = default;
-
-const RecordingSubject& Recording::subject() const {
-    return file_->subject;
+hdf5::Handle opened(const std::filesystem::path& path) {
+    hdf5::Handle file = hdf5::open_for_reading(path);
+    hdf5::check_kind(file.id(), recording_kind, path);
+    return file;
 }
 
-const RecordingOutcome& Recording::outcome() const {
-    return file_->outcome;
+ElementColumns<hdf5::RowReader> element_columns(hid_t file) {
+    const std::string group = hdf5::exists(file, "states") ? "states/" : "frames/";
+    return {{file, group + "position"},
+            {file, group + "orientation"},
+            {file, group + "velocity"},
+            {file, group + "piece"},
+            {file, group + "utilisation"}};
 }
 
-const IceLayout& Recording::layout() const {
-    return file_->layout;
+}  // namespace
+
+Recording::States::States(hid_t file)
+    : first(hdf5::read_values<std::int32_t>(file, "frames/first_state")),
+      count(hdf5::read_values<std::int32_t>(file, "frames/states")),
+      element(file, "states/element") {}
+
+Recording::Recording(const std::filesystem::path& path)
+    : file_(opened(path)),
+      subject_(read_subject(file_.id())),
+      layout_(subject_.floes),
+      elements_(element_columns(file_.id())),
+      contacts_{{file_.id(), "contacts/element"},
+                {file_.id(), "contacts/other"},
+                {file_.id(), "contacts/point"},
+                {file_.id(), "contacts/normal_force"},
+                {file_.id(), "contacts/friction_force"}} {
+    times_ = hdf5::read_values<double>(file_.id(), "time");
+    outcome_ = read_outcome(file_.id(), layout_);
+    step_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/step");
+    for (const FrameNumber& one : frame_numbers) {
+        const std::string name = fmt::format("frames/{}", one.name);
+        numbers_.push_back(one.late && !hdf5::exists(file_.id(), name) ? std::vector<double>(times_.size(), 0.0)
+                                                                       : hdf5::read_values<double>(file_.id(), name));
+    }
+    first_contact_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/first_contact");
+    contact_count_ = hdf5::read_values<std::int32_t>(file_.id(), "frames/contacts");
+    if (subject_.scenario.field.endless()) states_.emplace(file_.id());
+    if (hdf5::exists(file_.id(), "frames/line_tension"))
+        lines_.emplace(LineColumns<hdf5::RowReader>{{file_.id(), "frames/line_fairlead"},
+                                                    {file_.id(), "frames/line_anchor"},
+                                                    {file_.id(), "frames/line_tension"}});
+    if (times_.empty()) throw InputError(fmt::format("{} has no frames.", path.string()));
+    check_sizes();
 }
 
-int Recording::frames() const {
-    return static_cast<int>(file_->times.size());
-}
-
-double Recording::time(int frame) const {
-    return file_->times.at(static_cast<std::size_t>(frame));
+void Recording::check_sizes() const {
+    if (lines_) {
+        const std::size_t lines = lines_->tension.width();
+        hdf5::check_count(file_.id(), "frames/line_tension", lines, subject_.scenario.moorings.line_count());
+        hdf5::check_count(file_.id(), "frames/line_fairlead", lines_->fairlead.width(), 3 * lines);
+        hdf5::check_count(file_.id(), "frames/line_anchor", lines_->anchor.width(), 3 * lines);
+    }
+    const std::size_t count = states_ ? 1 : layout_.elements.size();
+    if (states_) {
+        hdf5::check_count(file_.id(), "frames/first_state", states_->first.size(), times_.size());
+        hdf5::check_count(file_.id(), "frames/states", states_->count.size(), times_.size());
+    }
+    hdf5::check_count(file_.id(), "frames/position", elements_.position.width(), 3 * count);
+    hdf5::check_count(file_.id(), "frames/orientation", elements_.orientation.width(), 4 * count);
+    hdf5::check_count(file_.id(), "frames/velocity", elements_.velocity.width(), 3 * count);
+    hdf5::check_count(file_.id(), "frames/utilisation", elements_.utilisation.width(), count);
+    hdf5::check_count(file_.id(), "frames/piece", elements_.piece.width(), count);
+    for (const hdf5::RowReader<float>* one : {&contacts_.point, &contacts_.normal, &contacts_.friction})
+        hdf5::check_count(file_.id(), "a vector of contacts", one->width(), 3);
+    for (const std::vector<double>& one : numbers_)
+        hdf5::check_count(file_.id(), "a number of frames", one.size(), times_.size());
+    for (const std::vector<std::int32_t>* one : {&step_, &first_contact_, &contact_count_})
+        hdf5::check_count(file_.id(), "a number of frames", one->size(), times_.size());
 }
 
 int Recording::nearest(double time) const {
-    const auto nearest =
-        std::ranges::min_element(file_->times, {}, [time](double one) { return std::abs(one - time); });
-    return static_cast<int>(nearest - file_->times.begin());
+    const auto nearest = std::ranges::min_element(times_, {}, [time](double one) { return std::abs(one - time); });
+    return static_cast<int>(nearest - times_.begin());
+}
+
+StructurePose Recording::moment(std::size_t number, Vec3& load) const {
+    StructurePose structure;
+    for (std::size_t k = 0; k < frame_numbers.size(); ++k)
+        frame_numbers[k].of(structure, load) = frame_numbers[k].sign * numbers_[k].at(number);
+    return structure;
 }
 
 StructurePose Recording::structure(int frame) const {
-    return file_->structure(static_cast<std::size_t>(frame));
+    Vec3 load = Vec3::Zero();
+    return moment(static_cast<std::size_t>(frame), load);
 }
 
 std::vector<FrameLine> Recording::lines(int frame) const {
-    return file_->lines(static_cast<std::size_t>(frame));
-}
-
-void Recording::read(int number, Frame& frame) const {
-    file_->read(static_cast<std::size_t>(number), frame);
+    std::vector<FrameLine> held;
+    if (!lines_) return held;
+    const auto number = static_cast<std::size_t>(frame);
+    const std::span<const float> fairlead = lines_->fairlead.read(number);
+    const std::span<const float> anchor = lines_->anchor.read(number);
+    const std::span<const float> tension = lines_->tension.read(number);
+    for (std::size_t k = 0; k < tension.size(); ++k) {
+        if (std::isnan(tension[k])) continue;
+        held.push_back({static_cast<int>(k), vector_at(fairlead, k), vector_at(anchor, k), tension[k]});
+    }
+    return held;
 }
 
 Frame Recording::read(int number) const {
     Frame frame;
     read(number, frame);
     return frame;
+}
+
+void Recording::read(int number, Frame& frame) const {
+    const auto at = static_cast<std::size_t>(number);
+    frame.step = step_.at(at);
+    frame.time = times_.at(at);
+    frame.structure = moment(at, frame.load);
+    read_elements(at, frame);
+    read_contacts(at, frame);
+    frame.lines = lines(number);
+}
+
+void Recording::read_elements(std::size_t number, Frame& frame) const {
+    std::size_t row = number;
+    std::size_t rows = 1;
+    frame.ids.clear();
+    if (states_) {
+        row = static_cast<std::size_t>(states_->first[number]);
+        rows = static_cast<std::size_t>(states_->count[number]);
+        for (const std::int32_t id : states_->element.read(row, rows)) {
+            if (id < 0 || static_cast<std::size_t>(id) >= layout_.elements.size())
+                hdf5::refuse_damaged(file_.id(), fmt::format("states/element has the value {}", id));
+            frame.ids.push_back(id);
+        }
+    }
+    const std::span<const float> position = elements_.position.read(row, rows);
+    const std::span<const float> orientation = elements_.orientation.read(row, rows);
+    const std::span<const float> velocity = elements_.velocity.read(row, rows);
+    frame.elements.resize(states_ ? rows : layout_.elements.size());
+    for (std::size_t k = 0; k < frame.elements.size(); ++k) {
+        const float* q = &orientation[4 * k];
+        frame.elements[k] = {.position = vector_at(position, k),
+                             .rotation = Quat(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix(),
+                             .velocity = vector_at(velocity, k)};
+    }
+    const std::span<const float> utilisation = elements_.utilisation.read(row, rows);
+    const std::span<const std::int32_t> pieces = elements_.piece.read(row, rows);
+    frame.utilisation.assign(utilisation.begin(), utilisation.end());
+    frame.pieces.assign(pieces.begin(), pieces.end());
+}
+
+void Recording::read_contacts(std::size_t number, Frame& frame) const {
+    const auto first = static_cast<std::size_t>(first_contact_.at(number));
+    const auto count = static_cast<std::size_t>(contact_count_.at(number));
+    const std::span<const std::int32_t> element = contacts_.element.read(first, count);
+    const std::span<const std::int32_t> other = contacts_.other.read(first, count);
+    const std::span<const float> point = contacts_.point.read(first, count);
+    const std::span<const float> normal = contacts_.normal.read(first, count);
+    const std::span<const float> friction = contacts_.friction.read(first, count);
+    frame.contacts.clear();
+    for (std::size_t k = 0; k < count; ++k)
+        frame.contacts.push_back(
+            {element[k], other[k], vector_at(point, k), vector_at(normal, k), vector_at(friction, k)});
 }
 
 namespace {
@@ -476,90 +410,57 @@ std::optional<Scale> line_scale(hid_t file, const Scenario& scenario) {
 
 }  // namespace
 
-class RecordingWriter::File {
-  public:
-    File(std::filesystem::path path, const RecordingSubject& subject)
-        : path_(std::move(path)), aside_(path_.string() + ".tmp"), subject_(subject) {
-        file_.emplace(hdf5::create_file(aside_));
-        open_.emplace(file_->id(), subject_);
-    }
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
-    ~File() {
-        if (file_) drop();
-    }
-
-    void add(const Frame& frame) {
-        const double x = frame.structure.position.x();
-        subject_.way = any_ ? Vec2(std::min(subject_.way.x(), x), std::max(subject_.way.y(), x)) : Vec2(x, x);
-        any_ = true;
-        open_->series.add(frame);
-    }
-
-    void finish(const RecordingOutcome& outcome, const FloeRoll& roll) {
-        if (subject_.scenario.field.endless()) {
-            subject_.floes = roll.floes();
-            write_floes(file_->id(), subject_.floes, roll.numbers());
-        }
-        const IceLayout layout(subject_.floes);
-        RecordScales& scales = open_->scales;
-        if (!scales.element) scales.element.emplace(element_scale(file_->id(), layout));
-        write_ice(file_->id(), subject_.scenario.floe, layout, scales);
-        write_sheets(file_->id(), subject_.channel().sheets, scales.coordinate);
-        write_joints(file_->id(), layout, outcome.breaks);
-        write_history(file_->id(), outcome, subject_.scenario.general.time_step);
-        open_->series.finish();
-        hdf5::write_contents_digests(file_->id());
-        open_.reset();  // only then does closing the file write everything
-        file_->close("H5Fclose", path_.string());
-        file_.reset();
-        hdf5::append_page_digests(aside_);
-        sync_data(open_file(aside_, O_RDWR), aside_);
-        rename_into_place(aside_, path_);
-    }
-
-  private:
-    struct Open {
-        Open(hid_t file, const RecordingSubject& subject)
-            : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
-                     words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
-                     elements_known(file, subject), line_scale(file, subject.scenario)},
-              series(file, scales) {
-            write_root(file, subject);
-            hdf5::write_text(file, {"configuration", "1", "the member's case as a campaign, TOML"},
-                             subject.configuration);
-            write_structure(file, subject.scenario.structure.shape);
-        }
-        RecordScales scales;
-        FrameSeries series;
-    };
-
-    void drop() {
-        open_.reset();
-        file_.reset();
-        std::error_code ignored;
-        std::filesystem::remove(aside_, ignored);
-    }
-
-    std::filesystem::path path_;
-    std::filesystem::path aside_;
-    RecordingSubject subject_;
-    bool any_ = false;
-    hdf5::QuietErrors quiet_;
-    std::optional<Handle> file_;
-    std::optional<Open> open_;
-};
+RecordingWriter::Open::Open(hid_t file, const RecordingSubject& subject)
+    : scales{words_scale(file, "coordinate", "axis of a vector", {"x", "y", "z"}),
+             words_scale(file, "quaternion", "part of a quaternion", {"w", "x", "y", "z"}),
+             elements_known(file, subject), line_scale(file, subject.scenario)},
+      series(file, scales) {
+    write_root(file, subject);
+    hdf5::write_text(file, {"configuration", "1", "the member's case as a campaign, TOML"}, subject.configuration);
+    write_structure(file, subject.scenario.structure.shape);
+}
 
 RecordingWriter::RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject)
-    : file_(std::make_unique<File>(path, subject)) {}
-RecordingWriter::~RecordingWriter() = default;
+    : path_(path), aside_(path.string() + ".tmp"), subject_(subject) {
+    file_.emplace(hdf5::create_file(aside_));
+    open_.emplace(file_->id(), subject_);
+}
+
+RecordingWriter::~RecordingWriter() {
+    if (!file_) return;
+    open_.reset();
+    file_.reset();
+    std::error_code ignored;
+    std::filesystem::remove(aside_, ignored);
+}
 
 void RecordingWriter::add(const Frame& frame) {
-    file_->add(frame);
+    const double x = frame.structure.position.x();
+    subject_.way = any_ ? Vec2(std::min(subject_.way.x(), x), std::max(subject_.way.y(), x)) : Vec2(x, x);
+    any_ = true;
+    open_->series.add(frame);
 }
 
 void RecordingWriter::finish(const RecordingOutcome& outcome, const FloeRoll& roll) {
-    file_->finish(outcome, roll);
+    if (subject_.scenario.field.endless()) {
+        subject_.floes = roll.floes();
+        write_floes(file_->id(), subject_.floes, roll.numbers());
+    }
+    const IceLayout layout(subject_.floes);
+    RecordScales& scales = open_->scales;
+    if (!scales.element) scales.element.emplace(element_scale(file_->id(), layout));
+    write_ice(file_->id(), subject_.scenario.floe, layout, scales);
+    write_sheets(file_->id(), subject_.channel().sheets, scales.coordinate);
+    write_joints(file_->id(), layout, outcome.breaks);
+    write_history(file_->id(), outcome, subject_.scenario.general.time_step);
+    open_->series.finish();
+    hdf5::write_contents_digests(file_->id());
+    open_.reset();  // only then does closing the file write everything
+    file_->close("H5Fclose", path_.string());
+    file_.reset();
+    hdf5::append_page_digests(aside_);
+    sync_data(open_file(aside_, O_RDWR), aside_);
+    rename_into_place(aside_, path_);
 }
 
 std::vector<std::uint8_t> broken_floes(const std::vector<BreakEvent>& breaks, int floes, double time) {

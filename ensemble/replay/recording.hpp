@@ -3,7 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,6 +76,8 @@ class RecordingWriter {
   public:
     /// Throws RunError naming the call that failed, as the others do.
     RecordingWriter(const std::filesystem::path& path, const RecordingSubject& subject);
+    RecordingWriter(const RecordingWriter&) = delete;
+    RecordingWriter& operator=(const RecordingWriter&) = delete;
     ~RecordingWriter();
 
     void add(const Frame& frame);
@@ -83,22 +85,32 @@ class RecordingWriter {
     void finish(const RecordingOutcome& outcome, const FloeRoll& roll = {});
 
   private:
-    class File;
-    std::unique_ptr<File> file_;
+    struct Open {
+        Open(hid_t file, const RecordingSubject& subject);
+        RecordScales scales;
+        FrameSeries series;
+    };
+
+    std::filesystem::path path_;
+    std::filesystem::path aside_;
+    RecordingSubject subject_;
+    bool any_ = false;  ///< frame so far
+    hdf5::QuietErrors quiet_;
+    std::optional<hdf5::Handle> file_;
+    std::optional<Open> open_;
 };
 
 class Recording {
   public:
     /// Throws InputError when there is no such file, it is no recording, or its major version is not this program's.
     explicit Recording(const std::filesystem::path& path);
-    ~Recording();
 
-    const RecordingSubject& subject() const;
-    const RecordingOutcome& outcome() const;
-    const IceLayout& layout() const;
+    const RecordingSubject& subject() const { return subject_; }
+    const RecordingOutcome& outcome() const { return outcome_; }
+    const IceLayout& layout() const { return layout_; }
 
-    int frames() const;
-    double time(int frame) const;  ///< s
+    int frames() const { return static_cast<int>(times_.size()); }
+    double time(int frame) const { return times_.at(static_cast<std::size_t>(frame)); }  ///< s
     StructurePose structure(int frame) const;
     std::vector<FrameLine> lines(int frame) const;  ///< mooring lines that hold
     /// The frame whose time is nearest to `time`, s.
@@ -108,8 +120,35 @@ class Recording {
     Frame read(int number) const;
 
   private:
-    class File;
-    std::unique_ptr<File> file_;
+    /// In a field without end, which rows of the elements are of a frame.
+    struct States {
+        explicit States(hid_t file);
+        std::vector<std::int32_t> first;
+        std::vector<std::int32_t> count;
+        hdf5::RowReader<std::int32_t> element;
+    };
+
+    void check_sizes() const;
+    /// The structure and the load on it.
+    StructurePose moment(std::size_t number, Vec3& load) const;
+    void read_elements(std::size_t number, Frame& frame) const;
+    void read_contacts(std::size_t number, Frame& frame) const;
+
+    hdf5::QuietErrors quiet_;
+    hdf5::Handle file_;
+    RecordingSubject subject_;
+    IceLayout layout_;
+    RecordingOutcome outcome_;
+    std::vector<double> times_;
+    // Readers keep the rows that they read last.
+    mutable ElementColumns<hdf5::RowReader> elements_;
+    mutable ContactColumns<hdf5::RowReader> contacts_;
+    mutable std::optional<States> states_;                       ///< of a field without end
+    mutable std::optional<LineColumns<hdf5::RowReader>> lines_;  ///< of a structure with mooring lines
+    std::vector<std::vector<double>> numbers_;                   ///< of frame_numbers
+    std::vector<std::int32_t> step_;
+    std::vector<std::int32_t> first_contact_;
+    std::vector<std::int32_t> contact_count_;
 };
 
 }  // namespace floes
