@@ -30,10 +30,6 @@ std::string size(double bytes) {
     return bytes < 100 ? fmt::format("{:.2g} {}", bytes, units[unit]) : fmt::format("{:.0f} {}", bytes, units[unit]);
 }
 
-double core_hours(const PlanRow& row) {
-    return row.cores * row.forecast.wall_time / unit::hour;
-}
-
 std::string remark(int members, const PlanRow& row) {
     const Forecast& forecast = row.forecast;
     const std::string cores = counted(row.cores, "core");
@@ -102,11 +98,11 @@ Section plan_section(const Campaign& campaign, const PlannedMembers& planned, st
                               {"master_memory_bytes"}}};
     for (const PlanRow& row : rows) {
         const Forecast& forecast = row.forecast;
-        plans.add({row.cores, row.ranks, duration_in_figures(forecast.wall_time), forecast.wall_time, core_hours(row),
-                   forecast.efficiency, forecast.master_load, forecast.start_up, forecast.last_member,
-                   forecast.file_time, forecast.writers, forecast.writer_load, size(forecast.file_bytes),
-                   std::round(forecast.file_bytes), size(forecast.journal_bytes), forecast.journal_bytes,
-                   size(row.master_memory), row.master_memory});
+        plans.add({row.cores, row.ranks, duration_in_figures(forecast.wall_time), forecast.wall_time,
+                   row.cores * forecast.wall_time / unit::hour, forecast.efficiency, forecast.master_load,
+                   forecast.start_up, forecast.last_member, forecast.file_time, forecast.writers, forecast.writer_load,
+                   size(forecast.file_bytes), std::round(forecast.file_bytes), size(forecast.journal_bytes),
+                   forecast.journal_bytes, size(row.master_memory), row.master_memory});
         if (const std::string told = remark(members, row); !told.empty()) section.notes.push_back(told);
     }
     section.results = {std::move(common), std::move(plans)};
@@ -252,11 +248,6 @@ std::string plain(std::string text) {
     for (char& c : text)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_' && c != '-') c = '_';
     return text;
-}
-
-void replace_all(std::string& text, std::string_view what, std::string_view by) {
-    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
-        text.replace(at, what.size(), by);
 }
 
 std::string options_of(const ArrayOptions& options) {

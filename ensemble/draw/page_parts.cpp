@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace floes {
 
@@ -24,9 +25,7 @@ void expand(std::string_view pattern, const std::function<void(std::string_view)
 }
 
 std::string in_a_script(std::string text) {
-    constexpr std::string_view escaped = "\\u003c";  // of <, as "</script" and "<!--" end or swallow what follows
-    for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; at += escaped.size())
-        text.replace(at, 1, escaped);
+    replace_all(text, "<", "\\u003c");  // as "</script" and "<!--" end or swallow what follows
     return text;
 }
 

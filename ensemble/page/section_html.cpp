@@ -437,8 +437,7 @@ std::string style_with_colours() {
     for (const auto part : std::views::split(light_colours, ';')) {
         const std::string_view colour(part.begin(), part.end());
         const std::string name = fmt::format("var({})", colour.substr(0, colour.find(':')));
-        for (std::size_t at = 0; (at = style.find(name, at)) != std::string::npos;)
-            style.replace(at, name.size(), colour.substr(colour.find(':') + 1));
+        replace_all(style, name, colour.substr(colour.find(':') + 1));
     }
     return style;
 }

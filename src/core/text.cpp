@@ -53,6 +53,11 @@ std::string in_one_line(std::string text) {
     return text;
 }
 
+void replace_all(std::string& text, std::string_view what, std::string_view by) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+        text.replace(at, what.size(), by);
+}
+
 std::string_view beginning(std::string_view text, std::size_t most) {
     constexpr std::size_t most_further = 3;  // bytes of a letter after its first; more are not UTF-8
     if (text.size() <= most) return text;

@@ -37,6 +37,9 @@ double to_digits(double value, int digits);
 /// With small letters, of ASCII.
 std::string lower(std::string_view text);
 
+/// Puts `by` in the place of every `what`.
+void replace_all(std::string& text, std::string_view what, std::string_view by);
+
 /// Without outer blanks.
 std::string_view trimmed(std::string_view text, std::string_view blanks = " \t");
 
