@@ -22,9 +22,8 @@ std::string timed_text(const char* title, const std::vector<TimedMember>& member
     if (members.empty()) return {};
     std::string text = fmt::format("\n{}\n", title);
     for (const TimedMember& one : members)
-        text += fmt::format("  member {} (case {}, arrangement {}{}): {}{}\n", one.number, one.case_name,
-                            one.arrangement, one.attempt > 1 ? fmt::format(", attempt {}", one.attempt) : "",
-                            duration_text(one.seconds), one.end > 0 ? ", at " + come_text(one.time, one.end) : "");
+        text += fmt::format("  member {} (case {}, arrangement {}{}): {}\n", one.number, one.case_name, one.arrangement,
+                            one.attempt > 1 ? fmt::format(", attempt {}", one.attempt) : "", time_words(one));
     return text;
 }
 
@@ -37,14 +36,9 @@ Results timed(std::string place, const std::vector<TimedMember>& members) {
                             one.arrangement,
                             one.attempt,
                             one.seconds,
-                            told ? Datum(one.time) : Datum(Undefined{}),
-                            told ? Datum(one.end) : Datum(Undefined{})};
+                            if_known(told, one.time),
+                            if_known(told, one.end)};
                 });
-}
-
-template <class Value>
-Datum known(const std::optional<Value>& value) {
-    return value ? Datum(*value) : Datum(Undefined{});
 }
 
 }  // namespace
@@ -71,17 +65,18 @@ std::string status_table(const CampaignStatus& status) {
 
 std::string status_json(const CampaignStatus& status) {
     const CaseStatus total = total_of(status);
-    std::vector<Results> all{object("", {{"title", status.title},
-                                         {"at_work", status.at_work},
-                                         {"seconds_left", known(status.seconds_left)},
-                                         {"members_per_second", known(status.rate)},
-                                         {"stop", Undefined{}},
-                                         {"heartbeat", Undefined{}},
-                                         {"parts", Undefined{}},
-                                         {"done", total.done},
-                                         {"failed", total.failed},
-                                         {"missing", total.missing},
-                                         {"total", members_of(total)}})};
+    std::vector<Results> all{
+        object("", {{"title", status.title},
+                    {"at_work", status.at_work},
+                    {"seconds_left", if_known(status.seconds_left.has_value(), status.seconds_left.value_or(0))},
+                    {"members_per_second", if_known(status.rate.has_value(), status.rate.value_or(0))},
+                    {"stop", Undefined{}},
+                    {"heartbeat", Undefined{}},
+                    {"parts", Undefined{}},
+                    {"done", total.done},
+                    {"failed", total.failed},
+                    {"missing", total.missing},
+                    {"total", members_of(total)}})};
     all.push_back(
         list("cases", "name done failed missing total", status.cases, [](const CaseStatus& one) -> std::vector<Datum> {
             return {one.name, one.done, one.failed, one.missing, members_of(one)};
@@ -126,21 +121,18 @@ struct StatusOptions {
     std::string format = "table";
     std::string page;
     bool watch = false;
-};
 
-constexpr std::chrono::seconds watch_interval{2};
-constexpr std::chrono::seconds page_interval{status_page_seconds};
-constexpr int least_pause_per_look = 10;  // reading a large campaign takes seconds
+    std::vector<std::filesystem::path> paths() const { return {files.begin(), files.end()}; }
+};
 
 /// Prints the status or writes its page. Returns whether a run is active.
 bool show(const StatusOptions& options) {
-    const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
     if (!options.page.empty()) {
-        const CampaignSnapshot snapshot = read_snapshot(files);
+        const CampaignSnapshot snapshot = read_snapshot(options.paths());
         write_page(options.page, status_page(snapshot, options.files.front(), utc_now()));
         return snapshot.status.at_work;
     }
-    const CampaignStatus status = read_status(files);
+    const CampaignStatus status = read_status(options.paths());
     std::fputs((options.format == "json" ? status_json(status) : status_table(status)).c_str(), stdout);
     std::fflush(stdout);
     return status.at_work;
@@ -148,13 +140,12 @@ bool show(const StatusOptions& options) {
 
 void watch(const StatusOptions& options) {
     if (options.page.empty() && options.format == "table" && ::isatty(STDOUT_FILENO) == 1) {
-        const std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
-        watch_on_terminal(files);
+        watch_on_terminal(options.paths());
         show(options);
         return;
     }
     using Clock = std::chrono::steady_clock;
-    const Clock::duration interval = options.page.empty() ? watch_interval : page_interval;
+    const Clock::duration interval = options.page.empty() ? watch_interval : std::chrono::seconds(status_page_seconds);
     while (true) {
         const auto begin = Clock::now();
         if (!show(options)) return;

@@ -1,6 +1,7 @@
 #pragma once
 // A run as it goes, filling a terminal: floes status --watch.
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -43,6 +44,10 @@ struct Screen {
 /// the mean load of each case; failures, running and slowest members; half-widths over members where there is room.
 /// Side by side from 120 columns on.
 std::vector<std::string> watch_frame(const WatchedRun& run, const Screen& screen);
+
+// From one look at a campaign to the next, by whatever is longer.
+inline constexpr std::chrono::seconds watch_interval{2};
+inline constexpr int least_pause_per_look = 10;  ///< reading a large campaign takes seconds
 
 /// Fills the terminal of standard output until no run is active or q or Ctrl-C is pressed, and leaves it as it was.
 void watch_on_terminal(std::span<const std::filesystem::path> campaign_files);

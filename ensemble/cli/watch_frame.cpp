@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 #include "cli/commands.hpp"
 #include "cli/watch.hpp"
@@ -128,12 +129,8 @@ std::string in_ascii(const std::string& text) {
 }
 
 void add_wrapped(Lines& lines, const std::string& sentence, int width) {
-    const std::string text = wrapped(sentence, width);
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        lines.push_back(text.substr(at, end - at));
-        at = end + 1;
-    }
+    std::istringstream text(wrapped(sentence, width));
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
 }
 
 std::string bytes_text(double bytes) {
@@ -240,10 +237,8 @@ Lines timed(const char* title, const std::vector<TimedMember>& members) {
     Lines lines{title};
     for (std::size_t k = 0; k < std::min(most, members.size()); ++k) {
         const TimedMember& one = members[k];
-        lines.push_back(fmt::format("  {} ({}{}): {}{}", one.number, one.case_name,
-                                    one.attempt > 1 ? fmt::format(", attempt {}", one.attempt) : "",
-                                    duration_text(one.seconds),
-                                    one.end > 0 ? ", at " + come_text(one.time, one.end) : ""));
+        lines.push_back(fmt::format("  {} ({}{}): {}", one.number, one.case_name,
+                                    one.attempt > 1 ? fmt::format(", attempt {}", one.attempt) : "", time_words(one)));
     }
     if (members.size() > most) lines.push_back(fmt::format("  and {} further", members.size() - most));
     return lines;

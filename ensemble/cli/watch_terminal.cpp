@@ -122,8 +122,6 @@ bool asked_to_end(const FullScreen& full, const StopSignals& signals, std::chron
 
 void watch_on_terminal(std::span<const std::filesystem::path> campaign_files) {
     using Clock = std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds interval{2000};
-    constexpr int least_pause_per_look = 10;  // reading a large campaign takes seconds
     WatchedRun run = read_run(campaign_files);
     const StopSignals signals;
     const FullScreen full;
@@ -131,7 +129,7 @@ void watch_on_terminal(std::span<const std::filesystem::path> campaign_files) {
         const auto begin = Clock::now();
         run = read_run(campaign_files);
         const auto next =
-            Clock::now() + std::max<Clock::duration>(interval, least_pause_per_look * (Clock::now() - begin));
+            Clock::now() + std::max<Clock::duration>(watch_interval, least_pause_per_look * (Clock::now() - begin));
         do {
             full.show(watch_frame(run, screen_now()));
             const auto left = std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now());

@@ -224,8 +224,7 @@ std::string timed(const std::string& title, const std::vector<TimedMember>& memb
     Table table{{"member", "case", "arrangement", "attempt", "time"}};
     for (const TimedMember& one : members)
         table.push_back({fmt::format("{}", one.number), one.case_name, fmt::format("{}", one.arrangement),
-                         fmt::format("{}", one.attempt),
-                         duration_text(one.seconds) + (one.end > 0 ? ", at " + come_text(one.time, one.end) : "")});
+                         fmt::format("{}", one.attempt), time_words(one)});
     return fmt::format("<h3>{}</h3>\n", title) + html_table(table);
 }
 

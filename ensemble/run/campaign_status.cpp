@@ -58,6 +58,10 @@ int members_of(const CaseStatus& one) {
     return one.done + one.failed + one.missing;
 }
 
+std::string time_words(const TimedMember& one) {
+    return duration_text(one.seconds) + (one.end > 0 ? ", at " + come_text(one.time, one.end) : "");
+}
+
 std::string counts_sentence(const CampaignStatus& status) {
     const CaseStatus total = total_of(status);
     return fmt::format("{}: {} of {} done, {} failed, {} to do", status.title, total.done,

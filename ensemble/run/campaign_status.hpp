@@ -112,6 +112,9 @@ std::string work_sentence(const CampaignStatus& status);
 /// How close the campaign is to the precision that ends it.
 std::string stop_sentence(const StopStatus& stop);
 
+/// "12 min", and where it is known how far the member has come: ", at 43 % (86 of 200 s)".
+std::string time_words(const TimedMember& one);
+
 /// "mean_load of every case", "mean_load of E200 - E60".
 std::string what_of(const StopRule& rule);
 
