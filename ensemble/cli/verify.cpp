@@ -26,16 +26,8 @@ namespace {
 
 constexpr std::size_t most_told = 20;  // members in a sentence
 
-/// One without a fault.
-FileVerdict verdict_on(const std::filesystem::path& path, const char* kind) {
-    FileVerdict verdict;
-    verdict.file = path.string();
-    verdict.kind = kind;
-    return verdict;
-}
-
 std::string members_text(const std::set<std::size_t>& members) {
-    if (members.size() > most_told) return counted(static_cast<std::int64_t>(members.size()), "member");
+    if (members.size() > most_told) return counted(std::ssize(members), "member");
     return fmt::format("{} {}", members.size() == 1 ? "member" : "members", fmt::join(members, ", "));
 }
 
@@ -73,7 +65,7 @@ void judge_tail(const std::filesystem::path& path, const JournalContents& conten
 }
 
 FileVerdict verify_journal(const std::filesystem::path& path) {
-    FileVerdict verdict = verdict_on(path, "journal");
+    FileVerdict verdict{.file = path.string(), .kind = "journal"};
     try {
         return judge_journal(path, read_journal(path));
     } catch (const journal_format::NewerJournal& error) {
@@ -148,11 +140,8 @@ void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
     if (check.filetype == campaign_kind.filetype || is_recording)
         verdict.kind = is_recording ? "recording" : "campaign file";
     if (check.filetype == piece_kind.filetype) verdict.kind = "piece of a campaign file";
-    if (verdict.kind.empty() && check.fault.empty()) {
-        verdict.state = FileState::not_of_floes;
-        verdict.faults.push_back("It is an HDF5 file, but neither a campaign nor a recording of floes.");
-        return;
-    }
+    if (verdict.kind.empty() && check.fault.empty())
+        throw InputError("It is an HDF5 file, but neither a campaign nor a recording of floes.");
     verdict.counts = counted(static_cast<std::int64_t>(check.datasets), "dataset");
     if (!pieces.empty()) verdict.counts += fmt::format(" in {}", counted(std::ssize(pieces), "piece"));
     verdict.digest = check.contents;
@@ -178,35 +167,28 @@ void verify_hdf5(const std::filesystem::path& path, FileVerdict& verdict) {
 }  // namespace
 
 FileVerdict judge_journal(const std::filesystem::path& path, const JournalContents& contents) {
-    FileVerdict verdict = verdict_on(path, "journal");
-    verdict.counts = fmt::format("{}, {}", counted(static_cast<std::int64_t>(contents.members.size()), "member"),
+    FileVerdict verdict{.file = path.string(), .kind = "journal"};
+    verdict.counts = fmt::format("{}, {}", counted(std::ssize(contents.members), "member"),
                                  counted(std::ssize(contents.sessions), "session"));
     if (contents.damaged_bytes > 0)
         verdict.faults.push_back(fmt::format("{} bytes inside it belong to no whole record.", contents.damaged_bytes));
     judge_tail(path, contents, verdict);
     if (verdict.faults.empty()) return verdict;
     verdict.state = FileState::damaged;
-    verdict.whole =
-        fmt::format("{} in it are whole.", counted(static_cast<std::int64_t>(contents.members.size()), "member"));
+    verdict.whole = fmt::format("{} in it are whole.", counted(std::ssize(contents.members), "member"));
     verdict.remedy = "floes run with --resume keeps these, and computes the members in the damaged parts again.";
     return verdict;
 }
 
 FileVerdict verify_file(const std::filesystem::path& path) {
     if (first_bytes(path, journal_format::magic.size()) == journal_format::magic) return verify_journal(path);
-    FileVerdict verdict = verdict_on(path, "");
+    FileVerdict verdict{.file = path.string()};
     const GivenFile kind = given_file(path);
-    if (kind == GivenFile::unreadable) {
-        verdict.state = FileState::not_of_floes;
-        verdict.faults.emplace_back("It may not be read by you; its owner has to permit it (chmod).");
-        return verdict;
-    }
-    if (kind == GivenFile::text || kind == GivenFile::other) {
-        verdict.state = FileState::not_of_floes;
-        verdict.faults.emplace_back("It is neither a campaign file, nor a recording, nor a journal of floes.");
-        return verdict;
-    }
     try {
+        if (kind == GivenFile::unreadable)
+            throw InputError("It may not be read by you; its owner has to permit it (chmod).");
+        if (kind == GivenFile::text || kind == GivenFile::other)
+            throw InputError("It is neither a campaign file, nor a recording, nor a journal of floes.");
         verify_hdf5(path, verdict);
     } catch (const hdf5::OpenElsewhere& error) {
         verdict.state = FileState::open_elsewhere;
