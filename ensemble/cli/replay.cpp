@@ -6,6 +6,7 @@
 #include "member/run_member.hpp"
 #include "replay/replay_member.hpp"
 #include "run/signals.hpp"
+#include "store/file_calls.hpp"
 
 namespace floes {
 

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <limits>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -133,16 +132,10 @@ void check_time(const ReplayLook& look, double from, double to, double every) {
 void write_replay_output(const std::filesystem::path& path, const Recording& recording, const ReplayLook& look,
                          const std::function<void(double)>& go_on) {
     if (kind_of(path) == ReplayOutput::series) return write_xdmf_series(path, recording);  // three files of its name
-    std::filesystem::path aside = path;
-    aside.replace_extension(".part" + path.extension().string());  // by which ffmpeg knows what to make
-    try {
-        write(aside, recording, look, go_on);
-        rename_into_place(aside, path);
-    } catch (...) {
-        std::error_code ignored;
-        std::filesystem::remove(aside, ignored);
-        throw;
-    }
+    // ffmpeg knows by the ending what to make.
+    const AsideFile aside(std::filesystem::path(path).replace_extension(".part" + path.extension().string()));
+    write(aside.path(), recording, look, go_on);
+    rename_into_place(aside.path(), path);
 }
 
 }  // namespace floes

@@ -37,6 +37,22 @@ void sync_folder_of(const std::filesystem::path& path, const System& system = th
 
 /// Whether there is something at the path.
 bool is_there(const std::filesystem::path& path, const System& system = this_system());
+/// Takes the file away that it names, unless it was renamed or never made.
+class AsideFile {
+  public:
+    explicit AsideFile(std::filesystem::path path) : path_(std::move(path)) {}
+    AsideFile(const AsideFile&) = delete;
+    AsideFile& operator=(const AsideFile&) = delete;
+    ~AsideFile() {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+    }
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
 /// Where there is nothing, nothing happens.
 void remove_file(const std::filesystem::path& path, const System& system = this_system());
 /// The folder that holds `path`.
