@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <ranges>
 #include <span>
 
 #include <fmt/ranges.h>
@@ -35,6 +36,13 @@ int terminal_width() {
         if (wished > 0) width = wished;
     }
     return std::max(width, 40);
+}
+
+std::vector<std::string> filled_lines(std::string_view text) {
+    std::vector<std::string> lines;
+    for (const auto line : std::views::split(text, '\n'))
+        if (!line.empty()) lines.emplace_back(line.begin(), line.end());
+    return lines;
 }
 
 Letters letters_of_terminal() {
@@ -148,12 +156,6 @@ void write_page(const fs::path& path, const std::string& page, Seconds longest_p
     std::error_code error;
     fs::rename(printed ? print.path() : aside.path(), target, error);
     if (error) refuse_page(path, error.message());
-}
-
-std::string typed_program(const std::string& program) {
-    const char* launcher = std::getenv("FLOES_LAUNCHER");
-    if (launcher != nullptr) return shell_word(launcher);
-    return program.empty() ? "floes" : shell_word(program);
 }
 
 ProgressLine::ProgressLine(std::string what)

@@ -26,6 +26,9 @@ namespace floes {
 /// least 40.
 int terminal_width();
 
+/// The lines of a text that are not empty.
+std::vector<std::string> filled_lines(std::string_view text);
+
 /// Whether the terminal shows more than ASCII, as the environment has it.
 Letters letters_of_terminal();
 
@@ -58,27 +61,6 @@ void expect_place(const std::filesystem::path& path);
 /// with .pdf gets the page as a browser of this machine prints it (FLOES_BROWSER names one). Throws RunError if the
 /// file cannot be written or the browser does not print it in time, InputError where there is no browser.
 void write_page(const std::filesystem::path& path, const std::string& page, Seconds longest_print = Seconds(300));
-
-/// Takes the file away that it names, unless it was renamed or never made.
-class AsideFile {
-  public:
-    explicit AsideFile(std::filesystem::path path) : path_(std::move(path)) {}
-    AsideFile(const AsideFile&) = delete;
-    AsideFile& operator=(const AsideFile&) = delete;
-    ~AsideFile() {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
-    }
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
-// Commands that people copy into a shell.
-
-/// What people type to start the program: the script that started it, otherwise `program`.
-std::string typed_program(const std::string& program);
 
 // The progress of one long computation on standard error: a line that is updated on a terminal, elsewhere a new line
 // every ten seconds.

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <sstream>
 #include <type_traits>
@@ -15,6 +16,7 @@
 
 #include "cli/answer.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "keys/meant.hpp"
 
 namespace floes {
@@ -472,8 +474,9 @@ int CommandLine::run(const std::vector<std::string>& words) {
     return *exit_status_;
 }
 
-std::string CommandLine::program_name() const {
-    return app_->get_name();
+std::string CommandLine::typed_program() const {
+    if (const char* launcher = std::getenv("FLOES_LAUNCHER")) return shell_word(launcher);
+    return app_->get_name().empty() ? "floes" : shell_word(app_->get_name());
 }
 
 }  // namespace floes

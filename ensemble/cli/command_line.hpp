@@ -122,7 +122,8 @@ class CommandLine {
     /// The same without the program's name.
     int run(const std::vector<std::string>& words);
 
-    std::string program_name() const;
+    /// What people type to start the program: the script that started it, otherwise the first word of the command line.
+    std::string typed_program() const;
 
     /// For manual pages and completions.
     const CLI::App& app() const { return *app_; }

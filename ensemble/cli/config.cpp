@@ -102,11 +102,6 @@ struct VaryOptions {
     std::vector<std::string> overrides;
 };
 
-std::string vary(const VaryOptions& options) {
-    const Campaign campaign = load_campaign(options.file, options.overrides);
-    return variations_text(campaign, chosen_case(campaign, options.case_name));
-}
-
 }  // namespace
 
 void add_vary(CommandLine& line) {
@@ -122,7 +117,10 @@ void add_vary(CommandLine& line) {
         "  floes vary my.toml --set campaign.arrangements=12 > varied.toml\n"
         "  floes run varied.toml\n"
         "  floes summarize varied.h5 --parts model");
-    verb.prints([options] { return vary(*options); });
+    verb.prints([options] {
+        const Campaign campaign = load_campaign(options->file, options->overrides);
+        return variations_text(campaign, chosen_case(campaign, options->case_name));
+    });
 }
 
 // floes config: print the defaults or the reference, check a configuration, print it resolved.
@@ -167,7 +165,9 @@ std::string reference_text(const std::string& table) {
     return all.substr(begin, all.find("\n## [", begin) - begin) + "\n";
 }
 
-std::string check_line(const Campaign& campaign) {
+std::string check(Campaign campaign) {
+    Progress progress(std::cerr, style_of_standard_error());
+    settle_moduli(campaign, tbb::info::default_concurrency(), progress);
     std::string calibrated;
     for (const Case& one : campaign.cases) {
         if (one.pairing == Pairing::find_cfm)
@@ -181,12 +181,6 @@ std::string check_line(const Campaign& campaign) {
     if (const std::string remark = hull_remark(campaign); !remark.empty()) text += remark + "\n";
     for (const std::string& sentence : advice(campaign)) text += "but " + sentence + "\n";
     return text;
-}
-
-std::string check(Campaign campaign) {
-    Progress progress(std::cerr, style_of_standard_error());
-    settle_moduli(campaign, tbb::info::default_concurrency(), progress);
-    return check_line(campaign);
 }
 
 std::string answer(const ConfigOptions& options) {

@@ -39,8 +39,7 @@ Option add_per_year(Verb& verb, std::vector<double>& per_year) {
 DataRows about_rows(const std::vector<Section>& sections, const std::string& command) {
     Results lines{.columns = program_columns("about")};
     const auto add = [&](const std::string& text) {
-        for (const auto line : std::views::split(text, '\n'))
-            if (!line.empty()) lines.add({std::string(line.begin(), line.end())});
+        for (std::string& line : filled_lines(text)) lines.add({std::move(line)});
     };
     for (const Section& section : sections) {
         for (const std::string& text : {section.title, section.before, section.missing, section.after}) add(text);
@@ -182,9 +181,9 @@ int tell(const ContourOptions& options, const std::string& program) {
     write({.file = options.output,
            .title = "Environmental contours",
            .sections = sections,
-           .command = fmt::format("{} contour {} --per-year {:g} --exposure-h {:g} --points {} -o {}",
-                                  typed_program(program), shell_word(options.ice), fmt::join(request.per_year, ","),
-                                  options.exposure_h, request.points, shell_word(options.output)),
+           .command = fmt::format("{} contour {} --per-year {:g} --exposure-h {:g} --points {} -o {}", program,
+                                  shell_word(options.ice), fmt::join(request.per_year, ","), options.exposure_h,
+                                  request.points, shell_word(options.output)),
            .picture = [&] { return figure_file(contour_figure(inputs, contours)); },
            .cases = [&] { return study_of(options, inputs, contours); }});
     return 0;
@@ -216,7 +215,7 @@ void add_contour(CommandLine& line) {
         "  floes contour scatter.csv\n"
         "  floes contour ice.toml --per-year 0.01 -o contour.svg\n"
         "  floes contour scatter.csv --points 8 --config my.toml -o contour.toml && floes run contour.toml");
-    verb.runs([options, &line] { return tell(*options, line.program_name()); });
+    verb.runs([options, &line] { return tell(*options, line.typed_program()); });
 }
 
 // floes design: the largest load in an exposure, or the loads of a year, with their uncertainty.
@@ -280,10 +279,9 @@ Answer sections_of(const DesignOptions& options, const Evidence& evidence, const
 /// The command that repeats the answer. `asked`: what it is of, "--regimes year.toml".
 std::string command_of(const DesignOptions& options, const GivenCampaign& given, const std::string& asked) {
     const DesignLoadRequest& load = options.request;
-    return fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}{}{} -o {}",
-                       typed_program(options.program), given.words(), asked, load.averaging, load.scale, load.share,
-                       load.rising ? " --rising" : "", options.automatic_window() ? " --window auto" : "",
-                       shell_word(options.output));
+    return fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}{}{} -o {}", options.program,
+                       given.words(), asked, load.averaging, load.scale, load.share, load.rising ? " --rising" : "",
+                       options.automatic_window() ? " --window auto" : "", shell_word(options.output));
 }
 
 void add_warnings(const Evidence& evidence, std::vector<Section>& sections) {
@@ -341,8 +339,7 @@ int answer_of_year(const DesignOptions& options) {
     std::vector<Section> sections = year_sections(evidence, year, request);
     add_warnings(evidence, sections);
     if (options.next)
-        sections.push_back(
-            year_next(evidence, year, typed_program(options.program), options.files.size() == 1 ? given.words() : ""));
+        sections.push_back(year_next(evidence, year, options.program, options.files.size() == 1 ? given.words() : ""));
     const Units units = year_units(year, request);
     print(sections, options.format, units);
     if (options.next && options.format != "table") std::fputs(sections.back().before.c_str(), stderr);
@@ -418,7 +415,7 @@ void add_design(CommandLine& line) {
         "  floes design floating.h5 --of pitch -o pitch.html                              how far it pitches\n"
         "  floes design table3_physical.h5 --regimes year.toml                            10^-2 and 10^-4 a year");
     verb.runs([options, &line] {
-        options->program = line.program_name();
+        options->program = line.typed_program();
         return options->regimes.empty() ? answer(*options) : answer_of_year(*options);
     });
 }

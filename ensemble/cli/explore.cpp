@@ -12,7 +12,8 @@ namespace floes {
 
 namespace {
 
-void explore(const std::vector<std::string>& files, const std::string& wanted) {
+/// What is printed: where the page is.
+std::string explore(const std::vector<std::string>& files, const std::string& wanted) {
     const GivenCampaign given(files);
     const std::filesystem::path output =
         wanted.empty() ? std::filesystem::path(files.front()).stem().string() + "_explore.html" : wanted;
@@ -22,7 +23,7 @@ void explore(const std::vector<std::string>& files, const std::string& wanted) {
     std::ostringstream page;
     write_explore_page(page, read_evidence(file), file, {.file = given.words()});
     write_page(output, page.str());
-    std::printf("%s\n", output.string().c_str());
+    return output.string() + "\n";
 }
 
 }  // namespace
@@ -39,10 +40,7 @@ void add_explore(CommandLine& line) {
         "is brushed in one is marked in all. A member that is picked shows its numbers and the commands that replay\n"
         "it. The page asks nothing of the network, and stays quick up to 100,000 members.\n\n"
         "  floes explore my.h5 -o explore.html");
-    verb.runs([files, output] {
-        explore(*files, *output);
-        return 0;
-    });
+    verb.prints([files, output] { return explore(*files, *output); });
 }
 
 }  // namespace floes

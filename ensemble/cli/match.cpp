@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
-#include <limits>
+#include <ranges>
 #include <span>
 
 #include "campaign/write.hpp"
@@ -43,8 +43,7 @@ void write_next(const MatchOptions& options, const std::vector<MatchWave>& waves
 
 /// The coordinates of a point given by KEY=VALUE pairs, one for each axis.
 Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vector<RangedAxis>& axes) {
-    Eigen::VectorXd at =
-        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(axes.size()), std::numeric_limits<double>::quiet_NaN());
+    Eigen::VectorXd at = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(axes.size()), undefined);
     for (const std::string& pair : pairs) {
         const std::string key = pair.substr(0, pair.find('='));
         const auto axis = std::ranges::find(axes, key, &RangedAxis::key);
@@ -52,12 +51,9 @@ Eigen::VectorXd point_at(const std::vector<std::string>& pairs, const std::vecto
         char rest = 0;
         const std::string number = pair.find('=') == std::string::npos ? "" : pair.substr(pair.find('=') + 1);
         if (axis == axes.end() || std::sscanf(number.c_str(), "%lf%c", &value, &rest) != 1 || !std::isfinite(value) ||
-            (axis->scale == AxisScale::log && value <= 0)) {
-            std::vector<std::string> keys;
-            for (const RangedAxis& one : axes) keys.push_back(one.key);
-            throw InputError(
-                fmt::format("--at {} is no KEY=NUMBER of an axis; the axes are {}.", pair, fmt::join(keys, ", ")));
-        }
+            (axis->scale == AxisScale::log && value <= 0))
+            throw InputError(fmt::format("--at {} is no KEY=NUMBER of an axis; the axes are {}.", pair,
+                                         fmt::join(axes | std::views::transform(&RangedAxis::key), ", ")));
         // Beyond, emulators say anything; a rounded end of the range is not beyond.
         constexpr double end = 1 + 1e-6;
         const double coordinate = axis->coordinate(value);
@@ -120,7 +116,7 @@ std::vector<MatchTrail> trail_of(const MatchOptions& options, const std::vector<
             if (count < waves.size())
                 told.share = match(data, emulate(data), options.samples, waves.front().campaign.seed).share();
         } catch (const InputError&) {  // a case that only later waves have
-            told.share = std::numeric_limits<double>::quiet_NaN();
+            told.share = undefined;
         }
     }
     return trail;
@@ -137,7 +133,7 @@ std::string command_of(const MatchOptions& options) {
     return command + " -o " + shell_word(options.page);
 }
 
-void run(const MatchOptions& options) {
+int run(const MatchOptions& options) {
     std::vector<MatchWave> waves;
     for (const std::string& file : options.files) expect_campaign_file(file);
     for (const std::string& file : options.files) waves.push_back(read_wave(file));
@@ -153,10 +149,11 @@ void run(const MatchOptions& options) {
     sections.insert(sections.end(), predicted.begin(), predicted.end());
     print(sections, options.format);
     if (!options.next.empty()) write_next(options, waves, data, found);
-    if (options.page.empty()) return;
+    if (options.page.empty()) return 0;
     write_page(options.page, match_page({data, targets, found, trail_of(options, waves, measured, found.share()),
                                          predicted, command_of(options)}));
     note("{} has the page", options.page);
+    return 0;
 }
 
 }  // namespace
@@ -207,10 +204,7 @@ void add_match(CommandLine& line) {
         "scatter of single runs, the measurement's uncertainty and the discrepancy that the model is allowed.\n\n"
         "  floes run wave1.toml && floes match wave1.h5 --targets tank.toml --next wave2.toml\n"
         "  floes run wave2.toml && floes match wave1.h5 wave2.h5 --targets tank.toml --exposure-h 3");
-    verb.runs([options] {
-        run(*options);
-        return 0;
-    });
+    verb.runs([options] { return run(*options); });
 }
 
 }  // namespace floes

@@ -105,7 +105,8 @@ struct ReportOptions {
     Inquiry inquiry;
 };
 
-void report(const ReportOptions& options) {
+/// What is printed: where the page is.
+std::string report(const ReportOptions& options) {
     const GivenCampaign given(options.files);
     const std::filesystem::path& file = given.path();
     const std::filesystem::path output = options.output.empty() ? file.stem().string() + ".html" : options.output;
@@ -125,7 +126,7 @@ void report(const ReportOptions& options) {
     data.command = fmt::format("floes run {} -o {}", configuration_word(data.evidence.summary.title),
                                shell_word(data.evidence.summary.title + ".h5"));
     write_page(output, report_page(std::move(data)));
-    std::printf("%s\n", output.string().c_str());
+    return output.string() + "\n";
 }
 
 }  // namespace
@@ -155,10 +156,9 @@ void add_report(CommandLine& line) {
             "for them: worst, the one of the campaign; all, that of each case; none")
         .one_of({"none", "worst", "all"})
         .shows_default();
-    verb.runs([options, exposure, quantile, averaging] {
+    verb.prints([options, exposure, quantile, averaging] {
         options->asks_design = exposure.given() || quantile.given() || averaging.given();
-        report(*options);
-        return 0;
+        return report(*options);
     });
 }
 

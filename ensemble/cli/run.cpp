@@ -165,7 +165,7 @@ std::string resume_command(const RunVerb& verb, const std::string& program, cons
     const int ranks = link == nullptr ? 1 : link->size();
     const char* launcher = std::getenv("FLOES_LAUNCHER");  // the script that starts the ranks, if any
     std::string command = ranks > 1 && launcher == nullptr ? start_of_ranks(*link) : "";
-    command += fmt::format("{} run ", typed_program(program));
+    command += fmt::format("{} run ", program);
     if (ranks > 1 && launcher != nullptr) command += fmt::format("--ranks {} ", ranks);
     command += fmt::format("{} -o {} --resume", shell_word(verb.config), shell_word(output_of(verb).string()));
     if (!verb.part.empty()) command += " --part " + verb.part;
@@ -196,11 +196,6 @@ CampaignPart part_of(const RunVerb& verb, const Campaign& campaign) {
                     verb.part, counted(campaign.arrangements, "arrangement")));
 }
 
-Existing existing_of(const RunVerb& verb) {
-    if (verb.resume) return Existing::resume;
-    return verb.overwrite ? Existing::replace : Existing::refuse;
-}
-
 /// `ended`: gets the campaign's name and the members of a run that has begun. `began`: when the time left was as
 /// stated.
 int lead(const RunVerb& verb, const std::string& program, Link& link, const MemberFunction& compute, Helper& helper,
@@ -212,7 +207,9 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, const Memb
     const Walltime walltime(time_left.seconds, verb.time_left > 0 ? began : std::chrono::steady_clock::now());
     Campaign campaign = load_campaign(verb.config, verb.overrides);
     RunOptions options{.places = {.campaign_file = output_of(verb),
-                                  .existing = existing_of(verb),
+                                  .existing = verb.resume      ? Existing::resume
+                                              : verb.overwrite ? Existing::replace
+                                                               : Existing::refuse,
                                   .part = part_of(verb, campaign),
                                   .with_file = !verb.no_file,
                                   .metrics = verb.metrics,
@@ -249,8 +246,7 @@ int lead(const RunVerb& verb, const std::string& program, Link& link, const Memb
     }
     if (status != exit_stopped && options.places.part.of == 1 && !verb.no_file) {
         Evidence evidence = read_evidence(options.places.campaign_file);
-        print({overview_section(evidence), next_commands(evidence, typed_program(program))},
-              "table", evidence.units);
+        print({overview_section(evidence), next_commands(evidence, program)}, "table", evidence.units);
     }
     return status;
 }
@@ -263,17 +259,17 @@ void tell_environment(const RunVerb& verb, int status, const CampaignStatus& end
                           : status == exit_stopped ? "stopped"
                           : status == 2            ? "refused"
                                                    : "failed";
-    const std::filesystem::path file = output_of(verb);
-    setenv("FLOES_OUTCOME", outcome, 1);
-    setenv("FLOES_EXIT_STATUS", std::to_string(status).c_str(), 1);
-    setenv("FLOES_CAMPAIGN_FILE", file.c_str(), 1);
     const CaseStatus total = total_of(ended);
     const std::string words =
         ended.cases.empty() ? fmt::format("floes run {}: {}", verb.config, outcome) : counts_sentence(ended);
-    setenv("FLOES_DONE", std::to_string(total.done).c_str(), 1);
-    setenv("FLOES_FAILED", std::to_string(total.failed).c_str(), 1);
-    setenv("FLOES_MISSING", std::to_string(total.missing).c_str(), 1);
-    setenv("FLOES_WORDS", words.c_str(), 1);
+    const std::pair<const char*, std::string> told[]{{"FLOES_OUTCOME", outcome},
+                                                     {"FLOES_EXIT_STATUS", std::to_string(status)},
+                                                     {"FLOES_CAMPAIGN_FILE", output_of(verb).string()},
+                                                     {"FLOES_DONE", std::to_string(total.done)},
+                                                     {"FLOES_FAILED", std::to_string(total.failed)},
+                                                     {"FLOES_MISSING", std::to_string(total.missing)},
+                                                     {"FLOES_WORDS", words}};
+    for (const auto& [name, value] : told) setenv(name, value.c_str(), 1);
 }
 
 /// Starts the command of --on-end, and waits for it.
@@ -373,7 +369,7 @@ void add_run(CommandLine& line, std::span<char* const> command) {
             options->overrides.insert(options->overrides.begin(), settings.begin(), settings.end());
         }
         if (!options->isolation.empty()) options->overrides.push_back("run.isolation=" + options->isolation);
-        return run(*options, line.program_name());
+        return run(*options, line.typed_program());
     });
 }
 

@@ -55,11 +55,6 @@ constexpr const char* examples =
 
 constexpr int most_at_once = 64;  // connections that the server has
 
-/// While one campaign begins or is published, members of others keep its cores busy.
-int at_once_by_default(int threads) {
-    return std::min(2 * threads, most_at_once);
-}
-
 std::filesystem::path folder_of(const ServeVerb& verb) {
     if (!verb.folder.empty()) return verb.folder;
     return std::filesystem::path(verb.config).stem().string() + ".served";
@@ -153,9 +148,10 @@ int serve(const ServeVerb& verb) {
     expect_token(verb, token);
     outlive_readers();
     const int threads = threads_of(LocalLink(), verb.threads);
+    // While one campaign begins or is published, members of others keep its cores busy.
+    const int evaluations = verb.at_once > 0 ? verb.at_once : std::min(2 * threads, most_at_once);
     std::list<Helper> helpers;  // before the first thread; one knows one campaign
-    for (int k = 0; k < (verb.at_once > 0 ? verb.at_once : at_once_by_default(threads)); ++k)
-        helpers.emplace_back(compute_member);
+    for (int k = 0; k < evaluations; ++k) helpers.emplace_back(compute_member);
     const std::string path = find_config(verb.config);
     const std::string text = read_text(path);
     const auto read = [&](std::vector<std::string> overrides) {

@@ -35,10 +35,6 @@ std::string command_of(const ShowOptions& options) {
     return words;
 }
 
-std::string other_cases(const Campaign& campaign) {
-    return fmt::format("Drawn is the first case; --case names another: {}.\n", name_list(case_names(campaign)));
-}
-
 std::string in_terminal(const Section& told) {
     constexpr int rows = 30;
     const int width = terminal_width();
@@ -74,7 +70,7 @@ std::vector<Section> drawn_cases(const Campaign& campaign, int arrangement) {
     return sections;
 }
 
-void show(const ShowOptions& options) {
+int show(const ShowOptions& options) {
     const Campaign campaign = load_campaign(options.file, options.overrides);
     const WaitingNote patience(std::cerr, "laying the floes");
     const bool of_all = options.case_name.empty() && campaign.cases.size() > 1;
@@ -85,10 +81,12 @@ void show(const ShowOptions& options) {
         write_page(path, sections_page(campaign.name, sections, command_of(options)));
     } else {
         Section told = drawn(campaign, drawn_case(campaign, options.case_name), options.arrangement);
-        if (of_all) told.before += other_cases(campaign);
+        if (of_all)
+            told.before +=
+                fmt::format("Drawn is the first case; --case names another: {}.\n", name_list(case_names(campaign)));
         if (path.empty()) {
             std::fputs(in_terminal(told).c_str(), stdout);
-            return;
+            return 0;
         }
         write_page(path, path.extension() == ".svg"
                              ? figures_file(told)
@@ -96,6 +94,7 @@ void show(const ShowOptions& options) {
         for (const std::string& sentence : told.notes) note("{}", sentence);
     }
     std::printf("%s\n", options.output.c_str());
+    return 0;
 }
 
 }  // namespace
@@ -117,10 +116,7 @@ void add_show(CommandLine& line) {
         "  floes show my.toml\n"
         "  floes show my.toml -o my.svg --case thick\n"
         "  floes show my.toml -o my.html --set structure.start_m=1.2");
-    verb.runs([options] {
-        show(*options);
-        return 0;
-    });
+    verb.runs([options] { return show(*options); });
 }
 
 }  // namespace floes

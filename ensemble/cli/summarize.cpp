@@ -55,19 +55,12 @@ bool is_wanted(const Finding& finding, const SummarizeOptions& options, const Ca
     return holds(finding.unasked) || (options.format == "json" && holds(finding.unasked_in_json));
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (const auto line : std::views::split(text, '\n'))
-        if (!line.empty()) lines.emplace_back(line.begin(), line.end());
-    return lines;
-}
-
 /// The overview of the screen.
 FrontSheet front_sheet(Evidence& evidence) {
     Section overview = overview_section(evidence);
-    FrontSheet front{.name = "overview", .above = lines_of(overview.before), .table = {}, .below = overview.notes};
+    FrontSheet front{.name = "overview", .above = filled_lines(overview.before), .table = {}, .below = overview.notes};
     if (!overview.results.empty()) front.table = std::move(overview.results.front());
-    for (std::string& line : lines_of(overview.after)) front.below.push_back(std::move(line));
+    for (std::string& line : filled_lines(overview.after)) front.below.push_back(std::move(line));
     return front;
 }
 
@@ -120,7 +113,7 @@ void write(const SummarizeOptions& options, Evidence& evidence, const std::strin
     if (options.format != "xlsx") {
         std::vector<Section> sections = find(options, evidence);
         if (options.format == "table" && !options.full && options.parts.empty() && options.files.size() == 1)
-            sections.push_back(next_commands(evidence, typed_program(program)));
+            sections.push_back(next_commands(evidence, program));
         const std::string text = written(sections, options.format, evidence.units);
         if (options.output.empty()) {
             std::fputs(text.c_str(), stdout);
@@ -209,7 +202,7 @@ void add_summarize(CommandLine& line) {
         .within(1.0, 1000.0)
         .shows_default();
     add_window(verb, options->window);
-    verb.runs([options, &line] { return answer(*options, line.program_name()); });
+    verb.runs([options, &line] { return answer(*options, line.typed_program()); });
 }
 
 }  // namespace floes

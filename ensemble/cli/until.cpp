@@ -1,5 +1,6 @@
 #include "cli/until.hpp"
 
+#include <ranges>
 #include <regex>
 
 #include <fmt/format.h>
@@ -23,14 +24,11 @@ std::vector<std::string> until_settings(const std::string& text) {
                         text));
     const DesignOf* design = find_design_of(found[1].str());
     const std::optional<Quantity> quantity = any_quantity(found[1].str());
-    if (design == nullptr && !(quantity && quantity->stops)) {
-        std::vector<std::string_view> words;
-        for (const DesignOf& one : design_ofs) words.push_back(one.word);
+    if (design == nullptr && !(quantity && quantity->stops))
         throw InputError(
             fmt::format("--until \"{}\": {} is not known; take one of {} for its design value, or mean_load or another "
                         "word of stop.of for its mean.",
-                        text, found[1].str(), fmt::join(words, ", ")));
-    }
+                        text, found[1].str(), fmt::join(design_ofs | std::views::transform(&DesignOf::word), ", ")));
     if (design == nullptr && found[2].matched)
         throw InputError(fmt::format("--until \"{}\": the mean of {} has no exposure; leave \"{} h\" out.", text,
                                      found[1].str(), found[2].str()));

@@ -5,28 +5,12 @@
 namespace floes {
 
 void add_verbs(CommandLine& line, std::span<char* const> command) {
-    add_new(line);
-    add_show(line);
+    for (const auto add : {add_new, add_show}) add(line);
     add_run(line, command);
-    add_array(line);
-    add_merge(line);
-    add_status(line);
-    add_plan(line);
-    add_vary(line);
-    add_summarize(line);
-    add_design(line);
-    add_contour(line);
-    add_config(line);
-    add_laboratory(line);
-    add_hybrid(line);
-    add_hydro(line);
-    add_report(line);
-    add_explore(line);
-    add_replay(line);
-    add_export(line);
-    add_match(line);
-    add_serve(line);
-    add_verify(line);
+    for (const auto add : {add_array, add_merge, add_status, add_plan, add_vary, add_summarize, add_design, add_contour,
+                           add_config, add_laboratory, add_hybrid, add_hydro, add_report, add_explore, add_replay,
+                           add_export, add_match, add_serve, add_verify})
+        add(line);
     line.help_verb();
     line.version(version_text, "Print version, revision, libraries and the lane widths of this processor");
     line.footer(
