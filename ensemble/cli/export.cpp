@@ -6,7 +6,6 @@
 #include "campaign_file/read.hpp"
 #include "cli/commands.hpp"
 #include "cli/export_fmu.hpp"
-#include "cli/given.hpp"
 #include "inference/order_quantile.hpp"
 #include "load_files/read_loads.hpp"
 #include "replay/replay_member.hpp"
@@ -45,14 +44,9 @@ struct ChosenMember {
 /// Numbers of the done members that case and arrangement leave, case by case.
 std::vector<std::vector<int>> done_members(const CampaignTable& table, const MemberChoice& choice) {
     std::vector<std::vector<int>> found(table.cases.size());
-    const auto cases = static_cast<int>(table.cases.size());
-    for (int number = 0; number < std::ssize(table.members); ++number) {
-        const MemberRow& row = table.members[static_cast<std::size_t>(number)];
-        const auto of_case = static_cast<std::size_t>(row.case_index);
-        const bool wanted = (choice.case_name.empty() || table.cases[of_case].name == choice.case_name) &&
-                            (!choice.arrangement || number / cases == *choice.arrangement);
-        if (wanted && row.done()) found[of_case].push_back(number);
-    }
+    for (std::size_t k = 0; k < table.members.size(); ++k)
+        if (choice.leaves(table, static_cast<int>(k)))
+            found[static_cast<std::size_t>(table.members[k].case_index)].push_back(static_cast<int>(k));
     return found;
 }
 

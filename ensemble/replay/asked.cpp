@@ -18,19 +18,9 @@ std::optional<AskedOf> asked_of(std::string_view name) {
 }
 
 std::string Asked::words() const {
-    const char* what = "load";
-    switch (of) {
-        case AskedOf::load:
-            if (!averaged()) return "load of a step";
-            break;
-        case AskedOf::mooring_force:
-            what = "mooring force";
-            break;
-        case AskedOf::offset:
-            return "offset";
-        case AskedOf::tension:
-            return "line tension";
-    }
+    constexpr std::array<const char*, 4> names{"load", "mooring force", "offset", "line tension"};
+    if (of == AskedOf::load && !averaged()) return "load of a step";
+    const char* what = names.at(static_cast<std::size_t>(of));
     return averaged() ? fmt::format("{} over {:g} s", what, averaging) : what;
 }
 
@@ -77,17 +67,9 @@ std::vector<double> asked_history(const Asked& asked, std::span<const double> va
 }
 
 std::vector<double> asked_history(const Asked& asked, const LoadHistory& loads, const HullHistory& hull, double step) {
-    switch (asked.of) {
-        case AskedOf::load:
-            break;
-        case AskedOf::mooring_force:
-            return asked_history(asked, hull.mooring_force, step);
-        case AskedOf::offset:
-            return hull.offset;
-        case AskedOf::tension:
-            return hull.tension;
-    }
-    return asked_history(asked, loads.surge, step);
+    if (asked.of == AskedOf::offset) return hull.offset;
+    if (asked.of == AskedOf::tension) return hull.tension;
+    return asked_history(asked, asked.of == AskedOf::load ? loads.surge : hull.mooring_force, step);
 }
 
 }  // namespace floes

@@ -197,20 +197,12 @@ hdf5::Dimensions of_element(const RecordScales& scales, const hdf5::Scale* part 
     return row;
 }
 
-hsize_t elements_a_chunk(const RecordScales& scales) {
-    return scales.element ? 1 : states_a_chunk;
-}
-
 void put(std::vector<float>& values, const Vec3& v, int bits) {
     for (const double part : {v.x(), v.y(), v.z()}) put(values, part, bits);
 }
 
-}  // namespace
-
-namespace {
-
 ElementColumns<hdf5::Series> element_columns(hid_t group, const RecordScales& scales) {
-    const hsize_t chunk = elements_a_chunk(scales);
+    const hsize_t chunk = scales.element ? 1 : states_a_chunk;
     const hdf5::Dimensions vector = of_element(scales, &scales.coordinate);
     return {{group, {"position", "m", "centre of each element"}, vector, chunk},
             {group,

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,6 +14,7 @@
 #include "campaign/write.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/units.hpp"
 #include "member/array_output.hpp"
 #include "member/quantity.hpp"
 #include "member/run_member.hpp"
@@ -164,7 +166,7 @@ std::optional<LargestValue> largest_in(const StoredHistories& histories, const A
 }  // namespace
 
 double time_of_largest(const ReplaySubject& subject) {
-    double time = std::numeric_limits<double>::quiet_NaN();
+    double time = undefined;
     const std::vector<const ArrayOutput*> of = histories_of(subject.about.asked.of);
     if (of.empty()) return time;
     for_each_histories(
@@ -178,7 +180,7 @@ double time_of_largest(const ReplaySubject& subject) {
 
 double time_of_largest_tension(const ReplaySubject& subject, const std::stop_token& stop,
                                const ReplayProgress& progress) {
-    double time = std::numeric_limits<double>::quiet_NaN();
+    double time = undefined;
     if (subject.about.scenario.moorings.line_count() == 0) return time;
     HullHistory hull;
     double most = -std::numeric_limits<double>::infinity();
@@ -196,7 +198,7 @@ double time_of_largest_tension(const ReplaySubject& subject, const std::stop_tok
 }
 
 std::vector<double> largest_values(const CampaignFile& file, const CampaignTable& table, const Asked& asked) {
-    std::vector<double> values(table.members.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> values(table.members.size(), undefined);
     const bool of_step = asked.of == AskedOf::load && !asked.averaged();
     if (of_step || asked.of == AskedOf::tension) {
         const Quantity& from = *find_quantity(of_step ? "maximum_load" : "largest_line_tension");
@@ -317,12 +319,12 @@ const char* lacks(AskedOf of) {
     return "its structure does not give way (moorings.mass_t), or it keeps no histories (analysis.history_steps = 0)";
 }
 
-int largest_of_members(std::span<const double> values, const std::function<bool(int number)>& wanted,
+int largest_of_members(const CampaignTable& table, const MemberChoice& choice, std::span<const double> values,
                        const Asked& asked) {
     std::optional<int> worst;
     bool done = false;
     for (int k = 0; k < std::ssize(values); ++k) {
-        if (!wanted(k)) continue;
+        if (!choice.leaves(table, k)) continue;
         done = true;
         const double value = values[static_cast<std::size_t>(k)];
         if (!std::isnan(value) && (!worst || value > values[static_cast<std::size_t>(*worst)])) worst = k;
@@ -335,31 +337,29 @@ int largest_of_members(std::span<const double> values, const std::function<bool(
 
 }  // namespace
 
+bool MemberChoice::leaves(const CampaignTable& table, int member) const {
+    const MemberRow& row = table.members[static_cast<std::size_t>(member)];
+    const auto cases = static_cast<int>(table.cases.size());
+    return row.done() &&
+           (case_name.empty() || table.cases[static_cast<std::size_t>(row.case_index)].name == case_name) &&
+           (!arrangement || member / cases == *arrangement);
+}
+
 int chosen_member(const CampaignTable& table, const MemberChoice& choice, std::span<const double> values,
                   const Asked& asked) {
     if (choice.number) return *choice.number;
     const auto cases = static_cast<int>(table.cases.size());
     const int arrangements = static_cast<int>(table.members.size()) / std::max(cases, 1);
     const auto named = std::ranges::find(table.cases, choice.case_name, &CaseRow::name);
-    if (!choice.case_name.empty() && named == table.cases.end()) {
-        std::vector<std::string> names;
-        for (const CaseRow& one : table.cases) names.push_back(one.name);
-        throw InputError(
-            fmt::format("There is no case {}; the cases are {}.", choice.case_name, fmt::join(names, ", ")));
-    }
+    if (!choice.case_name.empty() && named == table.cases.end())
+        throw InputError(fmt::format("There is no case {}; the cases are {}.", choice.case_name,
+                                     fmt::join(table.cases | std::views::transform(&CaseRow::name), ", ")));
     if (choice.arrangement.value_or(0) >= arrangements)
         throw InputError(fmt::format("There is no arrangement {}; the arrangements are 0 to {}.", *choice.arrangement,
                                      arrangements - 1));
     const bool any_case = choice.case_name.empty();
     const auto case_index = static_cast<int>(named - table.cases.begin());
-    if (choice.worst) {
-        const auto wanted = [&](int number) {
-            const MemberRow& row = table.members[static_cast<std::size_t>(number)];
-            return row.done() && (any_case || row.case_index == case_index) &&
-                   (!choice.arrangement || number / cases == *choice.arrangement);
-        };
-        return largest_of_members(values, wanted, asked);
-    }
+    if (choice.worst) return largest_of_members(table, choice, values, asked);
     if ((any_case && cases > 1) || (!choice.arrangement && arrangements > 1))
         throw InputError(
             "Which member? Give its number, --case and --arrangement, or --worst for the one with the largest load.");

@@ -103,6 +103,8 @@ struct MemberChoice {
     bool worst = false;
 
     bool given() const { return number || !case_name.empty() || arrangement || worst; }
+    /// Whether it is one of the done members that case and arrangement leave.
+    bool leaves(const CampaignTable& table, int member) const;
 };
 
 /// Throws InputError when no member, or more than one, is meant. `values`: as largest_values(), of what is asked.
