@@ -63,7 +63,6 @@ Canvas::Canvas(const std::filesystem::path& svg, int width, int height)
     cairo_svg_surface_set_document_unit(surface_->surface, CAIRO_SVG_UNIT_PX);  // else points, a third more
 }
 
-Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas::~Canvas() = default;
 
 int Canvas::width() const {

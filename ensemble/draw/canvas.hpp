@@ -22,7 +22,6 @@ class Canvas {
     Canvas(int width, int height);
     /// As vectors, in an SVG file that finish() completes. Throws RunError when it cannot be written.
     Canvas(const std::filesystem::path& svg, int width, int height);
-    Canvas(Canvas&&) noexcept;
     ~Canvas();
 
     int width() const;

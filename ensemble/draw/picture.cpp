@@ -66,10 +66,14 @@ double draw_sample(Canvas& canvas, const Vec2& at, const Colour& colour, const s
     return at.x() + 24 * unit + canvas.text(at + Vec2(24 * unit, 0), words, bright, 13 * unit) + 16 * unit;
 }
 
-/// A dark ground for words, between two corners.
+/// Between two corners.
+void draw_box(Canvas& canvas, const Vec2& from, const Vec2& to, const Colour& colour) {
+    canvas.fill(std::array<Vec2, 4>{from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())}, colour);
+}
+
+/// A dark ground for words.
 void draw_ground(Canvas& canvas, const Vec2& from, const Vec2& to) {
-    canvas.fill(std::array<Vec2, 4>{from, Vec2(to.x(), from.y()), to, Vec2(from.x(), to.y())},
-                {0.04, 0.10, 0.16, 0.62});
+    draw_box(canvas, from, to, {0.04, 0.10, 0.16, 0.62});
 }
 
 }  // namespace
@@ -370,11 +374,6 @@ HistoryStrip asked_strip(const RecordingSubject& subject, const RecordingOutcome
                        std::move(values));
 }
 
-/// As many as strips_of() has.
-std::size_t strip_count(const RecordingSubject& subject) {
-    return subject.scenario.moorings.give_way() ? strips_of(subject, {}).size() : 1;
-}
-
 }  // namespace
 
 std::vector<HistoryStrip> strips_of(const RecordingSubject& subject, const RecordingOutcome& outcome) {
@@ -463,7 +462,7 @@ constexpr double more_strip_share = 0.075;  // for each other strip
 
 /// Of all strips.
 double strip_height(const PictureStyle& style, const RecordingSubject& subject) {
-    const double share = strip_share + more_strip_share * static_cast<double>(strip_count(subject) - 1);
+    const double share = strip_share + more_strip_share * static_cast<double>(strips_of(subject, {}).size() - 1);
     return std::round(share * (style.view == View::plan ? 0.6 * style.width : style.height));
 }
 
@@ -538,9 +537,7 @@ void draw_legend(Canvas& canvas, const Stage& stage, const PictureStyle& style, 
     const double left = 16 * unit;
     const double size = 14 * unit;
     const auto box = [&](double x, double width, const Colour& colour) {
-        canvas.fill(std::array<Vec2, 4>{Vec2(x, bottom - 24 * unit), Vec2(x + width, bottom - 24 * unit),
-                                        Vec2(x + width, bottom - 10 * unit), Vec2(x, bottom - 10 * unit)},
-                    colour);
+        draw_box(canvas, {x, bottom - 24 * unit}, {x + width, bottom - 10 * unit}, colour);
     };
     draw_ground(canvas, {0, bottom - 36 * unit}, {440 * unit, bottom});
     const auto word = [&](double x, const std::string& text) {
@@ -618,8 +615,7 @@ void draw_histories(Canvas& canvas, const Stage& stage, const Frame& frame, cons
     const double top = canvas.height() - high;
     const double step = stage.subject().scenario.general.time_step;
     const double width = style.width;
-    canvas.fill(std::array<Vec2, 4>{Vec2(0, top), Vec2(width, top), Vec2(width, top + high), Vec2(0, top + high)},
-                bright);
+    draw_box(canvas, {0, top}, {width, top + high}, bright);
     const std::vector<double>& surge = stage.outcome().history.surge;
     if (surge.empty()) return;
     const bool whole = !(style.to > style.from);

@@ -22,9 +22,17 @@ int cell_of(double coordinate, int count) {
     return std::clamp(static_cast<int>(std::floor((coordinate + 1) / 2 * count)), 0, count - 1);
 }
 
-std::vector<double> shares(const std::vector<int>& left, const std::vector<int>& points) {
+/// Share of the points in each of `count` places that is not ruled out; NaN without points. `place_of`: a row's.
+std::vector<double> shares(const Matching& found, std::size_t count, const auto& place_of) {
+    std::vector<int> points(count, 0);
+    std::vector<int> left(count, 0);
+    for (int row = 0; row < found.sampled; ++row) {
+        const std::size_t at = place_of(row);
+        ++points[at];
+        left[at] += found.implausibility[row] <= ruled_out_above;
+    }
     std::vector<double> made;
-    for (std::size_t k = 0; k < points.size(); ++k)
+    for (std::size_t k = 0; k < count; ++k)
         made.push_back(points[k] > 0 ? static_cast<double>(left[k]) / points[k] : undefined);
     return made;
 }
@@ -38,30 +46,21 @@ int match_cell_count(const Matching& found) {
 MatchCells match_cells(const Matching& found, int first_axis, int second_axis, int side) {
     FLOES_EXPECTS(side >= 1 && first_axis >= 0 && second_axis >= 0);
     const auto cells = static_cast<std::size_t>(side * side);
-    MatchCells made{side, std::vector<double>(cells, undefined), {}};
-    std::vector<int> points(cells, 0);
-    std::vector<int> left(cells, 0);
+    const auto cell_at = [&](int row) {
+        return static_cast<std::size_t>(cell_of(found.points(row, second_axis), side) * side +
+                                        cell_of(found.points(row, first_axis), side));
+    };
+    MatchCells made{side, std::vector<double>(cells, undefined), shares(found, cells, cell_at)};
     for (int row = 0; row < found.sampled; ++row) {
-        const auto at = static_cast<std::size_t>(cell_of(found.points(row, second_axis), side) * side +
-                                                 cell_of(found.points(row, first_axis), side));
-        const double implausibility = found.implausibility[row];
-        made.least[at] = std::fmin(made.least[at], implausibility);  // fmin ignores the NaN of an empty cell
-        ++points[at];
-        left[at] += implausibility <= ruled_out_above;
+        double& least = made.least[cell_at(row)];
+        least = std::fmin(least, found.implausibility[row]);  // fmin ignores the NaN of an empty cell
     }
-    made.depth = shares(left, points);
     return made;
 }
 
 std::vector<double> share_along(const Matching& found, int axis, int count) {
-    std::vector<int> points(static_cast<std::size_t>(count), 0);
-    std::vector<int> left(static_cast<std::size_t>(count), 0);
-    for (int row = 0; row < found.sampled; ++row) {
-        const auto at = static_cast<std::size_t>(cell_of(found.points(row, axis), count));
-        ++points[at];
-        left[at] += found.implausibility[row] <= ruled_out_above;
-    }
-    return shares(left, points);
+    return shares(found, static_cast<std::size_t>(count),
+                  [&](int row) { return static_cast<std::size_t>(cell_of(found.points(row, axis), count)); });
 }
 
 namespace {
@@ -96,9 +95,7 @@ std::string fill(const Band& band, const std::string& shape) {
 }
 
 std::string words(double x, double y, const char* anchor, const std::string& text, const char* style = "small") {
-    if (text.empty()) return "";
-    return fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, x, y, anchor,
-                       markup_escaped(text));
+    return text.empty() ? "" : svg_text(x, y, text, anchor, style);
 }
 
 /// One panel, on the screen: coordinates -1 to 1 from left to right and from the floor up.

@@ -162,17 +162,12 @@ std::string counts_of(const std::vector<CaseStatus>& cases) {
     return "<div class=\"wide\"><table>" + rows + "</table></div>\n";
 }
 
-/// Tables of many cases are closed at first.
-std::string folded(std::size_t cases, const std::string& table) {
-    if (cases <= few_cases) return table;
-    return fmt::format("<details><summary>All {} cases</summary>{}</details>\n", cases, table);
-}
-
-/// All together, then each.
+/// All together, then each; a table of many cases is closed at first.
 std::string counts(const CampaignStatus& status) {
     if (status.cases.size() == 1) return counts_of(status.cases);
     if (status.cases.size() > few_cases)
-        return counts_of({total_of(status)}) + folded(status.cases.size(), counts_of(status.cases));
+        return counts_of({total_of(status)}) + fmt::format("<details><summary>All {} cases</summary>{}</details>\n",
+                                                           status.cases.size(), counts_of(status.cases));
     std::vector<CaseStatus> rows{total_of(status)};
     rows.insert(rows.end(), status.cases.begin(), status.cases.end());
     return counts_of(rows);

@@ -306,8 +306,7 @@ class Drawing {
         return floor_ - share_of(figure_.y, value) * (figure_.size.height - top - bottom);
     }
     void write(double x, double y, std::string_view words, std::string_view anchor, std::string_view style = {}) {
-        body_ += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, x, y,
-                             anchor, markup_escaped(words));
+        body_ += svg_text(x, y, words, anchor, style);
     }
     void draw_axes();
     void draw_legend();

@@ -92,6 +92,13 @@ inline std::string panels(const std::vector<std::string>& svgs, const std::strin
     return all.empty() ? "" : figure("<div class=\"panels\">\n" + all + "</div>\n", caption);
 }
 
+/// `anchor`: which part of the words stands at x: "start", "middle" or "end".
+inline std::string svg_text(double x, double y, std::string_view words, std::string_view anchor,
+                            std::string_view style) {
+    return fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>", style, x, y, anchor,
+                       markup_escaped(words));
+}
+
 inline std::string paragraph(const std::string& text) {
     return fmt::format("<p>{}</p>\n", markup_escaped(text));
 }
