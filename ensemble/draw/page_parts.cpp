@@ -1,7 +1,5 @@
 #include "draw/page_parts.hpp"
 
-#include <zlib.h>
-
 #include <array>
 #include <ostream>
 
@@ -35,50 +33,34 @@ void write_stream(std::ostream& page, std::string_view id, std::span<const std::
     page << "</script>\n";
 }
 
-class Deflater::Stream {
-  public:
-    Stream() {
-        if (deflateInit(&state_, Z_DEFAULT_COMPRESSION) != Z_OK) throw RunError("zlib has no memory to compress with");
-    }
-    ~Stream() { deflateEnd(&state_); }
-    Stream(const Stream&) = delete;
-    Stream& operator=(const Stream&) = delete;
-
-    void feed(std::span<const std::byte> bytes, int flush) {
-        // zlib's interface takes a pointer to what it only reads.
-        state_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
-        state_.avail_in = static_cast<uInt>(bytes.size());
-        std::array<std::byte, 1 << 16> room;
-        do {
-            state_.next_out = reinterpret_cast<Bytef*>(room.data());
-            state_.avail_out = static_cast<uInt>(room.size());
-            deflate(&state_, flush);
-            packed_.insert(packed_.end(), room.begin(), room.end() - state_.avail_out);
-        } while (state_.avail_out == 0);
-    }
-
-    Bytes& packed() { return packed_; }
-
-  private:
-    z_stream state_{};
-    Bytes packed_;
-};
-
-Deflater::Deflater() : stream_(std::make_unique<Stream>()) {}
-Deflater::~Deflater() = default;
-Deflater::Deflater(Deflater&&) noexcept = default;
-
-void Deflater::add(std::span<const std::byte> bytes) {
-    stream_->feed(bytes, Z_NO_FLUSH);
+Deflater::Deflater() {
+    if (deflateInit(&state_, Z_DEFAULT_COMPRESSION) != Z_OK) throw RunError("zlib has no memory to compress with");
 }
 
-std::size_t Deflater::size() const {
-    return stream_->packed().size();
+Deflater::~Deflater() {
+    deflateEnd(&state_);
+}
+
+void Deflater::feed(std::span<const std::byte> bytes, int flush) {
+    // zlib's interface takes a pointer to what it only reads.
+    state_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(bytes.data()));
+    state_.avail_in = static_cast<uInt>(bytes.size());
+    std::array<std::byte, 1 << 16> room;
+    do {
+        state_.next_out = reinterpret_cast<Bytef*>(room.data());
+        state_.avail_out = static_cast<uInt>(room.size());
+        deflate(&state_, flush);
+        packed_.insert(packed_.end(), room.begin(), room.end() - state_.avail_out);
+    } while (state_.avail_out == 0);
+}
+
+void Deflater::add(std::span<const std::byte> bytes) {
+    feed(bytes, Z_NO_FLUSH);
 }
 
 Bytes Deflater::finish() {
-    stream_->feed({}, Z_FINISH);
-    return std::move(stream_->packed());
+    feed({}, Z_FINISH);
+    return std::move(packed_);
 }
 
 Bytes deflated(std::span<const std::byte> bytes) {

@@ -2,12 +2,13 @@
 // What the pages with scripts are made of: templates and scripts of page_assets/, numbers as compressed streams, JSON.
 // A page asks nothing of the network. For this module and its tests.
 
+#include <zlib.h>
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iosfwd>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,17 +46,20 @@ class Deflater {
   public:
     Deflater();
     ~Deflater();
-    Deflater(Deflater&&) noexcept;
+    Deflater(const Deflater&) = delete;
+    Deflater& operator=(const Deflater&) = delete;
 
     void add(std::span<const std::byte> bytes);
     /// Counts the compressed bytes so far; those that zlib still holds back are not counted.
-    std::size_t size() const;
+    std::size_t size() const { return packed_.size(); }
     /// All compressed bytes. The last call.
     Bytes finish();
 
   private:
-    class Stream;
-    std::unique_ptr<Stream> stream_;
+    void feed(std::span<const std::byte> bytes, int flush);
+
+    z_stream state_{};
+    Bytes packed_;
 };
 
 /// Bytes that are all there, compressed.

@@ -111,8 +111,8 @@ void FramePacker::add_states(const Frame& frame) {
             before(part) = now[part];
         }
     }
-    packed_low_.add(low_);
-    packed_high_.add(high_);
+    packed(FrameStream::low).add(low_);
+    packed(FrameStream::high).add(high_);
 }
 
 void FramePacker::add_utilisation(const Frame& frame) {
@@ -123,7 +123,7 @@ void FramePacker::add_utilisation(const Frame& frame) {
         differences[e] = static_cast<std::byte>(now - percent_[e]);
         percent_[e] = now;
     }
-    packed_utilisation_.add(differences);
+    packed(FrameStream::utilisation).add(differences);
 }
 
 void FramePacker::add_contacts(const Frame& frame) {
@@ -137,12 +137,12 @@ void FramePacker::add_contacts(const Frame& frame) {
             for (int axis = 0; axis < 3; ++axis) put(bytes, rounded(force[axis] / quanta_.force));
         put(bytes, static_cast<std::int16_t>(of_structure(contact) ? 1 : 0));
     }
-    packed_contacts_.add(bytes);
+    packed(FrameStream::contacts).add(bytes);
     Bytes numbers;
     put(numbers, static_cast<float>(frame.time));
     for (int axis = 0; axis < 3; ++axis) put(numbers, static_cast<float>(frame.load[axis]));
     put(numbers, count);
-    packed_numbers_.add(numbers);
+    packed(FrameStream::numbers).add(numbers);
 }
 
 void FramePacker::add_pieces(const Frame& frame) {
@@ -156,22 +156,19 @@ void FramePacker::add_pieces(const Frame& frame) {
         put(changes, static_cast<std::int32_t>(e));
         put(changes, pieces_[e]);
     }
-    packed_pieces_.add(changes);
+    packed(FrameStream::pieces).add(changes);
 }
 
 std::size_t FramePacker::size() const {
-    return packed_low_.size() + packed_high_.size() + packed_utilisation_.size() + packed_numbers_.size() +
-           packed_contacts_.size() + packed_pieces_.size();
+    std::size_t all = 0;
+    for (const Deflater& one : packed_) all += one.size();
+    return all;
 }
 
 PackedFrames FramePacker::finish() {
-    return {frames_,
-            packed_low_.finish(),
-            packed_high_.finish(),
-            packed_utilisation_.finish(),
-            packed_numbers_.finish(),
-            packed_contacts_.finish(),
-            packed_pieces_.finish()};
+    PackedFrames made{.frames = frames_};
+    std::ranges::transform(packed_, made.streams.begin(), &Deflater::finish);
+    return made;
 }
 
 ThinnedHistory thinned(std::span<const double> history, int begin, int end, int most) {
@@ -380,16 +377,6 @@ json hull_histories(const Recording& recording) {
     return all;
 }
 
-/// The streams by the names that they have in the page.
-std::array<std::pair<const char*, const Bytes*>, 6> streams_of(const PackedFrames& frames) {
-    return {{{"low", &frames.low},
-             {"high", &frames.high},
-             {"utilisation", &frames.utilisation},
-             {"numbers", &frames.numbers},
-             {"contacts", &frames.contacts},
-             {"pieces", &frames.pieces}}};
-}
-
 /// Broken ones and all, of each frame.
 json counts(const std::vector<FloeCounts>& floes) {
     json all = json::array();
@@ -466,7 +453,7 @@ Attempt pack(const Recording& recording, const Quanta& quanta, int stride, std::
     PackedFrames frames = packer.finish();
     frames.floes = std::move(floes);
     std::size_t size = 0;
-    for (const auto& [name, stream] : streams_of(frames)) size += stream->size();
+    for (const Bytes& stream : frames.streams) size += stream.size();
     if (size > most) return {std::nullopt, static_cast<double>(size)};
     return {std::move(frames), static_cast<double>(size)};
 }
@@ -483,10 +470,6 @@ PackedFrames pack_within(const Recording& recording, const Quanta& quanta, std::
         // Frames farther apart differ more, so fewer of them take more bytes each.
         stride = std::max(stride + 1, static_cast<int>(stride * attempt.expected / static_cast<double>(most)));
     }
-}
-
-void write_frames(std::ostream& page, const PackedFrames& frames) {
-    for (const auto& [name, stream] : streams_of(frames)) write_stream(page, name, *stream);
 }
 
 std::string_view pattern() {
@@ -519,7 +502,8 @@ void write_replay_page(std::ostream& page, const Recording& recording, const Pag
             else if (name == "header")
                 page << in_a_script(page_header(recording, quanta, frames, options.start));
             else if (name == "frames")
-                write_frames(page, frames);
+                for (std::size_t k = 0; k < stream_names.size(); ++k)
+                    write_stream(page, stream_names[k], frames.streams[k]);
             else
                 page << asset(name).value();
         });

@@ -1,6 +1,7 @@
 #pragma once
 // The page of a replay, one self-contained HTML file, and what it plays: frames as few bytes, and thinned histories.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -42,10 +43,15 @@ struct Quanta {
 /// Such that every position and every force fits into an int16. Reads all frames.
 Quanta quanta_of(const Recording& recording);
 
+enum class FrameStream : std::uint8_t { low, high, utilisation, numbers, contacts, pieces };
+inline constexpr std::array<const char*, 6> stream_names{"low", "high", "utilisation", "numbers", "contacts", "pieces"};
+
 struct PackedFrames {
     int frames = 0;
-    Bytes low, high, utilisation, numbers, contacts, pieces;
+    std::array<Bytes, stream_names.size()> streams = {};
     std::vector<FloeCounts> floes = {};  ///< of each frame, where they come and go
+
+    const Bytes& of(FrameStream stream) const { return streams.at(static_cast<std::size_t>(stream)); }
 };
 
 class FramePacker {
@@ -61,6 +67,7 @@ class FramePacker {
     PackedFrames finish();
 
   private:
+    Deflater& packed(FrameStream stream) { return packed_.at(static_cast<std::size_t>(stream)); }
     void add_states(const Frame& frame);
     void add_utilisation(const Frame& frame);
     void add_contacts(const Frame& frame);
@@ -75,7 +82,7 @@ class FramePacker {
     std::vector<std::uint8_t> percent_;
     std::vector<int> pieces_;
     Bytes low_, high_;  // of the frame; they keep their memory
-    Deflater packed_low_, packed_high_, packed_utilisation_, packed_numbers_, packed_contacts_, packed_pieces_;
+    std::array<Deflater, stream_names.size()> packed_;
 };
 
 // A load history for the eye: few enough points to draw, with every peak.

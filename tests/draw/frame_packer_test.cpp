@@ -28,18 +28,18 @@ std::vector<Value> inflated(const Bytes& packed) {
 class Unpacked {
   public:
     Unpacked(const PackedFrames& packed, std::size_t elements)
-        : numbers(inflated<float>(packed.numbers)),
-          contacts(inflated<std::int16_t>(packed.contacts)),
-          pieces(inflated<std::int32_t>(packed.pieces)),
+        : numbers(inflated<float>(packed.of(FrameStream::numbers))),
+          contacts(inflated<std::int16_t>(packed.of(FrameStream::contacts))),
+          pieces(inflated<std::int32_t>(packed.of(FrameStream::pieces))),
           elements_(elements) {
-        const auto low = inflated<std::uint8_t>(packed.low);
-        const auto high = inflated<std::uint8_t>(packed.high);
+        const auto low = inflated<std::uint8_t>(packed.of(FrameStream::low));
+        const auto high = inflated<std::uint8_t>(packed.of(FrameStream::high));
         states_.resize(low.size());
         for (std::size_t i = 0; i < low.size(); ++i) {
             const int before = i < 7 * elements ? 0 : states_[i - 7 * elements];
             states_[i] = static_cast<std::int16_t>(before + (low[i] | high[i] << 8));
         }
-        percent = inflated<std::uint8_t>(packed.utilisation);
+        percent = inflated<std::uint8_t>(packed.of(FrameStream::utilisation));
         for (std::size_t i = elements; i < percent.size(); ++i)
             percent[i] = static_cast<std::uint8_t>(percent[i] + percent[i - elements]);
     }

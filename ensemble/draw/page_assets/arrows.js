@@ -56,11 +56,9 @@ class Arrows {
   constructor(most) {
     this.geometry = arrowGeometry(12);
     this.most = most;
-    for (const [name, each] of [['start', 3], ['along', 3], ['paint', 3], ['thick', 1]]) {
-      const attribute = new THREE.InstancedBufferAttribute(new Float32Array(each * most), each);
-      attribute.setUsage(THREE.DynamicDrawUsage);
-      this.geometry.setAttribute(name, attribute);
-    }
+    for (const [name, each] of [['start', 3], ['along', 3], ['paint', 3], ['thick', 1]])
+      this.geometry.setAttribute(name,
+        new THREE.InstancedBufferAttribute(new Float32Array(each * most), each).setUsage(THREE.DynamicDrawUsage));
     const material = new THREE.ShaderMaterial({
       vertexShader: arrowVertexShader, fragmentShader: arrowFragmentShader,
     });

@@ -6,11 +6,6 @@ const $ = id => document.getElementById(id);
 class Controls {
   constructor(player) {
     this.player = player;
-    this.connect();
-  }
-
-  connect() {
-    const {player} = this;
     const on = (id, name, listener) => $(id).addEventListener(name, listener);
     on('play', 'click', () => player.play(!player.playing));
     on('back', 'click', () => player.step(-1));

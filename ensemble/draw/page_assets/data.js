@@ -1,6 +1,6 @@
 'use strict';
 // Reads what the program put into the page: a header in JSON and six compressed streams, which ensemble/draw/
-// frame_packer.hpp describes. Positions stay whole numbers of quanta; the graphics card turns them into metres.
+// replay_page.hpp describes. Positions stay whole numbers of quanta; the graphics card turns them into metres.
 
 // Adds up the differences between frames. Elements lie together: x, y, z of one, then of the next; likewise the parts
 // x, y, z, w of their quaternions, which is the order of the shaders.

@@ -22,10 +22,11 @@ class Explorer {
     this.colours = new Colours(data);
     const byCase = this.column('case');
     this.colours.by(byCase && byCase.categories.length <= 6 ? byCase : inputs[1] || null);
-    this.scatter = new Scatter(byId('scatter'), this);
-    this.histogram = new Histogram(byId('histogram'), this);
-    this.histories = data.history ? new Histories(byId('histories'), this) : null;
-    this.parallel = this.axes.length > 1 ? new Parallel(byId('parallel'), this) : null;
+    this.scatter = new Scatter(byId('scatter'), this, {left: 58, right: 14, top: 20, bottom: 36});
+    this.histogram = new Histogram(byId('histogram'), this, {left: 44, right: 14, top: 6, bottom: 36});
+    this.histories = data.history &&
+      new Histories(byId('histories'), this, {left: 58, right: 14, top: 20, bottom: 36});
+    this.parallel = this.axes.length > 1 ? new Parallel(byId('parallel'), this, {left: 62, right: 62, top: 42, bottom: 12}) : null;
     this.member = new PickedMember(byId('picked'), this);
     this.y.values.forEach((value, i) => {
       if (this.picked < 0 || value > this.y.values[this.picked]) this.picked = i;
@@ -138,6 +139,12 @@ function drawRanges(explorer) {
   if (host.contains(document.activeElement) && document.activeElement.type === 'number') return;
   host.replaceChildren();
   const {marks, data} = explorer;
+  const addBox = (box, what, drop) => {
+    const button = element('button', '×', {type: 'button', 'aria-label': `Drop the ${what}`});
+    button.addEventListener('click', drop);
+    box.append(button);
+    host.append(box);
+  };
   for (const [place, range] of marks.ranges) {
     const column = data.columns[place];
     const box = element('span', undefined, {class: 'range'});
@@ -155,19 +162,13 @@ function drawRanges(explorer) {
       });
       box.append(k === 0 ? '' : 'to', input);
     });
-    const drop = element('button', '×', {type: 'button', 'aria-label': `Drop the range of ${column.words}`});
-    drop.addEventListener('click', () => explorer.setRanges([[column, null]], null));
-    box.append(drop);
-    host.append(box);
+    addBox(box, `range of ${column.words}`, () => explorer.setRanges([[column, null]], null));
   }
   if (!marks.window) return;
   const {from, to, low, high} = marks.window;
   const box = element('span', `surge load from ${low.toPrecision(3)} to ${high.toPrecision(3)} ${data.header.history.unit}, ` +
     `at ${from.toPrecision(3)} to ${to.toPrecision(3)} s`, {class: 'range'});
-  const drop = element('button', '×', {type: 'button', 'aria-label': 'Drop the window of the histories'});
-  drop.addEventListener('click', () => explorer.setWindow(null, null));
-  box.append(drop);
-  host.append(box);
+  addBox(box, 'window of the histories', () => explorer.setWindow(null, null));
 }
 
 function drawLegend({colours, colours: {column}}) {

@@ -56,7 +56,7 @@ class PickedMember {
     const {parts, quantum, ends, windows, unit} = about;
     const first = 2 * picked * parts;
     if (data.history[first] === noHistory) return;
-    const plot = new Plot(this.host.appendChild(element('div', undefined, {class: 'plot'})),
+    const plot = new Plot(this.host.appendChild(element('div', undefined, {class: 'plot'})), explorer,
                           {left: 44, right: 8, top: 18, bottom: 32});
     plot.fit();
     const own = data.history.subarray(first, first + 2 * parts);
@@ -67,7 +67,7 @@ class PickedMember {
     const [from, to] = windows[data.cases[picked]];
     context.fillStyle = colours.css('window');
     context.fillRect(plot.x(from), 0, plot.x(to) - plot.x(from), plot.height);
-    Histories.prototype.line.call({explorer, x: plot.x, y: plot.y}, context, picked, colours.css('pick'), 1.2);
+    Histories.prototype.line.call(plot, context, picked, colours.css('pick'), 1.2);
     plot.axis(plot.x, 'bottom', `translate(0,${plot.height})`, null, 5);
     plot.axis(plot.y, 'left', '', null, 3);
     plot.title('time, s; the measured window is shaded', plot.width, plot.height + 29, 'end');

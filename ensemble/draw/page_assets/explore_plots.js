@@ -58,8 +58,9 @@ function pixelOf(colour) {
 
 class Plot {
   // `margin`: px, of the axes.
-  constructor(host, margin) {
+  constructor(host, explorer, margin) {
     this.host = host;
+    this.explorer = explorer;
     this.margin = margin;
     this.base = host.appendChild(document.createElement('canvas'));
     this.top = host.appendChild(document.createElement('canvas'));
@@ -136,11 +137,6 @@ function besideEachOther(member) {
 }
 
 class Scatter extends Plot {
-  constructor(host, explorer) {
-    super(host, {left: 58, right: 14, top: 20, bottom: 36});
-    this.explorer = explorer;
-  }
-
   draw() {
     this.fit();
     const {x, y, xLog, yLog, marks} = this.explorer;
@@ -270,11 +266,6 @@ class Scatter extends Plot {
 }
 
 class Histogram extends Plot {
-  constructor(host, explorer) {
-    super(host, {left: 44, right: 14, top: 6, bottom: 36});
-    this.explorer = explorer;
-  }
-
   draw() {
     const {spread, data, marks} = this.explorer;
     const cases = data.header.cases.length;
@@ -352,11 +343,6 @@ class Histogram extends Plot {
 }
 
 class Histories extends Plot {
-  constructor(host, explorer) {
-    super(host, {left: 58, right: 14, top: 20, bottom: 36});
-    this.explorer = explorer;
-  }
-
   draw() {
     this.fit();
     const {data, marks, data: {history, header: {history: about}}} = this.explorer;
@@ -428,11 +414,6 @@ class Histories extends Plot {
 }
 
 class Parallel extends Plot {
-  constructor(host, explorer) {
-    super(host, {left: 62, right: 62, top: 42, bottom: 12});
-    this.explorer = explorer;
-  }
-
   draw() {
     const {axes, data, marks} = this.explorer;
     this.host.style.minWidth = `${Math.max(1, axes.length) * 6.5}rem`;

@@ -80,6 +80,11 @@ void main() {
 
 const sunDirection = new THREE.Vector3(-0.45, 0.8, 0.5).normalize();
 
+// How strong the line of an edge is where no joint has failed: of an outline, of that of a broken floe, or of neither.
+function lineOf({outlines, floeOf}, element, edge, brokenFloes) {
+  return !(outlines[element] >> edge & 1) ? 0 : brokenFloes.has(floeOf[element]) ? 191 : 128;
+}
+
 class Ice {
   constructor(replay) {
     this.replay = replay;
@@ -90,11 +95,8 @@ class Ice {
     this.geometry.setAttribute('position', box.attributes.position);
     this.geometry.setAttribute('normal', box.attributes.normal);
     this.geometry.maxInstancedCount = elements;
-    const add = (name, array, each, normalised) => {
-      const attribute = new THREE.InstancedBufferAttribute(array, each, normalised);
-      attribute.setUsage(THREE.DynamicDrawUsage);
-      this.geometry.setAttribute(name, attribute);
-    };
+    const add = (name, array, each, normalised) => this.geometry.setAttribute(name,
+      new THREE.InstancedBufferAttribute(array, each, normalised).setUsage(THREE.DynamicDrawUsage));
     for (const frame of ['A', 'B']) {
       add('place' + frame, new Int16Array(3 * elements), 3, false);
       add('turn' + frame, new Int16Array(4 * elements), 4, false);
@@ -123,12 +125,8 @@ class Ice {
   }
 
   useTheme() {
-    const {water, jointLine, rimLine, brokenLine, failedLine} = this.material.uniforms;
-    water.value.set(styled('water'));
-    jointLine.value.set(styled('joint'));
-    rimLine.value.set(styled('rim'));
-    brokenLine.value.set(styled('broken'));
-    failedLine.value.set(styled('failed'));
+    const names = {water: 'water', jointLine: 'joint', rimLine: 'rim', brokenLine: 'broken', failedLine: 'failed'};
+    for (const [uniform, name] of Object.entries(names)) this.material.uniforms[uniform].value.set(styled(name));
   }
 
   lookFrom(camera) {
@@ -167,14 +165,10 @@ class Ice {
   markFailures(failures, brokenFloes) {
     if (this.failures === failures.length) return;
     this.failures = failures.length;
-    const {elements, floeOf, outlines} = this.replay;
+    const {elements, corners} = this.replay;
     const edges = this.geometry.attributes.edges.array;
     for (let e = 0; e < elements; ++e)
-      for (let k = 0; k < 4; ++k) {
-        const isRim = outlines[e] >> k & 1;
-        edges[4 * e + k] = !isRim ? 0 : brokenFloes.has(floeOf[e]) ? 191 : 128;
-      }
-    const {corners} = this.replay;
+      for (let k = 0; k < 4; ++k) edges[4 * e + k] = lineOf(this.replay, e, k, brokenFloes);
     for (const [, , , a, edgeOfA, b, edgeOfB] of failures) {
       if (!corners[a]) edges[4 * a + Math.log2(edgeOfA)] = 255;
       if (!corners[b]) edges[4 * b + Math.log2(edgeOfB)] = 255;

@@ -53,11 +53,8 @@ class PolygonIce {
     });
     const count = this.elementOf.length;
     this.geometry = new THREE.BufferGeometry();
-    const add = (name, array, each, normalised) => {
-      const attribute = new THREE.BufferAttribute(array, each, normalised);
-      attribute.setUsage(THREE.DynamicDrawUsage);
-      this.geometry.setAttribute(name, attribute);
-    };
+    const add = (name, array, each, normalised) => this.geometry.setAttribute(name,
+      new THREE.BufferAttribute(array, each, normalised).setUsage(THREE.DynamicDrawUsage));
     add('position', new Float32Array(position), 3, false);
     add('side', new Float32Array(side), 3, false);
     add('inwards', new Float32Array(inwards), 1, false);
@@ -86,7 +83,6 @@ class PolygonIce {
   }
 
   markFailures(failures, brokenFloes) {
-    const {floeOf, outlines} = this.replay;
     const failed = new Map();
     const mark = (element, bits) => failed.set(element, failed.get(element) | bits);
     for (const [, , , a, edgeOfA, b, edgeOfB] of failures) {
@@ -96,9 +92,7 @@ class PolygonIce {
     const attribute = this.geometry.attributes.edge;
     this.elementOf.forEach((element, vertex) => {
       const edge = this.edgeOf[vertex];
-      const isRim = outlines[element] >> edge & 1;
-      attribute.array[vertex] = failed.get(element) >> edge & 1 ? 255
-        : !isRim ? 0 : brokenFloes.has(floeOf[element]) ? 191 : 128;
+      attribute.array[vertex] = failed.get(element) >> edge & 1 ? 255 : lineOf(this.replay, element, edge, brokenFloes);
     });
     attribute.needsUpdate = true;
   }
