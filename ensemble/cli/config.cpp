@@ -4,7 +4,6 @@
 #include <array>
 #include <iostream>
 #include <string_view>
-#include <vector>
 
 #include <tbb/info.h>
 

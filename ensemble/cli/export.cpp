@@ -1,7 +1,6 @@
 // floes export: the load of members as files that other programs read, or a member as an FMU that they step.
 
 #include <algorithm>
-#include <filesystem>
 
 #include "campaign_file/read.hpp"
 #include "cli/commands.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iostream>
 #include <ranges>
-#include <span>
 
 #include "campaign/write.hpp"
 #include "cli/commands.hpp"

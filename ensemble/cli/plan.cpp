@@ -6,7 +6,6 @@
 #include <charconv>
 #include <cmath>
 #include <iostream>
-#include <span>
 #include <string_view>
 #include <thread>
 #include <utility>

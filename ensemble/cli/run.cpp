@@ -8,7 +8,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-#include <span>
 
 #include "campaign/case_words.hpp"
 #include "cli/commands.hpp"

@@ -8,7 +8,6 @@
 
 #include "cli/commands.hpp"
 #include "cli/watch.hpp"
-#include "core/units.hpp"
 #include "findings/evidence.hpp"
 #include "findings/summary.hpp"
 #include "inference/interval.hpp"

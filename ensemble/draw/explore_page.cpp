@@ -17,7 +17,6 @@
 #include "findings/conditions.hpp"
 #include "findings/evidence.hpp"
 #include "member/quantity.hpp"
-#include "tables/table.hpp"
 
 namespace floes {
 

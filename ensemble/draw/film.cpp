@@ -19,7 +19,6 @@
 
 #include "core/descriptor.hpp"
 #include "core/error.hpp"
-#include "core/started_program.hpp"
 #include "core/text.hpp"
 #include "draw/canvas.hpp"
 

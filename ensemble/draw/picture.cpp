@@ -5,15 +5,11 @@
 #include <bitset>
 #include <cmath>
 #include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
 #include "core/units.hpp"
-#include "draw/canvas.hpp"
 #include "tables/figure.hpp"
 #include "tables/units.hpp"
 

@@ -1,27 +1,21 @@
 #include "draw/replay_page.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <optional>
 #include <ostream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "draw/page_parts.hpp"
 #include "draw/picture.hpp"
 #include "replay/view.hpp"
 #include "scenario/scenario.hpp"
-#include "tables/table.hpp"
 
 namespace floes {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,7 +11,6 @@
 #include "core/units.hpp"
 #include "hdf5/columns.hpp"
 #include "replay/view.hpp"
-#include "simulation/sheets.hpp"
 #include "tables/table.hpp"
 
 namespace floes {

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/contract.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
-#include "match/matching.hpp"
 #include "page/section_html.hpp"
 #include "tables/table.hpp"
 

@@ -18,7 +18,6 @@
 #include "findings/page_one.hpp"
 #include "findings/summary.hpp"
 #include "page/section_html.hpp"
-#include "run/campaign_status.hpp"
 
 namespace floes {
 

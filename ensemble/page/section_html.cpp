@@ -6,11 +6,9 @@
 #include <sstream>
 #include <utility>
 
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/contract.hpp"
-#include "core/text.hpp"
 #include "findings/design_points.hpp"
 #include "tables/table.hpp"
 

@@ -14,7 +14,6 @@
 #include "findings/page_one.hpp"
 #include "tables/figure.hpp"
 #include "tables/section.hpp"
-#include "tables/table.hpp"
 #include "tables/units.hpp"
 
 namespace floes {

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstdint>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 

@@ -13,7 +13,6 @@
 
 #include "hdf5/columns.hpp"
 #include "hdf5/dataset.hpp"
-#include "ice/failure_mode.hpp"
 #include "ice/ice_field.hpp"
 #include "scenario/floes.hpp"
 #include "simulation/record.hpp"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "hdf5/handle.hpp"
-#include "ice/failure_mode.hpp"
 #include "ice/ice_field.hpp"
 #include "replay/asked.hpp"
 #include "replay/frame_series.hpp"
