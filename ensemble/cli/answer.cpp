@@ -120,11 +120,6 @@ void expect_place(const fs::path& path) {
 
 namespace {
 
-[[noreturn]] void refuse_page(const fs::path& path, const std::string& reason) {
-    throw RunError(
-        fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?", path.string(), reason));
-}
-
 /// Prints the page in the file `from` to the file `to`. Our pages have no scripts and load nothing, so the browser
 /// needs no sandbox, which it would not get as root or in a container.
 void print_page(const fs::path& from, const fs::path& to, const fs::path& named, Seconds longest) {
@@ -150,12 +145,12 @@ void write_page(const fs::path& path, const std::string& page, Seconds longest_p
     std::ofstream file(aside.path(), std::ios::binary);
     file << page;
     file.close();
-    if (!file) refuse_page(path, std::strerror(errno));
+    if (!file) throw not_written(path, std::strerror(errno));
     const AsideFile print(target.string() + ".tmp.pdf");
     if (printed) print_page(aside.path(), print.path(), path, longest_print);
     std::error_code error;
     fs::rename(printed ? print.path() : aside.path(), target, error);
-    if (error) refuse_page(path, error.message());
+    if (error) throw not_written(path, error.message());
 }
 
 ProgressLine::ProgressLine(std::string what)

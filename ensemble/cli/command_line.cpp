@@ -167,12 +167,23 @@ std::string without_leading_zeros(std::string& word) {
     return {};
 }
 
-/// Checks the words of an option that is read into a `Value`; --help shows nothing of it.
+/// Checks the words of an option that is read into a `Value`, or several or perhaps one of them; --help shows nothing
+/// of it.
 template <class Value>
-void expect_numbers(CLI::Option& option) {
+void expect_numbers(CLI::Option& option, const Value& /*read_into*/) {
     if constexpr (std::is_integral_v<Value>) option.transform(CLI::Validator(without_leading_zeros, "", ""));
     if constexpr (std::is_arithmetic_v<Value>)
         option.check(CLI::Validator([](const std::string& word) { return number_fault<Value>(word); }, "", ""));
+}
+
+template <class Value>
+void expect_numbers(CLI::Option& option, const std::vector<Value>& /*read_into*/) {
+    expect_numbers(option, Value{});
+}
+
+template <class Value>
+void expect_numbers(CLI::Option& option, const std::optional<Value>& /*read_into*/) {
+    expect_numbers(option, Value{});
 }
 
 /// Numbers for which `allowed` is true; `words` are what is allowed, and `help` the same in --help.
@@ -311,30 +322,10 @@ bool Option::given() const {
     return option_->count() > 0;
 }
 
-namespace {
-
-template <class Value>
-struct Element {
-    using Type = Value;
-};
-template <class Value>
-struct Element<std::vector<Value>> {
-    using Type = Value;
-};
-template <class Value>
-struct Element<std::optional<Value>> {
-    using Type = Value;
-};
-/// Of what an option has one or several.
-template <class Value>
-using ValueOf = typename Element<Value>::Type;
-
-}  // namespace
-
 template <class Value>
 Option OptionList::option(const std::string& names, Value& value, const std::string& help) {
     CLI::Option* option = app_->add_option(names, value, help);
-    expect_numbers<ValueOf<Value>>(*option);
+    expect_numbers(*option, value);
     return Option(option);
 }
 

@@ -21,6 +21,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "draw/canvas.hpp"
+#include "store/file_calls.hpp"
 
 namespace floes {
 
@@ -175,9 +176,7 @@ class AnimatedPng final : public Encoder {
     void finish() override {
         chunk("IEND", {});
         file_.close();
-        if (!file_)
-            throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
-                                       path_.string(), std::strerror(errno)));
+        if (!file_) throw not_written(path_, std::strerror(errno));
     }
 
   private:

@@ -16,6 +16,7 @@
 #include "draw/picture.hpp"
 #include "replay/view.hpp"
 #include "scenario/scenario.hpp"
+#include "store/file_calls.hpp"
 
 namespace floes {
 
@@ -507,9 +508,7 @@ void write_replay_page(const std::filesystem::path& path, const Recording& recor
     std::ofstream file(path, std::ios::binary);
     if (file) write_replay_page(file, recording, options);
     file.close();
-    if (!file)
-        throw RunError(fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?",
-                                   path.string(), std::strerror(errno)));
+    if (!file) throw not_written(path, std::strerror(errno));
 }
 
 }  // namespace floes

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "core/error.hpp"
-
 namespace floes {
 namespace {
 
@@ -93,6 +91,11 @@ bool is_named(const OpenFile& file, const std::filesystem::path& path) {
 
 std::filesystem::path folder_of(const std::filesystem::path& path) {
     return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+RunError not_written(const std::filesystem::path& path, const std::string& why) {
+    return RunError(
+        fmt::format("{} cannot be written ({}); does the folder exist, and has it free space?", path.string(), why));
 }
 
 bool is_there(const std::filesystem::path& path, const System& system) {

@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <functional>
 #include <span>
+#include <string>
 #include <utility>
 
+#include "core/error.hpp"
 #include "store/system.hpp"
 
 namespace floes {
@@ -37,6 +39,9 @@ void sync_folder_of(const std::filesystem::path& path, const System& system = th
 
 /// Whether there is something at the path.
 bool is_there(const std::filesystem::path& path, const System& system = this_system());
+/// What is thrown where a file could not be written by other means.
+RunError not_written(const std::filesystem::path& path, const std::string& why);
+
 /// Takes the file away that it names, unless it was renamed or never made.
 class AsideFile {
   public:
