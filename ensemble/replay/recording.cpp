@@ -166,7 +166,7 @@ hdf5::Handle opened(const std::filesystem::path& path) {
     return file;
 }
 
-ElementColumns<hdf5::RowReader> element_columns(hid_t file) {
+ElementColumns<hdf5::RowReader> element_readers(hid_t file) {
     const std::string group = hdf5::exists(file, "states") ? "states/" : "frames/";
     return {{file, group + "position"},
             {file, group + "orientation"},
@@ -186,7 +186,7 @@ Recording::Recording(const std::filesystem::path& path)
     : file_(opened(path)),
       subject_(read_subject(file_.id())),
       layout_(subject_.floes),
-      elements_(element_columns(file_.id())),
+      elements_(element_readers(file_.id())),
       contacts_{{file_.id(), "contacts/element"},
                 {file_.id(), "contacts/other"},
                 {file_.id(), "contacts/point"},
