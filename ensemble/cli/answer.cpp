@@ -67,14 +67,14 @@ void print(const std::vector<Section>& sections, const std::string& format, cons
 }
 
 void write_new(const fs::path& path, const std::string& text) {
-    const OpenFile file(this_system(), this_system().open(path, O_WRONLY | O_CREAT | O_EXCL));
+    const OpenFile file(this_system(), this_system().open(path, O_WRONLY | O_CREAT | O_EXCL), path);
     if (file.get() == -EEXIST)
         throw InputError(fmt::format("{} exists already and is left as it is; give another name.", path.string()));
     if (file.get() < 0)
         throw InputError(fmt::format("{} cannot be written: {}. The folder must exist and permit it.", path.string(),
                                      std::strerror(-file.get())));
     try {
-        write_all(file, path, std::as_bytes(std::span(text)));
+        write_all(file, std::as_bytes(std::span(text)));
     } catch (const RunError&) {
         std::error_code ignored;
         fs::remove(path, ignored);

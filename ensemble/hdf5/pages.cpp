@@ -53,26 +53,26 @@ std::span<const std::byte> page(std::span<const std::byte> bytes, std::uint64_t 
 
 void append_page_digests(const std::filesystem::path& path) {
     const OpenFile file = open_file(path, O_RDWR | O_APPEND);
-    const std::uint64_t size = file_size(file, path);
+    const std::uint64_t size = file_size(file);
     ByteWriter table;
     Bytes bytes;
     for (std::uint64_t at = 0; at < size; at += at_once) {
         bytes.resize(std::min(at_once, size - at));
-        if (!read_at(file, path, at, bytes)) throw RunError(fmt::format("{} became shorter", path.string()));
+        if (!read_at(file, at, bytes)) throw RunError(fmt::format("{} became shorter", path.string()));
         for (std::uint64_t k = 0; k < pages_in(bytes.size()); ++k) table.u32(page_digest(page(bytes, k)));
     }
     for (const char letter : magic) table.u8(static_cast<std::uint8_t>(letter));
     table.u32(page_bytes);
     table.u64(size);
     table.u64(digest_of(table.bytes()));
-    write_all(file, path, table.bytes());
+    write_all(file, table.bytes());
 }
 
 std::optional<CheckedPages> CheckedPages::begin(const std::filesystem::path& path) {
     OpenFile file = open_file(path, O_RDONLY);
-    const std::uint64_t all = file_size(file, path);
+    const std::uint64_t all = file_size(file);
     Bytes foot(foot_bytes);
-    if (all < foot_bytes || !read_at(file, path, all - foot_bytes, foot)) return std::nullopt;
+    if (all < foot_bytes || !read_at(file, all - foot_bytes, foot)) return std::nullopt;
     if (std::string_view(reinterpret_cast<const char*>(foot.data()), magic.size()) != magic) return std::nullopt;
     ByteReader in(std::span<const std::byte>(foot).subspan(magic.size()));
     const std::uint32_t bytes_each = in.u32();
@@ -81,7 +81,7 @@ std::optional<CheckedPages> CheckedPages::begin(const std::filesystem::path& pat
                       pages_in(size) == (all - foot_bytes - size) / sizeof(std::uint32_t) &&
                       (all - foot_bytes - size) % sizeof(std::uint32_t) == 0;
     if (!fits) refuse_digests(path);
-    return CheckedPages(std::move(file), path, size, true);
+    return CheckedPages(std::move(file), size, true);
 }
 
 std::optional<CheckedPages> CheckedPages::open(const std::filesystem::path& path) {
@@ -93,26 +93,22 @@ std::optional<CheckedPages> CheckedPages::open(const std::filesystem::path& path
 CheckedPages CheckedPages::open_source(const std::filesystem::path& path) {
     if (std::optional<CheckedPages> pages = begin(path)) return std::move(*pages);
     OpenFile file = open_file(path, O_RDONLY);
-    const std::uint64_t size = file_size(file, path);
-    return {std::move(file), path, size, false};
+    const std::uint64_t size = file_size(file);
+    return {std::move(file), size, false};
 }
 
-CheckedPages::CheckedPages(OpenFile file, std::filesystem::path path, std::uint64_t size, bool has_digests)
-    : file_(std::move(file)),
-      path_(std::move(path)),
-      place_(place_of(file_, path_)),
-      size_(size),
-      compares_(has_digests) {}
+CheckedPages::CheckedPages(OpenFile file, std::uint64_t size, bool has_digests)
+    : file_(std::move(file)), place_(place_of(file_)), size_(size), compares_(has_digests) {}
 
 void CheckedPages::read_digests() {
     if (!compares_ || !digests_.empty()) return;
-    Bytes table(file_size(file_, path_) - size_);
+    Bytes table(file_size(file_) - size_);
     std::uint64_t digest = 0;
-    if (!read_at(file_, path_, size_, table)) refuse_digests(path_);
+    if (!read_at(file_, size_, table)) refuse_digests(file_.path());
     const std::span<const std::byte> bytes(table);
     ByteReader last(bytes.last(sizeof digest));
     digest = last.u64();
-    if (digest_of(bytes.first(bytes.size() - sizeof digest)) != digest) refuse_digests(path_);
+    if (digest_of(bytes.first(bytes.size() - sizeof digest)) != digest) refuse_digests(file_.path());
     ByteReader in(table);
     digests_.resize(pages_in(size_));
     for (std::uint32_t& one : digests_) one = in.u32();
@@ -129,7 +125,7 @@ bool CheckedPages::read(std::uint64_t at, std::span<std::byte> to) {
         return false;
     }
     pages_.resize(std::min(pages_in(at + to.size()) * page_bytes, size_) - begin);
-    if (!read_at(file_, path_, begin, pages_)) {
+    if (!read_at(file_, begin, pages_)) {
         fault_ = fmt::format("it ends before byte {}", begin + pages_.size());
         return false;
     }

@@ -47,12 +47,11 @@ class CheckedPages {
     std::string first_fault();
 
   private:
-    CheckedPages(OpenFile file, std::filesystem::path path, std::uint64_t size, bool has_digests);
+    CheckedPages(OpenFile file, std::uint64_t size, bool has_digests);
     static std::optional<CheckedPages> begin(const std::filesystem::path& path);
     void read_digests();
 
     OpenFile file_;
-    std::filesystem::path path_;
     FilePlace place_;
     std::uint64_t size_;
     bool compares_;                       ///< it has digests

@@ -348,7 +348,7 @@ void refuse_open_elsewhere(const std::filesystem::path& path) {
     constexpr std::size_t marks_at = 11;  // in a superblock of version 2 or 3
     constexpr unsigned writers = 5;       // one, or one that lets others read
     Bytes begin(marks_at + 1);
-    if (!read_at(open_file(path, O_RDONLY), path, 0, begin)) return;
+    if (!read_at(open_file(path, O_RDONLY), 0, begin)) return;
     if ((std::to_integer<unsigned>(begin[marks_at]) & writers) == 0) return;
     const Handle access = access_without_locks();
     const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id());

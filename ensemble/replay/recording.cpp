@@ -459,7 +459,7 @@ void RecordingWriter::finish(const RecordingOutcome& outcome, const FloeRoll& ro
     file_->close("H5Fclose", path_.string());
     file_.reset();
     hdf5::append_page_digests(aside_);
-    sync_data(open_file(aside_, O_RDWR), aside_);
+    sync_data(open_file(aside_, O_RDWR));
     rename_into_place(aside_, path_);
 }
 

@@ -28,10 +28,10 @@ class Records {
 
     MemberRecord read(std::size_t k) {
         const JournalContents::Place& place = places_.at(k);
-        const fs::path path = piece_path(order_.journal, place.piece);
         auto known = open_.find(place.piece);
-        if (known == open_.end()) known = open_.emplace(place.piece, open_file(path, O_RDONLY)).first;
-        return journal_format::read_member(known->second, path, place);
+        if (known == open_.end())
+            known = open_.emplace(place.piece, open_file(piece_path(order_.journal, place.piece), O_RDONLY)).first;
+        return journal_format::read_member(known->second, place);
     }
 
   private:

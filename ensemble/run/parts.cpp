@@ -91,7 +91,7 @@ std::vector<JournalContents::Place> loose_others(const Parts::Part& part) {
     std::vector<JournalContents::Place> others;
     const OpenFile file = open_file(part.journal, O_RDONLY);
     const auto add = [&](std::uint64_t from, std::uint64_t to) {
-        for (const auto& place : journal_format::records_between(file, part.journal, from, to)) others.push_back(place);
+        for (const auto& place : journal_format::records_between(file, from, to)) others.push_back(place);
     };
     const std::uint64_t end = end_of_loose(part.contents);
     std::uint64_t at = part.contents.first_record;
@@ -104,10 +104,10 @@ std::vector<JournalContents::Place> loose_others(const Parts::Part& part) {
     return others;
 }
 
-Bytes bytes_at(const fs::path& journal, const JournalContents::Place& place) {
-    Bytes bytes(place.size);
-    if (!read_at(open_file(journal, O_RDONLY), journal, place.offset, bytes))
-        throw RunError(fmt::format("{} became shorter while it was read", journal.string()));
+Bytes bytes_at(const OpenFile& file, std::uint64_t offset, std::uint64_t size) {
+    Bytes bytes(size);
+    if (!read_at(file, offset, bytes))
+        throw RunError(fmt::format("{} became shorter while it was read", file.path().string()));
     return bytes;
 }
 
@@ -162,8 +162,7 @@ bool Parts::begins_with(const Block& longer, const Block& shorter) const {
         const std::uint64_t size = std::min(stretch, shorter.to - shorter.from - at);
         Bytes here(size);
         Bytes there(size);
-        if (!read_at(one, parts_[longer.part].journal, longer.from + at, here) ||
-            !read_at(other, parts_[shorter.part].journal, shorter.from + at, there) || here != there)
+        if (!read_at(one, longer.from + at, here) || !read_at(other, shorter.from + at, there) || here != there)
             return false;
     }
     return true;
@@ -190,7 +189,7 @@ void Parts::gather_loose() {
     std::set<Bytes> others;
     for (std::size_t k = 0; k < parts_.size(); ++k)
         for (const JournalContents::Place& place : loose_others(parts_[k]))
-            if (others.insert(bytes_at(parts_[k].journal, place)).second)
+            if (others.insert(bytes_at(open_file(parts_[k].journal, O_RDONLY), place.offset, place.size)).second)
                 loose.push_back({k, 0, place.offset, place.offset + place.size});
     std::ranges::sort(loose, {}, [](const Block& one) { return std::tuple(one.part, one.piece, one.from); });
     for (const Block& block : loose) {
@@ -232,8 +231,8 @@ MemberRecord Parts::read(std::size_t record) const {
     const Part& part = parts_[place.part];
     const JournalContents::Place& at = part.contents.places[place.record];
     const fs::path path = piece_path(part.journal, at.piece);
-    if (latest_.path != path) latest_ = {path, open_file(path, O_RDONLY)};
-    return journal_format::read_member(latest_.file, path, at);
+    if (latest_.path() != path) latest_ = open_file(path, O_RDONLY);
+    return journal_format::read_member(latest_, at);
 }
 
 std::vector<Session> Parts::sessions() const {
@@ -526,23 +525,17 @@ bool check_output(std::span<const fs::path> parts, const fs::path& output, bool 
 }
 
 /// Copies the block unchanged, because the order of sessions and attempts matters.
-void copy_block(const OpenFile& out, const fs::path& out_path, const fs::path& from, const Parts::Block& block) {
-    const OpenFile file = open_file(from, O_RDONLY);
-    for (std::uint64_t at = block.from; at < block.to;) {
-        Bytes bytes(std::min(stretch, block.to - at));
-        if (!read_at(file, from, at, bytes))
-            throw RunError(fmt::format("{} became shorter while it was read", from.string()));
-        write_all(out, out_path, bytes);
-        at += bytes.size();
-    }
+void copy_block(const OpenFile& out, const OpenFile& from, const Parts::Block& block) {
+    for (std::uint64_t at = block.from; at < block.to; at += stretch)
+        write_all(out, bytes_at(from, at, std::min(stretch, block.to - at)));
 }
 
 void write_journal(const Parts& parts, const fs::path& aside) {
     const OpenFile out = open_file(aside, O_WRONLY | O_CREAT | O_TRUNC);
-    write_all(out, aside, journal_format::header(write_campaign(parts.whole_campaign())));
+    write_all(out, journal_format::header(write_campaign(parts.whole_campaign())));
     for (const Parts::Block& block : parts.blocks())
-        copy_block(out, aside, piece_path(parts.all()[block.part].journal, block.piece), block);
-    sync_data(out, aside);
+        copy_block(out, open_file(piece_path(parts.all()[block.part].journal, block.piece), O_RDONLY), block);
+    sync_data(out);
 }
 
 void publish_merged(const Parts& read, const fs::path& output) {

@@ -100,12 +100,6 @@ class Parts {
     void add_unfinished(std::vector<std::string>& sentences) const;
     MemberRecord read(std::size_t record) const;
 
-    /// A journal, or a piece of one.
-    struct LastRead {
-        std::filesystem::path path;
-        OpenFile file;
-    };
-
     std::vector<Part> parts_;
     bool merged_before_;
     std::size_t largest_ = 0;
@@ -115,7 +109,7 @@ class Parts {
     std::optional<PrecisionStop> rule_;
     Campaign published_;
     std::vector<std::optional<std::size_t>> matched_;
-    mutable LastRead latest_;  ///< that a record was read from: opening costs a network file system more than reading
+    mutable OpenFile latest_;  ///< that a record was read from: opening costs a network file system more than reading
 };
 
 /// Whether a run writes the journal: by its lock, or where a lock cannot be seen by a fresh heartbeat.

@@ -141,7 +141,7 @@ namespace {
 void replace_text(const std::filesystem::path& path, const std::string& text, const System& system) {
     const std::filesystem::path aside = path.string() + ".tmp";
     try {
-        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), aside, std::as_bytes(std::span(text)));
+        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), std::as_bytes(std::span(text)));
         system.rename(aside, path);
     } catch (const std::exception&) {
         system.remove(aside);

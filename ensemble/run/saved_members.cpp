@@ -38,8 +38,8 @@ std::string_view text_of(std::span<const std::byte> bytes) {
 
 Bytes bytes_of(const fs::path& path, const System& system) {
     const OpenFile file = open_file(path, O_RDONLY, system);
-    Bytes bytes(file_size(file, path));
-    if (!read_at(file, path, 0, bytes)) throw RunError("its end is missing");
+    Bytes bytes(file_size(file));
+    if (!read_at(file, 0, bytes)) throw RunError("its end is missing");
     return bytes;
 }
 
@@ -77,7 +77,7 @@ void write_saved(const fs::path& path, const std::string& stamp, const SavedMemb
     const auto last = std::as_bytes(std::span(digest));
     bytes.insert(bytes.end(), last.begin(), last.end());
     const auto write = [&](const fs::path& aside) {
-        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), aside, bytes);
+        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), bytes);
     };
     replace_file(path, fmt::format("{}.{}.{}.tmp", path.string(), host_name(), ::getpid()), write, system);
 }

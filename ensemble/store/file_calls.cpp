@@ -21,9 +21,9 @@ void expect(const char* call, const std::filesystem::path& path, std::int64_t re
     if (result < 0) refuse(call, path, static_cast<int>(-result));
 }
 
-FileFacts facts_of(const OpenFile& file, const std::filesystem::path& path) {
+FileFacts facts_of(const OpenFile& file) {
     FileFacts facts;
-    expect("fstat", path, file.system().facts(file.get(), facts));
+    expect("fstat", file.path(), file.system().facts(file.get(), facts));
     return facts;
 }
 
@@ -34,56 +34,55 @@ OpenFile open_file(const std::filesystem::path& path, int flags, const System& s
     if (opened < 0)
         throw InputError(fmt::format("{} cannot be opened: {}. The folder must exist and permit it.", path.string(),
                                      std::strerror(-opened)));
-    return {system, opened};
+    return {system, opened, path};
 }
 
-std::uint64_t file_size(const OpenFile& file, const std::filesystem::path& path) {
-    return facts_of(file, path).size;
+std::uint64_t file_size(const OpenFile& file) {
+    return facts_of(file).size;
 }
 
-double modified_at(const OpenFile& file, const std::filesystem::path& path) {
-    return facts_of(file, path).modified;
+double modified_at(const OpenFile& file) {
+    return facts_of(file).modified;
 }
 
-bool read_at(const OpenFile& file, const std::filesystem::path& path, std::uint64_t offset,
-             std::span<std::byte> bytes) {
+bool read_at(const OpenFile& file, std::uint64_t offset, std::span<std::byte> bytes) {
     while (!bytes.empty()) {
         const std::int64_t got = file.system().read(file.get(), offset, bytes);
         if (got == 0) return false;
         if (got == -EINTR) continue;
-        expect("read", path, got);
+        expect("read", file.path(), got);
         offset += static_cast<std::uint64_t>(got);
         bytes = bytes.subspan(static_cast<std::size_t>(got));
     }
     return true;
 }
 
-void write_all(const OpenFile& file, const std::filesystem::path& path, std::span<const std::byte> bytes) {
+void write_all(const OpenFile& file, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const std::int64_t written = file.system().write(file.get(), bytes);
         if (written == -EINTR) continue;
-        expect("write", path, written);
+        expect("write", file.path(), written);
         bytes = bytes.subspan(static_cast<std::size_t>(written));
     }
 }
 
-void truncate_file(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size) {
-    expect("ftruncate", path, file.system().truncate(file.get(), size));
+void truncate_file(const OpenFile& file, std::uint64_t size) {
+    expect("ftruncate", file.path(), file.system().truncate(file.get(), size));
 }
 
-void sync_data(const OpenFile& file, const std::filesystem::path& path) {
+void sync_data(const OpenFile& file) {
     const int result = file.system().sync(file.get());
     if (result < 0) file.system().forget_cached(file.get());
-    expect("fdatasync", path, result);
+    expect("fdatasync", file.path(), result);
 }
 
-FilePlace place_of(const OpenFile& file, const std::filesystem::path& path) {
-    const FileFacts facts = facts_of(file, path);
+FilePlace place_of(const OpenFile& file) {
+    const FileFacts facts = facts_of(file);
     return {facts.device, facts.number};
 }
 
 bool is_named(const OpenFile& file, const std::filesystem::path& path) {
-    const FileFacts here = facts_of(file, path);
+    const FileFacts here = facts_of(file);
     FileFacts there;
     if (file.system().facts(path, there) < 0) return false;
     return here.device == there.device && here.number == there.number;
@@ -136,7 +135,7 @@ std::error_code copy_into_place(const std::filesystem::path& aside, const std::f
     std::error_code error;
     std::filesystem::copy_file(aside, arriving, std::filesystem::copy_options::overwrite_existing, error);
     if (!error) {
-        sync_data(open_file(arriving, O_RDWR), arriving);
+        sync_data(open_file(arriving, O_RDWR));
         std::filesystem::rename(arriving, target, error);
     }
     std::error_code ignored;
@@ -159,7 +158,7 @@ void replace_file(const std::filesystem::path& path, const std::filesystem::path
                   const std::function<void(const std::filesystem::path& aside)>& write, const System& system) {
     try {
         write(aside);
-        sync_data(open_file(aside, O_RDWR, system), aside);
+        sync_data(open_file(aside, O_RDWR, system));
         rename_into_place(aside, path, system);
     } catch (...) {
         system.remove(aside);  // on a full disk others need the room

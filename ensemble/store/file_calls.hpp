@@ -19,19 +19,19 @@ namespace floes {
 
 /// open(2) with close-on-exec.
 OpenFile open_file(const std::filesystem::path& path, int flags, const System& system = this_system());
-std::uint64_t file_size(const OpenFile& file, const std::filesystem::path& path);
+std::uint64_t file_size(const OpenFile& file);
 /// When it was written last, s since 1970 by the clock of the file system.
-double modified_at(const OpenFile& file, const std::filesystem::path& path);
+double modified_at(const OpenFile& file);
 /// Fills `bytes` from `offset` on; false if the file is too short.
-bool read_at(const OpenFile& file, const std::filesystem::path& path, std::uint64_t offset, std::span<std::byte> bytes);
+bool read_at(const OpenFile& file, std::uint64_t offset, std::span<std::byte> bytes);
 /// One write(2) for all bytes, and further ones only after a partial write.
-void write_all(const OpenFile& file, const std::filesystem::path& path, std::span<const std::byte> bytes);
-void truncate_file(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size);
+void write_all(const OpenFile& file, std::span<const std::byte> bytes);
+void truncate_file(const OpenFile& file, std::uint64_t size);
 /// fdatasync(2): on return contents and size are on the disk. If it fails, nobody reads what is not.
-void sync_data(const OpenFile& file, const std::filesystem::path& path);
+void sync_data(const OpenFile& file);
 /// Device and number: equal for two open files of one file.
 using FilePlace = std::pair<std::uint64_t, std::uint64_t>;
-FilePlace place_of(const OpenFile& file, const std::filesystem::path& path);
+FilePlace place_of(const OpenFile& file);
 /// True while `path` still refers to this file.
 bool is_named(const OpenFile& file, const std::filesystem::path& path);
 /// fsync(2) of the folder that holds `path`: on return the name is on the disk.

@@ -23,6 +23,7 @@
 
 #include "campaign/read.hpp"
 #include "campaign/write.hpp"
+#include "core/fields.hpp"
 
 namespace floes::journal_format {
 
@@ -91,23 +92,21 @@ std::uint64_t check_fixed_header(std::span<const std::byte> bytes, const std::fi
 }
 
 /// Reads the record at `at`; false if there is no whole record.
-bool read_record(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
-                 Bytes& bytes) {
+bool read_record(const OpenFile& file, std::uint64_t at, std::uint64_t size, Bytes& bytes) {
     if (size - at < record_head_bytes + crc_bytes) return false;
     bytes.resize(record_head_bytes);
-    if (!read_at(file, path, at, bytes)) return false;
+    if (!read_at(file, at, bytes)) return false;
     const std::uint64_t payload = ByteReader(bytes).u64();
     // Only a length that fits the file is accepted, so that a damaged one cannot cause a huge allocation.
     if (payload > size - at - record_head_bytes - crc_bytes) return false;
     bytes.resize(record_head_bytes + payload + crc_bytes);
-    return read_at(file, path, at, bytes) && crc_is_right(bytes);
+    return read_at(file, at, bytes) && crc_is_right(bytes);
 }
 
 /// Offset of the next whole record from `at` on; `size` if there is none. Records after a damaged one were acknowledged
 /// too and must not be lost. `effort`: bytes that may still be read for what only looks like a record; bytes made for
 /// it look like one everywhere.
-std::uint64_t next_record(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
-                          std::uint64_t& effort) {
+std::uint64_t next_record(const OpenFile& file, std::uint64_t at, std::uint64_t size, std::uint64_t& effort) {
     constexpr std::uint64_t most_in_window = 1 << 20;
     constexpr std::uint32_t types = 256;  // a filter: more types than there will ever be
     Bytes bytes;
@@ -115,7 +114,7 @@ std::uint64_t next_record(const OpenFile& file, const std::filesystem::path& pat
     for (Bytes window; size > at && size - at >= record_head_bytes + crc_bytes;) {
         window.resize(std::min(window_bytes, size - at));
         window_bytes = std::min(2 * window_bytes, most_in_window);
-        if (!read_at(file, path, at, window)) break;
+        if (!read_at(file, at, window)) break;
         const std::uint64_t heads = window.size() - record_head_bytes + 1;
         for (std::uint64_t k = 0; k < heads; ++k) {
             ByteReader head{std::span<const std::byte>(window).subspan(k, record_head_bytes)};
@@ -123,11 +122,12 @@ std::uint64_t next_record(const OpenFile& file, const std::filesystem::path& pat
             const std::uint32_t type = head.u32();
             if (payload >= size - at - k || type == 0 || type >= types) continue;
             if (payload > effort)
-                refuse(path, fmt::format("is a journal with so much that looks like a record after byte {} that its "
-                                         "records cannot be found",
-                                         at));
+                refuse(file.path(),
+                       fmt::format("is a journal with so much that looks like a record after byte {} that its "
+                                   "records cannot be found",
+                                   at));
             effort -= payload;
-            if (read_record(file, path, at + k, size, bytes)) return at + k;
+            if (read_record(file, at + k, size, bytes)) return at + k;
         }
         at += heads;
     }
@@ -140,6 +140,7 @@ std::uint32_t type_of(std::span<const std::byte> record) {
 
 void take_record(JournalContents& contents, std::uint32_t type, std::span<const std::byte> payload,
                  JournalContents::Place place) {
+    ByteReader in(payload);
     switch (static_cast<RecordType>(type)) {
         case RecordType::member:
             contents.add(decode_member_record(payload), place);
@@ -148,7 +149,6 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
             contents.begin(decode_session(payload), place.offset);
             break;
         case RecordType::session_end: {
-            ByteReader in(payload);
             const std::string when = in.text();
             contents.end(when, in.text());
             break;
@@ -156,31 +156,23 @@ void take_record(JournalContents& contents, std::uint32_t type, std::span<const 
         case RecordType::calibration:
             contents.calibrations.push_back(decode_calibration_record(payload));
             break;
-        case RecordType::attempt_started: {
-            ByteReader in(payload);
-            const std::string case_key = in.text();
-            contents.attempts.started({case_key, in.i32()});
+        case RecordType::attempt_started:
+            contents.attempts.started({in.text(), in.i32()});
             break;
-        }
         case RecordType::campaign:
-            contents.campaign_text = ByteReader(payload).text();
+            contents.campaign_text = in.text();
             break;
         case RecordType::session_surroundings:
             if (!contents.sessions.empty()) decode_surroundings(payload, contents.sessions.back());
             break;
-        case RecordType::done_in_piece: {
-            ByteReader in(payload);
-            const std::string case_key = in.text();
-            contents.add_done({case_key, in.i32()});
+        case RecordType::done_in_piece:
+            contents.add_done({in.text(), in.i32()});
             break;
-        }
-        case RecordType::session_counts: {
+        case RecordType::session_counts:
             if (contents.sessions.empty()) break;
-            ByteReader in(payload);
             contents.sessions.back().computed = in.i32();
             contents.sessions.back().set_aside = in.i32();
             break;
-        }
     }
 }
 
@@ -195,13 +187,12 @@ struct Walked {
 
 /// Calls `use` with the bytes and the offset of each whole record between `at` and `size`.
 template <class Use>
-Walked walk(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size,
-            const Use& use) {
+Walked walk(const OpenFile& file, std::uint64_t at, std::uint64_t size, const Use& use) {
     Walked walked{at, 0};
     std::uint64_t effort = std::max(4 * size, least_effort);
     for (Bytes bytes; true;) {
-        if (!read_record(file, path, at, size, bytes)) {
-            const std::uint64_t next = next_record(file, path, at + 1, size, effort);
+        if (!read_record(file, at, size, bytes)) {
+            const std::uint64_t next = next_record(file, at + 1, size, effort);
             if (next == size) return walked;
             walked.damaged_bytes += next - at;
             at = next;
@@ -222,60 +213,58 @@ struct Header {
     std::string text;
     std::uint64_t end = 0;
 };
-std::optional<Header> read_header(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size) {
+std::optional<Header> read_header(const OpenFile& file, std::uint64_t size) {
     Bytes fixed(std::min(size, fixed_header_bytes));
-    read_at(file, path, 0, fixed);
-    if (!magic_fits(fixed)) refuse(path, "is not a journal of floes");
+    read_at(file, 0, fixed);
+    if (!magic_fits(fixed)) refuse(file.path(), "is not a journal of floes");
     if (fixed.size() < fixed_header_bytes) return {};
-    const std::uint64_t length = check_fixed_header(fixed, path);
+    const std::uint64_t length = check_fixed_header(fixed, file.path());
     const std::uint64_t room = size - fixed_header_bytes;
     if (room < crc_bytes || length > room - crc_bytes) return {};
     Bytes text(length + crc_bytes);
-    read_at(file, path, fixed_header_bytes, text);
-    if (!crc_is_right(text)) refuse(path, "is a journal whose configuration is damaged");
+    read_at(file, fixed_header_bytes, text);
+    if (!crc_is_right(text)) refuse(file.path(), "is a journal whose configuration is damaged");
     return Header{std::string(reinterpret_cast<const char*>(text.data()), length),
                   fixed_header_bytes + length + crc_bytes};
 }
 
 /// Whether this is what a power cut left of a header of that text: zeros stand for what had not come to the disk.
-bool is_torn_header(const OpenFile& file, const std::filesystem::path& path, std::uint64_t size,
-                    std::string_view text) {
+bool is_torn_header(const OpenFile& file, std::uint64_t size, std::string_view text) {
     if (size == 0 || size > fixed_header_bytes + text.size() + crc_bytes) return false;
     const Bytes whole = header(text);
     Bytes found(size);
-    if (!read_at(file, path, 0, found)) return false;
+    if (!read_at(file, 0, found)) return false;
     const auto fits = [](std::byte one, std::byte of_whole) { return one == of_whole || one == std::byte{0}; };
     return found != whole && std::ranges::equal(found, std::span(whole).first(found.size()), fits);
 }
 
 /// Whether so many bytes at the end of a file may be the begin of a record, and no damaged one.
-bool is_begin_of_record(const OpenFile& file, const std::filesystem::path& path, std::uint64_t at, std::uint64_t size) {
+bool is_begin_of_record(const OpenFile& file, std::uint64_t at, std::uint64_t size) {
     if (size < record_head_bytes + crc_bytes) return true;
     Bytes head(record_head_bytes);
-    if (!read_at(file, path, at, head)) return true;
+    if (!read_at(file, at, head)) return true;
     return ByteReader(head).u64() > size - record_head_bytes - crc_bytes;
 }
 
 /// Adds the members that the piece has beyond what was read of it.
 void read_piece(const std::filesystem::path& journal, JournalContents& contents, JournalContents::Piece& piece,
                 const System& system) {
-    const std::filesystem::path path = piece_path(journal, piece.number);
-    const OpenFile file = open_file(path, O_RDONLY, system);
-    const std::uint64_t size = file_size(file, path);
+    const OpenFile file = open_file(piece_path(journal, piece.number), O_RDONLY, system);
+    const std::uint64_t size = file_size(file);
     if (piece.good_bytes == not_begun) {
-        if (is_torn_header(file, path, size, contents.campaign_text)) return;
-        const std::optional<Header> header = read_header(file, path, size);
+        if (is_torn_header(file, size, contents.campaign_text)) return;
+        const std::optional<Header> header = read_header(file, size);
         if (!header) return;
         piece.good_bytes = header->end;
     }
-    const Walked walked = walk(file, path, piece.good_bytes, size, [&](auto record, std::uint64_t at) {
+    const Walked walked = walk(file, piece.good_bytes, size, [&](auto record, std::uint64_t at) {
         if (static_cast<RecordType>(type_of(record)) != RecordType::member) return;
         contents.add(decode_member_record(payload_of(record)), {at, record.size(), piece.number});
     });
     contents.damaged_bytes += walked.damaged_bytes;
     piece.good_bytes = walked.good_bytes;
     const std::uint64_t tail = size - walked.good_bytes;
-    if (!is_begin_of_record(file, path, walked.good_bytes, tail)) contents.damaged_bytes += tail;
+    if (!is_begin_of_record(file, walked.good_bytes, tail)) contents.damaged_bytes += tail;
 }
 
 }  // namespace
@@ -289,15 +278,14 @@ std::uint32_t crc32c(std::span<const std::byte> bytes) {
     return crc.checksum();
 }
 
-MemberRecord read_member(const OpenFile& file, const std::filesystem::path& path, JournalContents::Place place) {
+MemberRecord read_member(const OpenFile& file, JournalContents::Place place) {
     Bytes bytes(place.size);
-    if (!read_at(file, path, place.offset, bytes) || !crc_is_right(bytes))
+    if (!read_at(file, place.offset, bytes) || !crc_is_right(bytes))
         throw RunError(
             fmt::format("{} was changed or damaged at byte {} while it was in use; --resume continues with what is "
                         "whole.",
-                        path.string(), place.offset));
-    return decode_member_record(
-        std::span(bytes).subspan(record_head_bytes).first(place.size - record_head_bytes - crc_bytes));
+                        file.path().string(), place.offset));
+    return decode_member_record(payload_of(bytes));
 }
 
 Bytes header(std::string_view text) {
@@ -324,25 +312,23 @@ Bytes record(RecordType type, std::span<const std::byte> payload) {
     return bytes;
 }
 
-Reading read(const OpenFile& file, const std::filesystem::path& path, std::span<const std::string> texts) {
-    Reading reading;
+std::optional<JournalContents> read(const OpenFile& file, std::span<const std::string> texts) {
     // The size is read once: data that a live writer adds meanwhile is left to the next reader.
-    const std::uint64_t size = file_size(file, path);
+    const std::uint64_t size = file_size(file);
     for (const std::string& text : texts)
-        if (is_torn_header(file, path, size, text)) return reading;
-    std::optional<Header> header = read_header(file, path, size);
-    if (!header) return reading;
-    reading.begun = true;
-    JournalContents& contents = reading.contents;
+        if (is_torn_header(file, size, text)) return {};
+    std::optional<Header> header = read_header(file, size);
+    if (!header) return {};
+    JournalContents contents;
     contents.first_record = header->end;
     contents.campaign_text = std::move(header->text);
-    const Walked walked = walk(file, path, header->end, size, [&](auto record, std::uint64_t at) {
+    const Walked walked = walk(file, header->end, size, [&](auto record, std::uint64_t at) {
         take_record(contents, type_of(record), payload_of(record), {at, record.size()});
     });
     contents.damaged_bytes = walked.damaged_bytes;
     contents.good_bytes = walked.good_bytes;
     contents.torn_bytes = size - walked.good_bytes;
-    return reading;
+    return contents;
 }
 
 void read_pieces(const std::filesystem::path& path, JournalContents& contents, const System& system) {
@@ -354,15 +340,14 @@ void read_pieces(const std::filesystem::path& path, JournalContents& contents, c
     for (JournalContents::Piece& piece : contents.pieces) read_piece(path, contents, piece, system);
 }
 
-std::vector<JournalContents::Place> records_between(const OpenFile& file, const std::filesystem::path& path,
-                                                    std::uint64_t from, std::uint64_t to) {
+std::vector<JournalContents::Place> records_between(const OpenFile& file, std::uint64_t from, std::uint64_t to) {
     std::vector<JournalContents::Place> places;
-    walk(file, path, from, to, [&](auto record, std::uint64_t at) { places.push_back({at, record.size()}); });
+    walk(file, from, to, [&](auto record, std::uint64_t at) { places.push_back({at, record.size()}); });
     return places;
 }
 
 bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents) {
-    return is_begin_of_record(open_file(path, O_RDONLY), path, contents.good_bytes, contents.torn_bytes);
+    return is_begin_of_record(open_file(path, O_RDONLY), contents.good_bytes, contents.torn_bytes);
 }
 
 }  // namespace floes::journal_format
@@ -422,10 +407,8 @@ void settle_pieces(const std::filesystem::path& journal, Existing existing, cons
 
 /// What is read of pieces may be in the system's memory only, of writers that were lost.
 void sync_pieces(const std::filesystem::path& journal, const JournalContents& contents, const System& system) {
-    for (const JournalContents::Piece& piece : contents.pieces) {
-        const std::filesystem::path path = piece_path(journal, piece.number);
-        sync_data(open_file(path, O_RDONLY, system), path);
-    }
+    for (const JournalContents::Piece& piece : contents.pieces)
+        sync_data(open_file(piece_path(journal, piece.number), O_RDONLY, system));
 }
 
 /// Removes those whose writers were stopped inside the header: when the campaign has grown, nobody knows any more what
@@ -463,19 +446,26 @@ Campaign read_text(const std::string& campaign_text, const std::filesystem::path
     return read_campaign({campaign_text, path.string(), {}}, load_nothing);
 }
 
-/// Reads records of pieces, whose files it opens now.
-std::function<MemberRecord(JournalContents::Place)> reader_of_pieces(const JournalContents& contents,
-                                                                     const std::filesystem::path& journal,
-                                                                     const System& system) {
-    auto files = std::make_shared<std::map<int, std::pair<std::filesystem::path, OpenFile>>>();
-    for (const JournalContents::Piece& piece : contents.pieces) {
-        const std::filesystem::path path = piece_path(journal, piece.number);
-        files->emplace(piece.number, std::pair(path, open_file(path, O_RDONLY, system)));
-    }
-    return [files](JournalContents::Place place) {
-        const auto& [path, file] = files->at(place.piece);
-        return journal_format::read_member(file, path, place);
-    };
+/// All members, whose files it opens now, but for the journal itself where that is `open`.
+StoredMembers members_of(const JournalContents& contents, const std::filesystem::path& journal, const System& system,
+                         const OpenFile* open) {
+    auto files = std::make_shared<std::map<int, OpenFile>>();  // by number of the piece
+    if (open == nullptr) files->emplace(0, open_file(journal, O_RDONLY, system));
+    for (const JournalContents::Piece& piece : contents.pieces)
+        files->emplace(piece.number, open_file(piece_path(journal, piece.number), O_RDONLY, system));
+    return {contents.members, [&contents, files, open](std::size_t k) {
+                const JournalContents::Place place = contents.places.at(k);
+                const bool is_open = place.piece == 0 && open != nullptr;
+                return journal_format::read_member(is_open ? *open : files->at(place.piece), place);
+            }};
+}
+
+/// The payload of a record: these values, one after the other.
+template <class... Values>
+Bytes payload(const Values&... values) {
+    ByteWriter out;
+    (put(out, values), ...);
+    return out.take();
 }
 
 }  // namespace
@@ -526,41 +516,32 @@ Journal open_journal(const std::filesystem::path& path, const std::string& campa
     OpenFile file = open_file(path, O_RDWR | O_CREAT | O_APPEND, system);
     lock_for_writing(file, path);
     settle_pieces(path, existing, system);
-    if (existing == Existing::replace) {
+    std::optional<JournalContents> contents;
+    if (existing == Existing::replace)
         file = make_anew(target_of(path), system);
-    } else {
-        journal_format::Reading reading = journal_format::read(file, path, std::array{campaign_text, before});
-        if (reading.begun) {
-            if (existing == Existing::refuse)
-                throw InputError(
-                    fmt::format("{} exists already. Continue it with --resume, start afresh with "
-                                "--overwrite, or choose another output file with -o.",
-                                path.string()));
-            truncate_file(file, path, reading.contents.good_bytes);
-            // The run that made it may have been killed before it did; no record is to stand behind a torn header.
-            sync_data(file, path);
-            sync_folder_of(path, system);
-            journal_format::read_pieces(path, reading.contents, system);
-            remove_unbegun(path, reading.contents, system);
-            sync_pieces(path, reading.contents, system);
-            reading.contents.attempts.close_session();  // no other run is active, because we hold the lock
-            return {path, std::move(file), std::move(reading.contents)};
-        }
+    else
+        contents = journal_format::read(file, std::array{campaign_text, before});
+    if (contents && existing == Existing::refuse)
+        throw InputError(fmt::format(
+            "{} exists already. Continue it with --resume, start afresh with --overwrite, or choose another "
+            "output file with -o.",
+            path.string()));
+    truncate_file(file, contents ? contents->good_bytes : 0);
+    if (!contents) {
+        contents.emplace();
+        contents->campaign_text = before.empty() ? campaign_text : before;
+        const Bytes header = journal_format::header(contents->campaign_text);
+        write_all(file, header);
+        contents->first_record = contents->good_bytes = header.size();
     }
-    const std::string& text = before.empty() ? campaign_text : before;
-    const Bytes header = journal_format::header(text);
-    truncate_file(file, path, 0);
-    write_all(file, path, header);
-    sync_data(file, path);
+    // The run that made it may have been killed before it did; no record is to stand behind a torn header.
+    sync_data(file);
     sync_folder_of(path, system);
-    JournalContents contents;
-    contents.campaign_text = text;
-    contents.good_bytes = header.size();
-    contents.first_record = contents.good_bytes;
-    journal_format::read_pieces(path, contents, system);  // of a journal that was lost
-    remove_unbegun(path, contents, system);
-    sync_pieces(path, contents, system);
-    return {path, std::move(file), std::move(contents)};
+    journal_format::read_pieces(path, *contents, system);  // perhaps of a journal that was lost
+    remove_unbegun(path, *contents, system);
+    sync_pieces(path, *contents, system);
+    contents->attempts.close_session();  // no other run is active, because we hold the lock
+    return {path, std::move(file), *std::move(contents)};
 }
 
 Journal open_journal(const std::filesystem::path& path, const Campaign& campaign, Existing existing,
@@ -591,11 +572,9 @@ void expect_to_continue(const Campaign& there, const Campaign& here, const std::
 }
 
 void Journal::extend(const Campaign& there, const Campaign& here) {
-    ByteWriter payload;
-    payload.text(write_campaign(here));
-    write_record(RecordType::campaign, payload.bytes());
-    sync();
     contents_.campaign_text = write_campaign(here);
+    write_record(RecordType::campaign, payload(contents_.campaign_text));
+    sync();
     extension_ = differences(there, here);
 }
 
@@ -610,11 +589,11 @@ void Journal::hand_over() {
     if (appended_.empty()) return;
     const Bytes bytes = std::exchange(appended_, {});
     try {
-        write_all(file_, path_, bytes);
+        write_all(file_, bytes);
     } catch (const RunError&) {
         // Half a record would hide every later one from the reader.
         contents_.good_bytes -= bytes.size();
-        truncate_file(file_, path_, contents_.good_bytes);
+        truncate_file(file_, contents_.good_bytes);
         throw;
     }
 }
@@ -626,10 +605,7 @@ void Journal::append(const MemberRecord& record) {
 }
 
 StoredMembers Journal::members() const {
-    return {contents_.members, [this, of_piece = reader_of_pieces(contents_, path_, file_.system())](std::size_t k) {
-                const JournalContents::Place place = contents_.places.at(k);
-                return place.piece == 0 ? journal_format::read_member(file_, path_, place) : of_piece(place);
-            }};
+    return members_of(contents_, path_, file_.system(), &file_);
 }
 
 void Journal::append(const CalibrationRecord& record) {
@@ -643,18 +619,12 @@ void Journal::append(std::span<const Session> earlier) {
         const std::uint64_t at = contents_.good_bytes;
         write_record(RecordType::session_begin, encode(session));
         contents_.begin(session, at);
-        ByteWriter counts;
-        counts.i32(session.computed);
-        counts.i32(session.set_aside);
-        write_record(RecordType::session_counts, counts.bytes());
+        write_record(RecordType::session_counts, payload(session.computed, session.set_aside));
     }
 }
 
 void Journal::done_in_piece(const MemberIdentity& member) {
-    ByteWriter payload;
-    payload.text(member.first);
-    payload.i32(member.second);
-    write_record(RecordType::done_in_piece, payload.bytes());
+    write_record(RecordType::done_in_piece, payload(member.first, member.second));
     contents_.add_done(member);
 }
 
@@ -672,17 +642,13 @@ void Journal::take_in(const MemberIdentity& member, const MemberNote& note, cons
 }
 
 void Journal::started(const MemberIdentity& member, int attempt) {
-    ByteWriter payload;
-    payload.text(member.first);
-    payload.i32(member.second);
-    payload.i32(attempt);
-    write_record(RecordType::attempt_started, payload.bytes());
+    write_record(RecordType::attempt_started, payload(member.first, member.second, attempt));
     contents_.attempts.started(member);
 }
 
 void Journal::sync() {
     hand_over();
-    sync_data(file_, path_);
+    sync_data(file_);
     // A deleted file accepts writes, but they are lost.
     if (!is_named(file_, path_))
         throw RunError(
@@ -695,7 +661,7 @@ void Journal::begin_session(const Session& session) {
     contents_.begin(session, at);
     sync();
     Session& begun = contents_.sessions.back();
-    const double ahead = file_.system().seconds_since_1970() - modified_at(file_, path_);
+    const double ahead = file_.system().seconds_since_1970() - modified_at(file_);
     if (std::abs(ahead) >= least_told_difference) begun.clock_ahead = ahead;
     if (begun.parts == 1 && begun.clock_ahead == 0) return;
     write_record(RecordType::session_surroundings, encode_surroundings(begun, ::getpid()));
@@ -705,28 +671,19 @@ void Journal::begin_session(const Session& session) {
 void Journal::end_session(const std::string& outcome) {
     const std::string now = utc_now(file_.system());
     contents_.end(now, outcome);
-    ByteWriter payload;
-    payload.text(now);
-    payload.text(outcome);
-    write_record(RecordType::session_end, payload.bytes());
+    write_record(RecordType::session_end, payload(now, outcome));
     sync();
 }
 
 JournalContents read_journal(const std::filesystem::path& path, const System& system) {
-    const OpenFile file = open_file(path, O_RDONLY, system);
-    journal_format::Reading reading = journal_format::read(file, path);
-    if (!reading.begun) throw InputError(fmt::format("{} is still empty.", path.string()));
-    journal_format::read_pieces(path, reading.contents, system);
-    return std::move(reading.contents);
+    std::optional<JournalContents> contents = journal_format::read(open_file(path, O_RDONLY, system));
+    if (!contents) throw InputError(fmt::format("{} is still empty.", path.string()));
+    journal_format::read_pieces(path, *contents, system);
+    return *std::move(contents);
 }
 
 StoredMembers stored_members(const JournalContents& contents, const std::filesystem::path& path, const System& system) {
-    const auto file = std::make_shared<const OpenFile>(open_file(path, O_RDONLY, system));
-    return {contents.members,
-            [&contents, path, file, of_piece = reader_of_pieces(contents, path, system)](std::size_t k) {
-                const JournalContents::Place place = contents.places.at(k);
-                return place.piece == 0 ? journal_format::read_member(*file, path, place) : of_piece(place);
-            }};
+    return members_of(contents, path, system, nullptr);
 }
 
 Campaign read_stored_campaign(const JournalContents& contents, const std::filesystem::path& path) {

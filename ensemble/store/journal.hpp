@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -95,16 +96,12 @@ Bytes header(std::string_view text);
 Bytes record(RecordType type, std::span<const std::byte> payload);
 
 /// The member whose record is at `place`. Throws RunError if it is damaged.
-MemberRecord read_member(const OpenFile& file, const std::filesystem::path& path, JournalContents::Place place);
+MemberRecord read_member(const OpenFile& file, JournalContents::Place place);
 
-/// The contents of a file open for reading, without its pieces. `begun` is false if the file ends inside the header, or
-/// if a power cut tore the header, of one of these texts then: its writer was stopped before it kept anything. Throws
-/// InputError if the file is not a readable journal.
-struct Reading {
-    bool begun = false;
-    JournalContents contents;
-};
-Reading read(const OpenFile& file, const std::filesystem::path& path, std::span<const std::string> texts = {});
+/// The contents of a file open for reading, without its pieces. None if the file ends inside the header, or if a power
+/// cut tore the header, of one of these texts then: its writer was stopped before it kept anything. Throws InputError
+/// if the file is not a readable journal.
+std::optional<JournalContents> read(const OpenFile& file, std::span<const std::string> texts = {});
 
 /// Adds the members of the pieces beyond what was read of them. Throws as read() does.
 void read_pieces(const std::filesystem::path& path, JournalContents& contents, const System& system = this_system());
@@ -114,8 +111,7 @@ void read_pieces(const std::filesystem::path& path, JournalContents& contents, c
 bool tail_is_torn(const std::filesystem::path& path, const JournalContents& contents);
 
 /// Where the whole records between two offsets of the file are.
-std::vector<JournalContents::Place> records_between(const OpenFile& file, const std::filesystem::path& path,
-                                                    std::uint64_t from, std::uint64_t to);
+std::vector<JournalContents::Place> records_between(const OpenFile& file, std::uint64_t from, std::uint64_t to);
 
 }  // namespace floes::journal_format
 

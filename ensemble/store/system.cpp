@@ -53,7 +53,7 @@ class ThisSystem final : public System {
     int sync(int file) const override { return error_or(::fdatasync(file)); }
     void forget_cached(int file) const override { ::posix_fadvise(file, 0, 0, POSIX_FADV_DONTNEED); }
     int sync_folder(const fs::path& folder) const override {
-        const OpenFile opened(*this, open(folder, O_RDONLY | O_DIRECTORY));
+        const OpenFile opened(*this, open(folder, O_RDONLY | O_DIRECTORY), folder);
         return opened.get() < 0 ? opened.get() : error_or(::fsync(opened.get()));
     }
 

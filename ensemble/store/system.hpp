@@ -77,15 +77,18 @@ class System {
 /// The one that this process runs on.
 const System& this_system();
 
-/// An open file, which closes itself. Its system must outlive it.
+/// An open file, which closes itself, and the path that it was opened by. Its system must outlive it.
 class OpenFile {
   public:
     OpenFile() = default;
-    OpenFile(const System& system, int descriptor) : system_(&system), descriptor_(descriptor) {}
-    OpenFile(OpenFile&& other) noexcept : system_(other.system_), descriptor_(std::exchange(other.descriptor_, -1)) {}
+    OpenFile(const System& system, int descriptor, std::filesystem::path path)
+        : system_(&system), descriptor_(descriptor), path_(std::move(path)) {}
+    OpenFile(OpenFile&& other) noexcept
+        : system_(other.system_), descriptor_(std::exchange(other.descriptor_, -1)), path_(std::move(other.path_)) {}
     OpenFile& operator=(OpenFile&& other) noexcept {
         std::swap(system_, other.system_);
         std::swap(descriptor_, other.descriptor_);
+        std::swap(path_, other.path_);
         return *this;
     }
     ~OpenFile() {
@@ -94,10 +97,12 @@ class OpenFile {
 
     const System& system() const { return *system_; }
     int get() const { return descriptor_; }
+    const std::filesystem::path& path() const { return path_; }
 
   private:
     const System* system_ = &this_system();
     int descriptor_ = -1;
+    std::filesystem::path path_;
 };
 
 }  // namespace floes

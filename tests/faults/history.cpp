@@ -100,8 +100,8 @@ void write_text(const System& system, const fs::path& path, const Subject& subje
     const std::string all = with_digest(lines);
     const auto bytes = std::as_bytes(std::span(all));
     const OpenFile file = open_file(path, O_WRONLY | O_CREAT | O_TRUNC, system);
-    write_all(file, path, bytes.first(bytes.size() / 2));
-    write_all(file, path, bytes.subspan(bytes.size() / 2));
+    write_all(file, bytes.first(bytes.size() / 2));
+    write_all(file, bytes.subspan(bytes.size() / 2));
 }
 
 FiledCampaign read_text(const Subject& subject, const std::string& text) {
@@ -132,8 +132,8 @@ FiledCampaign read_text(const Subject& subject, const std::string& text) {
 
 std::string text_of(const System& system, const fs::path& path) {
     const OpenFile file = open_file(path, O_RDONLY, system);
-    Bytes bytes(file_size(file, path));
-    read_at(file, path, 0, bytes);
+    Bytes bytes(file_size(file));
+    read_at(file, 0, bytes);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

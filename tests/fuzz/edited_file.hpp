@@ -88,7 +88,7 @@ class EditedFile {
     /// Makes the file end there, or have its whole length again.
     void cut(std::size_t size) {
         edit({});
-        truncate_file(file_, path_, size);
+        truncate_file(file_, size);
         if (size == whole_.size()) return;
         changed_.push_back({size, whole_.size() - size});
     }

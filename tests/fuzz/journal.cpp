@@ -17,13 +17,13 @@ namespace format = floes::journal_format;
 /// The file at path(), in memory.
 class File {
   public:
-    File() : file_(floes::this_system(), ::memfd_create("journal", MFD_CLOEXEC)) {}
+    File() : file_(floes::this_system(), ::memfd_create("journal", MFD_CLOEXEC), "a journal in memory") {}
     std::string path() const { return "/proc/self/fd/" + std::to_string(file_.get()); }
     const floes::OpenFile& opened() const { return file_; }
     void fill(std::span<const std::byte> bytes) {
-        floes::truncate_file(file_, path(), 0);
+        floes::truncate_file(file_, 0);
         ::lseek(file_.get(), 0, SEEK_SET);
-        floes::write_all(file_, path(), bytes);
+        floes::write_all(file_, bytes);
     }
 
   private:
@@ -60,14 +60,13 @@ floes::MemberRecord one_more() {
     return record;
 }
 
-void require_whole(const File& file, const format::Reading& reading, std::uint64_t size) {
+void require_whole(const File& file, const floes::JournalContents& contents, std::uint64_t size) {
     using floes::fuzz::require;
-    const floes::JournalContents& contents = reading.contents;
     require(contents.good_bytes + contents.torn_bytes == size, "bytes of a journal are lost");
     require(contents.damaged_bytes <= contents.good_bytes, "more bytes are damaged than there are");
     require(contents.places.size() == contents.members.size(), "a member has no place");
     for (std::size_t k = 0; k < contents.members.size(); ++k) {
-        const auto alone = format::read_member(file.opened(), file.path(), contents.places[k]);
+        const auto alone = format::read_member(file.opened(), contents.places[k]);
         require(alone.arrangement == contents.members[k].arrangement && alone.attempt == contents.members[k].attempt,
                 "a member alone is another one");
     }
@@ -83,9 +82,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Bytes bytes(given.begin(), given.end());
     if (data[size - 1] % 2 == 1) repair(bytes);
     file.fill(bytes);
-    const auto reading = floes::fuzz::taken([&] { return format::read(file.opened(), file.path()); });
-    if (!reading || !reading->begun) return 0;
-    require_whole(file, *reading, bytes.size());
+    const auto reading = floes::fuzz::taken([&] { return format::read(file.opened()); });
+    if (!reading || !*reading) return 0;
+    const floes::JournalContents& contents = **reading;
+    require_whole(file, contents, bytes.size());
     {
         floes::Journal journal = floes::open_journal(file.path(), "", floes::Existing::resume);
         journal.append(one_more());
@@ -93,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const floes::JournalContents more = floes::read_journal(file.path());
     require(more.torn_bytes == 0, "a continued journal has a torn tail");
-    require(more.members.size() == reading->contents.members.size() + 1, "a continued journal lost a member");
+    require(more.members.size() == contents.members.size() + 1, "a continued journal lost a member");
     const floes::MemberRecord last = floes::stored_members(more, file.path()).read(more.members.size() - 1);
     require(floes::encode(last) == floes::encode(one_more()), "the member added is another one");
     return 0;
