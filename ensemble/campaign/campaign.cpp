@@ -34,6 +34,10 @@ MemberKey member_key(const Campaign& campaign, int number) {
     return {number % cases, number / cases};
 }
 
+const Case& case_of(const Campaign& campaign, int number) {
+    return campaign.cases[static_cast<std::size_t>(member_key(campaign, number).case_index)];
+}
+
 std::uint64_t arrangement_seed(const Campaign& campaign, int case_index) {
     FLOES_EXPECTS(case_index >= 0 && case_index < std::ssize(campaign.cases));
     if (campaign.common_arrangements) return campaign.seed;
@@ -110,8 +114,7 @@ double cost_of_sheet(const Scenario& scenario) {
 }  // namespace
 
 double expected_cost(const Campaign& campaign, int number) {
-    const MemberKey key = member_key(campaign, number);
-    const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
+    const Scenario& scenario = case_of(campaign, number).scenario;
     return scenario.arrangement.level() ? cost_of_sheet(scenario) : computed_elements(scenario) * scenario.step_count();
 }
 
@@ -214,9 +217,15 @@ std::string case_fingerprint(const Campaign& campaign, int case_index) {
     return digest_hex(fmt::format("seed {}\n{}", arrangement_seed(campaign, case_index), case_text(one)));
 }
 
+std::vector<std::string> case_fingerprints(const Campaign& campaign) {
+    std::vector<std::string> keys;
+    for (int k = 0; k < static_cast<int>(campaign.cases.size()); ++k) keys.push_back(case_fingerprint(campaign, k));
+    return keys;
+}
+
 bool is_part_of(const Campaign& part, const Campaign& whole) {
-    std::set<std::string> keys;
-    for (int k = 0; k < static_cast<int>(whole.cases.size()); ++k) keys.insert(case_fingerprint(whole, k));
+    const std::vector<std::string> all = case_fingerprints(whole);
+    const std::set<std::string> keys(all.begin(), all.end());
     for (int k = 0; k < static_cast<int>(part.cases.size()); ++k)
         if (!keys.contains(case_fingerprint(part, k))) return false;
     return part.arrangements <= whole.arrangements;

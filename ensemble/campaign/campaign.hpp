@@ -105,6 +105,8 @@ inline constexpr std::int64_t most_members = 20'000'000;
 int member_count(const Campaign& campaign);
 /// number in [0, member_count): arrangement * cases + case.
 MemberKey member_key(const Campaign& campaign, int number);
+/// The case of that member.
+const Case& case_of(const Campaign& campaign, int number);
 
 /// Seed of the random streams that the case's arrangements are drawn from: the campaign's where arrangements are
 /// common, otherwise one that the case's name gives.
@@ -153,6 +155,8 @@ std::string fingerprint(const Campaign& campaign);
 /// 32 hex digits of one case's physics (scenario and seed, not its name or the number of arrangements): what a stored
 /// member of it is valid for.
 std::string case_fingerprint(const Campaign& campaign, int case_index);
+/// Of each case.
+std::vector<std::string> case_fingerprints(const Campaign& campaign);
 
 /// True if every member of `part` is one of `whole`. Names and order of cases do not matter.
 bool is_part_of(const Campaign& part, const Campaign& whole);

@@ -68,9 +68,8 @@ class FiledRecords {
           states_(read_states(file_)),
           arrangements_(column<std::int32_t>("members/arrangement")),
           wall_time_(column<double>("provenance/wall_time")),
-          attempts_(column<std::int32_t>("provenance/attempts")) {
-        for (std::size_t k = 0; k < file_.campaign().cases.size(); ++k)
-            keys_.push_back(case_fingerprint(file_.campaign(), static_cast<int>(k)));
+          attempts_(column<std::int32_t>("provenance/attempts")),
+          keys_(case_fingerprints(file_.campaign())) {
         for (std::size_t member = 0; member < states_.size(); ++member)
             if (states_[member] == RowStatus::done) members_.push_back(member);
     }

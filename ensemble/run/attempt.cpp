@@ -80,10 +80,9 @@ std::string reason_of(const Ending& ending, const AttemptLimits& limits) {
 }
 
 MemberResult compute_member(const Campaign& campaign, int number, std::stop_token stop) {
-    const MemberKey key = member_key(campaign, number);
-    const Scenario& scenario = campaign.cases[static_cast<std::size_t>(key.case_index)].scenario;
-    return run_member(scenario, arrangement_seed(campaign, key.case_index), static_cast<std::uint32_t>(key.arrangement),
-                      std::move(stop));
+    const auto [case_index, arrangement] = member_key(campaign, number);
+    return run_member(case_of(campaign, number).scenario, arrangement_seed(campaign, case_index),
+                      static_cast<std::uint32_t>(arrangement), std::move(stop));
 }
 
 namespace {

@@ -205,8 +205,7 @@ std::optional<double> seconds_left(const Campaign& campaign, const CampaignStatu
 }
 
 TimedMember timed(const Campaign& campaign, int number, int attempt, double seconds) {
-    const MemberKey key = member_key(campaign, number);
-    return {number, campaign.cases[static_cast<std::size_t>(key.case_index)].name, key.arrangement, attempt, seconds};
+    return {number, case_of(campaign, number).name, member_key(campaign, number).arrangement, attempt, seconds};
 }
 
 std::vector<TimedMember> slowest(const Campaign& campaign, const MemberNotes& notes, const Matched& records) {

@@ -10,28 +10,12 @@
 
 namespace floes {
 
-Scribe::Scribe(const Campaign& campaign, int rank) : campaign_(campaign), rank_(rank), host_(host_name()) {
-    for (int i = 0; i < static_cast<int>(campaign.cases.size()); ++i) {
-        case_keys_.push_back(case_fingerprint(campaign, i));
-    }
-}
-
-MemberRecord Scribe::record(Outcome outcome) const {
-    const MemberKey key = member_key(campaign_, outcome.assignment.number);
-    MemberRecord record;
-    record.case_key = case_keys_[static_cast<std::size_t>(key.case_index)];
-    record.arrangement = key.arrangement;
-    record.attempt = outcome.assignment.attempt;
-    record.rank = rank_;
-    record.host = host_;
-    record.peak_memory = outcome.peak_memory;
-    record.result = std::move(*outcome.result);
-    record.arrays = std::move(outcome.arrays);
-    return record;
-}
-
 Crew::Crew(const Campaign& campaign, CrewSetup setup)
-    : campaign_(campaign), setup_(std::move(setup)), limits_(limits_of(campaign.run)) {
+    : campaign_(campaign),
+      setup_(std::move(setup)),
+      limits_(limits_of(campaign.run)),
+      host_(host_name()),
+      case_keys_(case_fingerprints(campaign)) {
     if (setup_.cores.pool == nullptr) setup_.cores.pool = &own_cores_.emplace(setup_.threads);
     if (setup_.helper != nullptr) setup_.helper->prepare(campaign);
 }
@@ -67,14 +51,23 @@ void Crew::execute_next() {
 }
 
 Outcome Crew::execute(Assignment assignment) {
-    if (stop_.stop_requested()) return {assignment, std::nullopt, 0};
+    if (stop_.stop_requested()) return {assignment.number, std::nullopt};
     const System::Time begin = setup_.system.now();
     Attempted made = attempt(assignment);
-    if (!made.result) return {assignment, std::nullopt, made.peak_memory};
+    if (!made.result) return {assignment.number, std::nullopt};
     const std::chrono::duration<double> taken = setup_.system.now() - begin;
     made.result->wall_time = std::max(made.result->wall_time, taken.count());  // of earlier runs too, if it went on
-    PackedArrays arrays = take_arrays(*made.result);
-    return {assignment, std::move(made.result), made.peak_memory, std::move(arrays)};
+    const MemberKey key = member_key(campaign_, assignment.number);
+    MemberRecord record{.case_key = case_keys_[static_cast<std::size_t>(key.case_index)],
+                        .arrangement = key.arrangement,
+                        .attempt = assignment.attempt,
+                        .rank = setup_.rank,
+                        .host = host_,
+                        .peak_memory = made.peak_memory,
+                        .result = std::move(*made.result),
+                        .arrays = {}};
+    record.arrays = take_arrays(record.result);
+    return {assignment.number, std::move(record)};
 }
 
 Attempted Crew::attempt(Assignment assignment) {

@@ -26,28 +26,10 @@ struct Assignment {
     bool apart = false;  ///< in an isolated process, regardless of run.isolation
 };
 
-/// How an assignment ended. No result: abandoned, to be run again later.
+/// How the assignment of a member ended. No record: abandoned, to be run again later.
 struct Outcome {
-    Assignment assignment;
-    std::optional<MemberResult> result;
-    std::uint64_t peak_memory = 0;  ///< of the process that computed it, bytes
-    PackedArrays arrays = {};       ///< removed from the result
-};
-
-/// Makes the records of members computed on this rank.
-class Scribe {
-  public:
-    /// `campaign` must outlive the scribe.
-    Scribe(const Campaign& campaign, int rank);
-
-    /// The record of an outcome that has a result.
-    MemberRecord record(Outcome outcome) const;
-
-  private:
-    const Campaign& campaign_;
-    int rank_;
-    std::string host_;
-    std::vector<std::string> case_keys_;
+    int number = 0;
+    std::optional<MemberRecord> record;  ///< its arrays packed
 };
 
 /// Why a crew cannot continue.
@@ -63,6 +45,7 @@ struct CrewSetup {
     Helper* helper = nullptr;  ///< for members in isolated processes; nullptr: all are computed in this process
     SharedCores cores = {};    ///< the threads that compute them
     const System& system = this_system();  ///< whose clock tells how long they take
+    int rank = 0;                          ///< of this process
 };
 
 class Crew {
@@ -107,6 +90,8 @@ class Crew {
     const Campaign& campaign_;
     CrewSetup setup_;
     AttemptLimits limits_;
+    std::string host_;
+    std::vector<std::string> case_keys_;
     std::stop_source stop_;
     int held_ = 0;
 

@@ -136,12 +136,6 @@ Inventory take_inventory(const Campaign& campaign, const StoredMembers& members,
     return found;
 }
 
-std::vector<std::string> case_fingerprints(const Campaign& campaign) {
-    std::vector<std::string> keys;
-    for (int k = 0; k < static_cast<int>(campaign.cases.size()); ++k) keys.push_back(case_fingerprint(campaign, k));
-    return keys;
-}
-
 void tell(std::optional<PrecisionStop>& rule, const MemberKey& member, const MemberRecord& record) {
     if (!rule) return;
     if (record.result.status != MemberStatus::done) {

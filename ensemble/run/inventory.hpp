@@ -55,9 +55,6 @@ struct Inventory {
 Inventory take_inventory(const Campaign& campaign, const StoredMembers& members, const AttemptBook& attempts,
                          const CampaignPart& part = {}, bool retry_failed = false);
 
-/// The fingerprint of each case.
-std::vector<std::string> case_fingerprints(const Campaign& campaign);
-
 /// Passes a member that is done or set aside to the stop rule, if there is one.
 void tell(std::optional<PrecisionStop>& rule, const MemberKey& member, const MemberRecord& record);
 

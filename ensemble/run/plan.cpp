@@ -735,9 +735,8 @@ PlannedMembers expected_members(const Campaign& campaign) {
     PlannedMembers planned{members_of(campaign), costs.source};
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);
-        const auto case_index = static_cast<std::size_t>(member_key(campaign, number).case_index);
         SimulatedMember& member = planned.members[k];
-        member.run_time = member.expected_cost * time_per_unit(campaign.cases[case_index].scenario, costs) *
+        member.run_time = member.expected_cost * time_per_unit(case_of(campaign, number).scenario, costs) *
                           scatter(draw(campaign, number), costs.variation);
     }
     return planned;

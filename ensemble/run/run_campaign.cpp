@@ -234,7 +234,6 @@ class Master {
           walltime_(limits.walltime),
           saves_every_(limits.saves_every),
           scheduler_(recorder_.tally().found().tasks, campaign.run.attempts),
-          scribe_(campaign, self),
           crew_(campaign, setup),
           pause_(pause_between_polls(link_.size())),
           ranks_(link_, mustered, limits.patience, begin_),
@@ -285,8 +284,7 @@ class Master {
             something = true;
         }
         for (Outcome& outcome : crew_.take()) {
-            const int number = outcome.assignment.number;
-            if (outcome.result) finished(self, number, scribe_.record(std::move(outcome)));
+            if (outcome.record) finished(self, outcome.number, std::move(*outcome.record));
             something = true;
         }
         if (const auto trouble = crew_.trouble(); trouble && !dismissed_) give_up(*trouble);
@@ -518,9 +516,8 @@ class Master {
     }
 
     std::string name_of(int number) const {
-        const MemberKey key = member_key(campaign_, number);
-        const std::string& name = campaign_.cases[static_cast<std::size_t>(key.case_index)].name;
-        return fmt::format("member {} (case {}, arrangement {})", number, name, key.arrangement);
+        return fmt::format("member {} (case {}, arrangement {})", number, case_of(campaign_, number).name,
+                           member_key(campaign_, number).arrangement);
     }
 
     ProgressState state() const {
@@ -554,7 +551,6 @@ class Master {
     Walltime walltime_;
     double saves_every_;
     Scheduler scheduler_;
-    Scribe scribe_;
     Crew crew_;
     Pause pause_;
     System::Time begin_ = system_.now();

@@ -133,9 +133,8 @@ void remove_saved(const fs::path& campaign_file, const std::function<bool(const 
 }
 
 int count_saved(const Campaign& campaign, const fs::path& campaign_file, const System& system) {
-    std::set<std::string> cases;
-    for (std::size_t k = 0; k < campaign.cases.size(); ++k)
-        cases.insert(case_fingerprint(campaign, static_cast<int>(k)));
+    const std::vector<std::string> keys = case_fingerprints(campaign);
+    const std::set<std::string> cases(keys.begin(), keys.end());
     return static_cast<int>(std::ranges::count_if(saved_files(campaign_file, system), [&](const SavedFile& file) {
         return file.whole && cases.contains(file.member.first) && file.member.second < campaign.arrangements;
     }));
@@ -204,9 +203,9 @@ class LongMember {
     MemberResult run() {
         try {
             MemberResult result = run_member(
-                campaign_.cases[static_cast<std::size_t>(key_.case_index)].scenario,
-                arrangement_seed(campaign_, key_.case_index), static_cast<std::uint32_t>(key_.arrangement),
-                attempting_.stop, [this](const Simulation& now) { look(now); }, before_.state);
+                case_of(campaign_, number_).scenario, arrangement_seed(campaign_, key_.case_index),
+                static_cast<std::uint32_t>(key_.arrangement), attempting_.stop,
+                [this](const Simulation& now) { look(now); }, before_.state);
             result.wall_time += before_.wall_time;
             result.cpu_time += before_.cpu_time;
             if (result.status != MemberStatus::done && interval_ > 0) forget();
@@ -238,7 +237,7 @@ class LongMember {
     void tell(const Simulation& simulation, Clock::time_point now) {
         constexpr std::chrono::seconds interval{2};
         next_word_ = now + interval;
-        const Scenario& scenario = campaign_.cases[static_cast<std::size_t>(key_.case_index)].scenario;
+        const Scenario& scenario = case_of(campaign_, number_).scenario;
         if (attempting_.tell)
             attempting_.tell({number_, simulation.time(), scenario.step_count() * scenario.general.time_step});
     }

@@ -50,7 +50,6 @@ class Worker {
           keeper_of_records_(post.writer),
           patience_(patience),
           signals_(signals),
-          scribe_(campaign, link.rank()),
           crew_(campaign, setup) {
         if (!post.journal.empty()) open_writer(campaign, post.journal);
         link_.send(master_rank, Tag::hello,
@@ -86,7 +85,7 @@ class Worker {
             something = true;
         }
         for (Outcome& outcome : crew_.take()) {
-            if (outcome.result) note_answer(std::move(outcome));
+            if (outcome.record) note_answer({outcome.number, std::move(*outcome.record)});
             something = true;
         }
         send_answers();
@@ -137,9 +136,12 @@ class Worker {
             case Tag::part:
                 ranks_are_missing_ = true;
                 return;
-            case Tag::answer:
-                expect_writer(message).keep(message.from, decode<std::vector<Answer>>(message.bytes));
+            case Tag::answer: {
+                Writer& writer = expect_writer(message);
+                for (Answer& answer : decode<std::vector<Answer>>(message.bytes))
+                    writer.keep(message.from, std::move(answer));
                 return;
+            }
             case Tag::farewell:
                 expect_writer(message).farewell(message.from);
                 return;
@@ -179,18 +181,15 @@ class Worker {
     }
 
     /// What failed is for the master, who may want it computed again.
-    void note_answer(Outcome outcome) {
-        const int number = outcome.assignment.number;
-        std::vector<Answer> answer;
-        answer.push_back({number, scribe_.record(std::move(outcome))});
-        const bool failed = answer[0].record.result.status != MemberStatus::done;
+    void note_answer(Answer answer) {
+        const bool failed = answer.record.result.status != MemberStatus::done;
         if (failed && keeper_of_records_ != master_rank) {
-            link_.send(master_rank, Tag::answer, encode(answer));
+            link_.send(master_rank, Tag::answer, encode(std::vector{std::move(answer)}));
         } else if (writer_) {
             writer_->keep(link_.rank(), std::move(answer));
         } else {
             if (answers_.empty()) first_answer_ = std::chrono::steady_clock::now();
-            answers_.push_back(std::move(answer[0]));
+            answers_.push_back(std::move(answer));
         }
     }
 
@@ -225,7 +224,6 @@ class Worker {
     const StopSignals& signals_;
     Silence silence_{1, std::chrono::steady_clock::now()};  // of the master
     double next_sign_ = patience_.sign_of_life;             // of life, in time listened
-    Scribe scribe_;
     Crew crew_;
     Pause pause_ = pause_between_polls(2);
     std::vector<Answer> answers_;  // not sent yet
@@ -260,7 +258,9 @@ int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helpe
                    const SilenceLimits& patience) {
     const StopSignals signals;
     try {
-        return serve(link, {compute, threads_of(link, threads), helper}, patience, signals);
+        return serve(link,
+                     {.compute = compute, .threads = threads_of(link, threads), .helper = helper, .rank = link.rank()},
+                     patience, signals);
     } catch (const std::exception& error) {
         link.send(master_rank, Tag::trouble, encode_text(error.what()));
     }

@@ -83,17 +83,15 @@ Writer::Writer(Link& link, const Campaign& campaign, const std::filesystem::path
       has_stop_rule_(campaign.stop.active()),
       keeper_(open_journal(piece, write_campaign(campaign), Existing::resume, system)) {}
 
-void Writer::keep(int worker, std::vector<Answer> answers) {
-    for (Answer& answer : answers) {
-        keeper_.keep(answer.record);
-        Kept& kept = kept_.emplace_back();
-        const JournalContents& contents = keeper_.journal().contents();
-        kept.worker = worker;
-        kept.number = answer.number;
-        kept.note = contents.members[contents.members.size() - 1];
-        kept.place = contents.places.back();
-        if (has_stop_rule_) kept.record = without_histories(std::move(answer.record));
-    }
+void Writer::keep(int worker, Answer answer) {
+    keeper_.keep(answer.record);
+    Kept& kept = kept_.emplace_back();
+    const JournalContents& contents = keeper_.journal().contents();
+    kept.worker = worker;
+    kept.number = answer.number;
+    kept.note = contents.members[contents.members.size() - 1];
+    kept.place = contents.places.back();
+    if (has_stop_rule_) kept.record = without_histories(std::move(answer.record));
 }
 
 void Writer::tend() {

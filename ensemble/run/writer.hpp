@@ -82,8 +82,8 @@ class Writer {
     Writer(Link& link, const Campaign& campaign, const std::filesystem::path& piece,
            const System& system = this_system());
 
-    /// Keeps members that were computed by that rank.
-    void keep(int worker, std::vector<Answer> answers);
+    /// Keeps a member that was computed by that rank.
+    void keep(int worker, Answer answer);
     /// Notes the farewell of a rank.
     void farewell(int worker) { farewells_.push_back(worker); }
     /// To be called often: brings what is new to the disk, and then tells the master.

@@ -148,9 +148,10 @@ std::size_t number_of(const Campaign& campaign, const MemberKey& key) {
 template <class Use>
 void for_each_match(const Campaign& campaign, const MemberNotes& notes, const Use& use) {
     std::vector<std::vector<int>> cases_of_key(notes.keys().size());
-    for (int k = 0; k < static_cast<int>(campaign.cases.size()); ++k) {
-        const auto key = notes.keys().find(case_fingerprint(campaign, k));
+    for (int k = 0; const std::string& of_case : case_fingerprints(campaign)) {
+        const auto key = notes.keys().find(of_case);
         if (key != notes.keys().end()) cases_of_key[static_cast<std::size_t>(key->second)].push_back(k);
+        ++k;
     }
     for (std::size_t record = 0; record < notes.size(); ++record) {
         const MemberNote& note = notes[record];

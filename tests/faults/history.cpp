@@ -412,7 +412,8 @@ void PlayedRank::obey(const Message& message) {
             begin_next();
             return;
         case Tag::answer:
-            if (writer_) writer_->keep(message.from, decode<std::vector<Answer>>(message.bytes));
+            for (const Answer& one : decode<std::vector<Answer>>(message.bytes))
+                if (writer_) writer_->keep(message.from, one);
             return;
         case Tag::farewell:
             if (writer_) writer_->farewell(message.from);
@@ -477,7 +478,7 @@ void PlayedRank::finish(const Assignment& assignment) {
         if (failed && keeper_ != master_rank)
             link.send(master_rank, Tag::answer, encode(answer));
         else if (writer_)
-            in_trouble_if_it_fails([&] { writer_->keep(rank_, answer); });
+            in_trouble_if_it_fails([&] { writer_->keep(rank_, answer[0]); });
         else
             link.send(keeper_, Tag::answer, encode(answer));
     }

@@ -14,7 +14,7 @@ std::map<int, Outcome> collect(Crew& crew) {
     std::map<int, Outcome> outcomes;
     while (crew.held() > 0) {
         crew.wait(std::chrono::seconds(10));
-        for (Outcome& outcome : crew.take()) outcomes.emplace(outcome.assignment.number, std::move(outcome));
+        for (Outcome& outcome : crew.take()) outcomes.emplace(outcome.number, std::move(outcome));
     }
     return outcomes;
 }
@@ -27,9 +27,9 @@ TEST(Crew, ComputesWhatItIsGiven) {
     const auto outcomes = collect(crew);
     ASSERT_EQ(outcomes.size(), 5u);
     for (const auto& [number, outcome] : outcomes) {
-        EXPECT_EQ(outcome.assignment.attempt, 10 + number);
-        ASSERT_TRUE(outcome.result);
-        EXPECT_EQ(outcome.result->load.mean, synthetic::record(campaign, number).result.load.mean);
+        ASSERT_TRUE(outcome.record);
+        EXPECT_EQ(outcome.record->attempt, 10 + number);
+        EXPECT_EQ(outcome.record->result.load.mean, synthetic::record(campaign, number).result.load.mean);
     }
 }
 
@@ -68,10 +68,10 @@ TEST(Crew, TurnsExceptionsIntoFailedMembersWithTheReason) {
     crew.begin({0, 1});
     crew.begin({1, 1});
     const auto outcomes = collect(crew);
-    EXPECT_EQ(outcomes.at(0).result->status, MemberStatus::failed);
-    EXPECT_EQ(outcomes.at(0).result->reason, "the ice melted");
-    EXPECT_EQ(outcomes.at(1).result->status, MemberStatus::failed);
-    EXPECT_FALSE(outcomes.at(1).result->reason.empty());
+    EXPECT_EQ(outcomes.at(0).record->result.status, MemberStatus::failed);
+    EXPECT_EQ(outcomes.at(0).record->result.reason, "the ice melted");
+    EXPECT_EQ(outcomes.at(1).record->result.status, MemberStatus::failed);
+    EXPECT_FALSE(outcomes.at(1).record->result.reason.empty());
 }
 
 TEST(Crew, AbandonsRunningAndWaitingMembers) {
@@ -83,7 +83,7 @@ TEST(Crew, AbandonsRunningAndWaitingMembers) {
     crew.abandon();
     const auto outcomes = collect(crew);
     ASSERT_EQ(outcomes.size(), 6u);
-    for (const auto& [number, outcome] : outcomes) EXPECT_FALSE(outcome.result);
+    for (const auto& [number, outcome] : outcomes) EXPECT_FALSE(outcome.record);
 }
 
 TEST(Crew, KeepsAResultThatWasCompleteWhenTheStopCame) {
@@ -98,7 +98,7 @@ TEST(Crew, KeepsAResultThatWasCompleteWhenTheStopCame) {
     crew.begin({3, 1});
     while (!begun) std::this_thread::yield();
     crew.abandon();
-    EXPECT_TRUE(collect(crew).at(3).result);
+    EXPECT_TRUE(collect(crew).at(3).record);
 }
 
 TEST(Crew, LetsGoOfItsThreadsWhenItEnds) {
