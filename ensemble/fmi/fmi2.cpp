@@ -1,7 +1,6 @@
 // FMI 2.0 for co-simulation: the functions of its standard, section 4.2, by their names and types there.
 
 #include <charconv>
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -35,17 +34,6 @@ std::string escaped_marks(const std::string& text) {
     return made;
 }
 
-struct Fmi2Log {
-    const char* name;
-    Fmi2Logger logger;
-    void* environment;
-
-    void log(FmiStatus status, const std::string& sentence) const {
-        if (logger != nullptr)
-            logger(environment, name, status, "logStatusError", "%s", escaped_marks(sentence).c_str());
-    }
-};
-
 /// "file:///a", "file:/a" or "file://localhost/a" with percent escapes, or a path.
 std::string path_of_uri(std::string uri) {
     constexpr std::string_view scheme = "file:";
@@ -63,17 +51,6 @@ std::string path_of_uri(std::string uri) {
     return path;
 }
 
-struct Fmi2Instance {
-    std::string name;
-    Fmi2Callbacks host;
-    FmuSession session;
-    bool over = false;  ///< the last step was one that ends after the run
-
-    void log(FmiStatus status, const std::string& sentence) const {
-        Fmi2Log{name.c_str(), host.logger, host.environment}.log(status, sentence);
-    }
-};
-
 }  // namespace
 
 FLOES_FMI const char* fmi2GetTypesPlatform() {
@@ -87,75 +64,76 @@ FLOES_FMI const char* fmi2GetVersion() {
 FLOES_FMI void* fmi2Instantiate(const char* name, int type, const char* guid, const char* resources,
                                 const Fmi2Callbacks* host, int, int) {
     if (host == nullptr) return nullptr;
-    Fmi2Log log{name == nullptr ? "" : name, host->logger, host->environment};
+    if (name == nullptr) name = "";
+    const FmiLog log = [logger = host->logger, environment = host->environment](const char* of, FmiStatus status,
+                                                                                const std::string& sentence) {
+        if (logger != nullptr) logger(environment, of, status, "logStatusError", "%s", escaped_marks(sentence).c_str());
+    };
     void* made = nullptr;
-    answered(&log, [&](const Fmi2Log&) {
+    answered(log, name, [&] {
         if (type != 1) throw InputError("This FMU is for co-simulation.");
         if (resources == nullptr) throw InputError("The FMU's folder of resources is not said.");
-        auto one = std::make_unique<Fmi2Instance>(
-            Fmi2Instance{log.name, *host, FmuSession(path_of_uri(resources), guid == nullptr ? "" : guid)});
-        made = one.release();
+        made = new FmiInstance{name, log, FmuSession(path_of_uri(resources), guid == nullptr ? "" : guid)};
         return fmi_ok;
     });
     return made;
 }
 
 FLOES_FMI void fmi2FreeInstance(void* instance) {
-    delete static_cast<Fmi2Instance*>(instance);
+    delete static_cast<FmiInstance*>(instance);
 }
 
 FLOES_FMI int fmi2SetDebugLogging(void* instance, int, std::size_t, const char* const*) {
-    return on<Fmi2Instance>(instance, [](Fmi2Instance&) {});  // errors alone are logged, and always
+    return on(instance, [](const FmuSession&) {});  // errors alone are logged, and always
 }
 
 FLOES_FMI int fmi2SetupExperiment(void* instance, int, double, double start, int has_stop, double stop) {
-    return on<Fmi2Instance>(instance, [&](Fmi2Instance& one) {
-        one.session.set_up(start, has_stop != 0 ? std::optional(stop) : std::nullopt);
-    });
+    return on(instance,
+              [&](FmuSession& one) { one.set_up(start, has_stop != 0 ? std::optional(stop) : std::nullopt); });
 }
 
 FLOES_FMI int fmi2EnterInitializationMode(void* instance) {
-    return on<Fmi2Instance>(instance, [](Fmi2Instance& one) { one.session.enter_initialization(); });
+    return on(instance, &FmuSession::enter_initialization);
 }
 
 FLOES_FMI int fmi2ExitInitializationMode(void* instance) {
-    return on<Fmi2Instance>(instance, [](Fmi2Instance& one) { one.session.exit_initialization(); });
+    return on(instance, &FmuSession::exit_initialization);
 }
 
 FLOES_FMI int fmi2Terminate(void* instance) {
-    return on<Fmi2Instance>(instance, [](Fmi2Instance& one) { one.session.terminate(); });
+    return on(instance, &FmuSession::terminate);
 }
 
 FLOES_FMI int fmi2Reset(void* instance) {
-    return on<Fmi2Instance>(instance, [](Fmi2Instance& one) { one.session.reset(); });
+    return on(instance, &FmuSession::reset);
 }
 
 FLOES_FMI int fmi2GetReal(void* instance, const unsigned* references, std::size_t count, double* values) {
-    return get_values<Fmi2Instance>(instance, references, count, values, count, &FmuSession::real);
+    return get_values(instance, references, count, values, count, &FmuSession::real);
 }
 
 FLOES_FMI int fmi2GetInteger(void* instance, const unsigned* references, std::size_t count, int* values) {
-    return get_values<Fmi2Instance>(instance, references, count, values, count, &FmuSession::integer);
+    return get_values(instance, references, count, values, count, &FmuSession::integer);
 }
 
 FLOES_FMI int fmi2GetString(void* instance, const unsigned* references, std::size_t count, const char** values) {
-    return get_values<Fmi2Instance>(instance, references, count, values, count, &FmuSession::text);
+    return get_values(instance, references, count, values, count, &FmuSession::text);
 }
 
 FLOES_FMI int fmi2SetReal(void* instance, const unsigned* references, std::size_t count, const double* values) {
-    return set_values<Fmi2Instance>(instance, references, count, values, count);
+    return set_values(instance, references, count, values, count);
 }
 
 FLOES_FMI int fmi2SetInteger(void* instance, const unsigned* references, std::size_t count, const int* values) {
-    return set_values<Fmi2Instance>(instance, references, count, values, count);
+    return set_values(instance, references, count, values, count);
 }
 
 FLOES_FMI int fmi2SetString(void* instance, const unsigned* references, std::size_t count, const char* const* values) {
-    return set_values<Fmi2Instance>(instance, references, count, values, count);
+    return set_values(instance, references, count, values, count);
 }
 
 FLOES_FMI int fmi2DoStep(void* instance, double at, double length, int) {
-    return answered(static_cast<Fmi2Instance*>(instance), [&](Fmi2Instance& one) {
+    return answered(instance, [&](FmiInstance& one) {
         one.over = one.session.step(at, length) == FmuSession::StepEnd::run_is_over;
         return one.over ? fmi_discard : fmi_ok;
     });
@@ -163,46 +141,49 @@ FLOES_FMI int fmi2DoStep(void* instance, double at, double length, int) {
 
 FLOES_FMI int fmi2GetRealStatus(void* instance, int kind, double* value) {
     if (kind != last_successful_time) return fmi_discard;
-    return on<Fmi2Instance>(instance, [&](const Fmi2Instance& one) { *value = one.session.time(); });
+    return on(instance, [&](const FmuSession& one) { *value = one.time(); });
 }
 
 FLOES_FMI int fmi2GetBooleanStatus(void* instance, int kind, int* value) {
     if (kind != terminated) return fmi_discard;
-    return on<Fmi2Instance>(instance, [&](const Fmi2Instance& one) { *value = one.over ? 1 : 0; });
+    return answered(instance, [&](const FmiInstance& one) {
+        *value = one.over ? 1 : 0;
+        return fmi_ok;
+    });
 }
 
 FLOES_FMI int fmi2GetFMUstate(void* instance, void** state) {
-    return get_state<Fmi2Instance>(instance, state);
+    return get_state(instance, state);
 }
 
 FLOES_FMI int fmi2SetFMUstate(void* instance, void* state) {
-    return set_state<Fmi2Instance>(instance, state);
+    return set_state(instance, state);
 }
 
 FLOES_FMI int fmi2FreeFMUstate(void* instance, void** state) {
-    return free_state<Fmi2Instance>(instance, state);
+    return free_state(instance, state);
 }
 
 FLOES_FMI int fmi2SerializedFMUstateSize(void* instance, void* state, std::size_t* size) {
-    return size_of_state<Fmi2Instance>(instance, state, size);
+    return size_of_state(instance, state, size);
 }
 
 FLOES_FMI int fmi2SerializeFMUstate(void* instance, void* state, char* bytes, std::size_t size) {
-    return serialize_state<Fmi2Instance>(instance, state, bytes, size);
+    return serialize_state(instance, state, bytes, size);
 }
 
 FLOES_FMI int fmi2DeSerializeFMUstate(void* instance, const char* bytes, std::size_t size, void** state) {
-    return deserialize_state<Fmi2Instance>(instance, bytes, size, state);
+    return deserialize_state(instance, bytes, size, state);
 }
 
 // What the description says this FMU lacks.
 
-FLOES_LACKS(Fmi2Instance, fmi2GetBoolean)
-FLOES_LACKS(Fmi2Instance, fmi2SetBoolean)
-FLOES_LACKS(Fmi2Instance, fmi2GetDirectionalDerivative)
-FLOES_LACKS(Fmi2Instance, fmi2SetRealInputDerivatives)
-FLOES_LACKS(Fmi2Instance, fmi2GetRealOutputDerivatives)
-FLOES_LACKS(Fmi2Instance, fmi2CancelStep)
+FLOES_LACKS(fmi2GetBoolean)
+FLOES_LACKS(fmi2SetBoolean)
+FLOES_LACKS(fmi2GetDirectionalDerivative)
+FLOES_LACKS(fmi2SetRealInputDerivatives)
+FLOES_LACKS(fmi2GetRealOutputDerivatives)
+FLOES_LACKS(fmi2CancelStep)
 
 // A status that it cannot give is discarded, and no error (FMI 2.0.4, 4.2.3).
 

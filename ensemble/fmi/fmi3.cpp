@@ -15,22 +15,6 @@ namespace {
 
 constexpr unsigned time_reference = 0;  // of the independent variable, which FMI 2.0 has none of
 
-struct Fmi3Log {
-    Fmi3Logger logger;
-    void* environment;
-
-    void log(FmiStatus status, const std::string& sentence) const {
-        if (logger != nullptr) logger(environment, status, "logStatusError", sentence.c_str());
-    }
-};
-
-struct Fmi3Instance {
-    Fmi3Log host;
-    FmuSession session;
-
-    void log(FmiStatus status, const std::string& sentence) const { host.log(status, sentence); }
-};
-
 }  // namespace
 
 FLOES_FMI const char* fmi3GetVersion() {
@@ -40,42 +24,44 @@ FLOES_FMI const char* fmi3GetVersion() {
 FLOES_FMI void* fmi3InstantiateCoSimulation(const char*, const char* token, const char* resources, bool, bool,
                                             bool events, bool, const unsigned*, std::size_t, void* environment,
                                             Fmi3Logger logger, void*) {
-    Fmi3Log log{logger, environment};
+    const FmiLog log = [logger, environment](const char*, FmiStatus status, const std::string& sentence) {
+        if (logger != nullptr) logger(environment, status, "logStatusError", sentence.c_str());
+    };
     void* made = nullptr;
-    answered(&log, [&](const Fmi3Log&) {
+    answered(log, "", [&] {
         if (events) throw InputError("This FMU has no event mode, as its description says.");
         if (resources == nullptr) throw InputError("The FMU's folder of resources is not said.");
-        made = new Fmi3Instance{log, FmuSession(resources, token == nullptr ? "" : token)};
+        made = new FmiInstance{"", log, FmuSession(resources, token == nullptr ? "" : token)};
         return fmi_ok;
     });
     return made;
 }
 
 FLOES_FMI void fmi3FreeInstance(void* instance) {
-    delete static_cast<Fmi3Instance*>(instance);
+    delete static_cast<FmiInstance*>(instance);
 }
 
 FLOES_FMI int fmi3SetDebugLogging(void* instance, bool, std::size_t, const char* const*) {
-    return on<Fmi3Instance>(instance, [](Fmi3Instance&) {});  // errors alone are logged, and always
+    return on(instance, [](const FmuSession&) {});  // errors alone are logged, and always
 }
 
 FLOES_FMI int fmi3EnterInitializationMode(void* instance, bool, double, double start, bool has_stop, double stop) {
-    return on<Fmi3Instance>(instance, [&](Fmi3Instance& one) {
-        one.session.set_up(start, has_stop ? std::optional(stop) : std::nullopt);
-        one.session.enter_initialization();
+    return on(instance, [&](FmuSession& one) {
+        one.set_up(start, has_stop ? std::optional(stop) : std::nullopt);
+        one.enter_initialization();
     });
 }
 
 FLOES_FMI int fmi3ExitInitializationMode(void* instance) {
-    return on<Fmi3Instance>(instance, [](Fmi3Instance& one) { one.session.exit_initialization(); });
+    return on(instance, &FmuSession::exit_initialization);
 }
 
 FLOES_FMI int fmi3Terminate(void* instance) {
-    return on<Fmi3Instance>(instance, [](Fmi3Instance& one) { one.session.terminate(); });
+    return on(instance, &FmuSession::terminate);
 }
 
 FLOES_FMI int fmi3Reset(void* instance) {
-    return on<Fmi3Instance>(instance, [](Fmi3Instance& one) { one.session.reset(); });
+    return on(instance, &FmuSession::reset);
 }
 
 FLOES_FMI int fmi3GetFloat64(void* instance, const unsigned* references, std::size_t count, double* values,
@@ -83,77 +69,77 @@ FLOES_FMI int fmi3GetFloat64(void* instance, const unsigned* references, std::si
     const auto value_of = [](const FmuSession& session, unsigned reference) {
         return reference == time_reference ? session.time() : session.real(reference);
     };
-    return get_values<Fmi3Instance>(instance, references, count, values, places, value_of);
+    return get_values(instance, references, count, values, places, value_of);
 }
 
 FLOES_FMI int fmi3GetInt32(void* instance, const unsigned* references, std::size_t count, int* values,
                            std::size_t places) {
-    return get_values<Fmi3Instance>(instance, references, count, values, places, &FmuSession::integer);
+    return get_values(instance, references, count, values, places, &FmuSession::integer);
 }
 
 FLOES_FMI int fmi3GetString(void* instance, const unsigned* references, std::size_t count, const char** values,
                             std::size_t places) {
-    return get_values<Fmi3Instance>(instance, references, count, values, places, &FmuSession::text);
+    return get_values(instance, references, count, values, places, &FmuSession::text);
 }
 
 FLOES_FMI int fmi3SetFloat64(void* instance, const unsigned* references, std::size_t count, const double* values,
                              std::size_t places) {
-    return set_values<Fmi3Instance>(instance, references, count, values, places);
+    return set_values(instance, references, count, values, places);
 }
 
 FLOES_FMI int fmi3SetInt32(void* instance, const unsigned* references, std::size_t count, const int* values,
                            std::size_t places) {
-    return set_values<Fmi3Instance>(instance, references, count, values, places);
+    return set_values(instance, references, count, values, places);
 }
 
 FLOES_FMI int fmi3SetString(void* instance, const unsigned* references, std::size_t count, const char* const* values,
                             std::size_t places) {
-    return set_values<Fmi3Instance>(instance, references, count, values, places);
+    return set_values(instance, references, count, values, places);
 }
 
 FLOES_FMI int fmi3DoStep(void* instance, double at, double length, bool, bool* event_needed, bool* terminates,
                          bool* returned_early, double* last_time) {
-    return answered(static_cast<Fmi3Instance*>(instance), [&](Fmi3Instance& one) {
+    return answered(instance, [&](FmiInstance& one) {
         if (event_needed != nullptr) *event_needed = false;
         if (returned_early != nullptr) *returned_early = false;
         const bool over = one.session.step(at, length) == FmuSession::StepEnd::run_is_over;
         if (terminates != nullptr) *terminates = over;
         if (last_time != nullptr) *last_time = one.session.time();
-        if (over) one.log(fmi_discard, "the run is over, and the step was not taken.");
+        if (over) one.log(one.name.c_str(), fmi_discard, "the run is over, and the step was not taken.");
         return over ? fmi_discard : fmi_ok;
     });
 }
 
 FLOES_FMI int fmi3GetFMUState(void* instance, void** state) {
-    return get_state<Fmi3Instance>(instance, state);
+    return get_state(instance, state);
 }
 
 FLOES_FMI int fmi3SetFMUState(void* instance, void* state) {
-    return set_state<Fmi3Instance>(instance, state);
+    return set_state(instance, state);
 }
 
 FLOES_FMI int fmi3FreeFMUState(void* instance, void** state) {
-    return free_state<Fmi3Instance>(instance, state);
+    return free_state(instance, state);
 }
 
 FLOES_FMI int fmi3SerializedFMUStateSize(void* instance, void* state, std::size_t* size) {
-    return size_of_state<Fmi3Instance>(instance, state, size);
+    return size_of_state(instance, state, size);
 }
 
 FLOES_FMI int fmi3SerializeFMUState(void* instance, void* state, unsigned char* bytes, std::size_t size) {
-    return serialize_state<Fmi3Instance>(instance, state, bytes, size);
+    return serialize_state(instance, state, bytes, size);
 }
 
 FLOES_FMI int fmi3DeserializeFMUState(void* instance, const unsigned char* bytes, std::size_t size, void** state) {
-    return deserialize_state<Fmi3Instance>(instance, bytes, size, state);
+    return deserialize_state(instance, bytes, size, state);
 }
 
 FLOES_FMI int fmi3GetNumberOfVariableDependencies(void* instance, unsigned, std::size_t* count) {
-    return on<Fmi3Instance>(instance, [&](const Fmi3Instance&) { *count = 0; });  // outputs change in steps alone
+    return on(instance, [&](const FmuSession&) { *count = 0; });  // outputs change in steps alone
 }
 
 FLOES_FMI int fmi3GetVariableDependencies(void* instance) {
-    return on<Fmi3Instance>(instance, [](const Fmi3Instance&) {});
+    return on(instance, [](const FmuSession&) {});
 }
 
 FLOES_FMI void* fmi3InstantiateModelExchange() {
@@ -166,55 +152,55 @@ FLOES_FMI void* fmi3InstantiateScheduledExecution() {
 
 // What the description says this FMU lacks.
 
-FLOES_LACKS(Fmi3Instance, fmi3EnterEventMode)
-FLOES_LACKS(Fmi3Instance, fmi3GetFloat32)
-FLOES_LACKS(Fmi3Instance, fmi3GetInt8)
-FLOES_LACKS(Fmi3Instance, fmi3GetUInt8)
-FLOES_LACKS(Fmi3Instance, fmi3GetInt16)
-FLOES_LACKS(Fmi3Instance, fmi3GetUInt16)
-FLOES_LACKS(Fmi3Instance, fmi3GetUInt32)
-FLOES_LACKS(Fmi3Instance, fmi3GetInt64)
-FLOES_LACKS(Fmi3Instance, fmi3GetUInt64)
-FLOES_LACKS(Fmi3Instance, fmi3GetBoolean)
-FLOES_LACKS(Fmi3Instance, fmi3GetBinary)
-FLOES_LACKS(Fmi3Instance, fmi3GetClock)
-FLOES_LACKS(Fmi3Instance, fmi3SetFloat32)
-FLOES_LACKS(Fmi3Instance, fmi3SetInt8)
-FLOES_LACKS(Fmi3Instance, fmi3SetUInt8)
-FLOES_LACKS(Fmi3Instance, fmi3SetInt16)
-FLOES_LACKS(Fmi3Instance, fmi3SetUInt16)
-FLOES_LACKS(Fmi3Instance, fmi3SetUInt32)
-FLOES_LACKS(Fmi3Instance, fmi3SetInt64)
-FLOES_LACKS(Fmi3Instance, fmi3SetUInt64)
-FLOES_LACKS(Fmi3Instance, fmi3SetBoolean)
-FLOES_LACKS(Fmi3Instance, fmi3SetBinary)
-FLOES_LACKS(Fmi3Instance, fmi3SetClock)
-FLOES_LACKS(Fmi3Instance, fmi3GetDirectionalDerivative)
-FLOES_LACKS(Fmi3Instance, fmi3GetAdjointDerivative)
-FLOES_LACKS(Fmi3Instance, fmi3EnterConfigurationMode)
-FLOES_LACKS(Fmi3Instance, fmi3ExitConfigurationMode)
-FLOES_LACKS(Fmi3Instance, fmi3GetIntervalDecimal)
-FLOES_LACKS(Fmi3Instance, fmi3GetIntervalFraction)
-FLOES_LACKS(Fmi3Instance, fmi3GetShiftDecimal)
-FLOES_LACKS(Fmi3Instance, fmi3GetShiftFraction)
-FLOES_LACKS(Fmi3Instance, fmi3SetIntervalDecimal)
-FLOES_LACKS(Fmi3Instance, fmi3SetIntervalFraction)
-FLOES_LACKS(Fmi3Instance, fmi3SetShiftDecimal)
-FLOES_LACKS(Fmi3Instance, fmi3SetShiftFraction)
-FLOES_LACKS(Fmi3Instance, fmi3EvaluateDiscreteStates)
-FLOES_LACKS(Fmi3Instance, fmi3UpdateDiscreteStates)
-FLOES_LACKS(Fmi3Instance, fmi3EnterContinuousTimeMode)
-FLOES_LACKS(Fmi3Instance, fmi3CompletedIntegratorStep)
-FLOES_LACKS(Fmi3Instance, fmi3SetTime)
-FLOES_LACKS(Fmi3Instance, fmi3SetContinuousStates)
-FLOES_LACKS(Fmi3Instance, fmi3GetContinuousStateDerivatives)
-FLOES_LACKS(Fmi3Instance, fmi3GetEventIndicators)
-FLOES_LACKS(Fmi3Instance, fmi3GetContinuousStates)
-FLOES_LACKS(Fmi3Instance, fmi3GetNominalsOfContinuousStates)
-FLOES_LACKS(Fmi3Instance, fmi3GetNumberOfEventIndicators)
-FLOES_LACKS(Fmi3Instance, fmi3GetNumberOfContinuousStates)
-FLOES_LACKS(Fmi3Instance, fmi3EnterStepMode)
-FLOES_LACKS(Fmi3Instance, fmi3GetOutputDerivatives)
-FLOES_LACKS(Fmi3Instance, fmi3ActivateModelPartition)
+FLOES_LACKS(fmi3EnterEventMode)
+FLOES_LACKS(fmi3GetFloat32)
+FLOES_LACKS(fmi3GetInt8)
+FLOES_LACKS(fmi3GetUInt8)
+FLOES_LACKS(fmi3GetInt16)
+FLOES_LACKS(fmi3GetUInt16)
+FLOES_LACKS(fmi3GetUInt32)
+FLOES_LACKS(fmi3GetInt64)
+FLOES_LACKS(fmi3GetUInt64)
+FLOES_LACKS(fmi3GetBoolean)
+FLOES_LACKS(fmi3GetBinary)
+FLOES_LACKS(fmi3GetClock)
+FLOES_LACKS(fmi3SetFloat32)
+FLOES_LACKS(fmi3SetInt8)
+FLOES_LACKS(fmi3SetUInt8)
+FLOES_LACKS(fmi3SetInt16)
+FLOES_LACKS(fmi3SetUInt16)
+FLOES_LACKS(fmi3SetUInt32)
+FLOES_LACKS(fmi3SetInt64)
+FLOES_LACKS(fmi3SetUInt64)
+FLOES_LACKS(fmi3SetBoolean)
+FLOES_LACKS(fmi3SetBinary)
+FLOES_LACKS(fmi3SetClock)
+FLOES_LACKS(fmi3GetDirectionalDerivative)
+FLOES_LACKS(fmi3GetAdjointDerivative)
+FLOES_LACKS(fmi3EnterConfigurationMode)
+FLOES_LACKS(fmi3ExitConfigurationMode)
+FLOES_LACKS(fmi3GetIntervalDecimal)
+FLOES_LACKS(fmi3GetIntervalFraction)
+FLOES_LACKS(fmi3GetShiftDecimal)
+FLOES_LACKS(fmi3GetShiftFraction)
+FLOES_LACKS(fmi3SetIntervalDecimal)
+FLOES_LACKS(fmi3SetIntervalFraction)
+FLOES_LACKS(fmi3SetShiftDecimal)
+FLOES_LACKS(fmi3SetShiftFraction)
+FLOES_LACKS(fmi3EvaluateDiscreteStates)
+FLOES_LACKS(fmi3UpdateDiscreteStates)
+FLOES_LACKS(fmi3EnterContinuousTimeMode)
+FLOES_LACKS(fmi3CompletedIntegratorStep)
+FLOES_LACKS(fmi3SetTime)
+FLOES_LACKS(fmi3SetContinuousStates)
+FLOES_LACKS(fmi3GetContinuousStateDerivatives)
+FLOES_LACKS(fmi3GetEventIndicators)
+FLOES_LACKS(fmi3GetContinuousStates)
+FLOES_LACKS(fmi3GetNominalsOfContinuousStates)
+FLOES_LACKS(fmi3GetNumberOfEventIndicators)
+FLOES_LACKS(fmi3GetNumberOfContinuousStates)
+FLOES_LACKS(fmi3EnterStepMode)
+FLOES_LACKS(fmi3GetOutputDerivatives)
+FLOES_LACKS(fmi3ActivateModelPartition)
 
 }  // namespace floes

@@ -13,6 +13,7 @@
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
+#include "fmi/session.hpp"
 
 namespace floes {
 
@@ -37,42 +38,59 @@ class OwnFloatingPoint {
     std::fenv_t host_{};
 };
 
-/// What `action` returns; where it throws, an error with the sentence in the log of `instance`.
-template <class Instance, class Action>
-FmiStatus answered(Instance* instance, Action action) noexcept {
-    if (instance == nullptr) return fmi_error;
+/// Writes to the host's log: the name of an instance, a status and a sentence.
+using FmiLog = std::function<void(const char* name, FmiStatus status, const std::string& sentence)>;
+
+/// What hosts hold a pointer to.
+struct FmiInstance {
+    std::string name;
+    FmiLog log;
+    FmuSession session;
+    bool over = false;  ///< the last step was one that ends after the run
+};
+
+/// What `action` returns; where it throws, an error with the sentence in the log of the instance called `name`.
+template <class Action>
+FmiStatus answered(const FmiLog& log, const char* name, Action action) noexcept {
     const OwnFloatingPoint mode;
     try {
-        return action(*instance);
+        return action();
     } catch (const std::exception& error) {
-        instance->log(fmi_error, error.what());
+        log(name, fmi_error, error.what());
     } catch (...) {
-        instance->log(fmi_error, "something unknown went wrong.");
+        log(name, fmi_error, "something unknown went wrong.");
     }
     return fmi_error;
 }
 
-/// Carries out what changes an instance or asks it.
-template <class Instance, class Action>
+/// The same of an instance.
+template <class Action>
+FmiStatus answered(void* instance, Action action) noexcept {
+    if (instance == nullptr) return fmi_error;
+    auto& one = *static_cast<FmiInstance*>(instance);
+    return answered(one.log, one.name.c_str(), [&] { return action(one); });
+}
+
+/// Carries out what changes the session of an instance or asks it.
+template <class Action>
 FmiStatus on(void* instance, Action action) {
-    return answered(static_cast<Instance*>(instance), [&](Instance& one) {
-        action(one);
+    return answered(instance, [&](FmiInstance& one) {
+        std::invoke(action, one.session);
         return fmi_ok;
     });
 }
 
 /// The answer of a function for what the description says this FMU lacks.
-template <class Instance>
-FmiStatus lacks(void* instance, const char* name) {
-    return on<Instance>(instance, [&](Instance&) {
+inline FmiStatus lacks(void* instance, const char* name) {
+    return on(instance, [&](FmuSession&) {
         throw InputError(fmt::format("{}: this FMU has no such thing, as its description says.", name));
     });
 }
 
 /// A function that answers so. The arguments after the instance are the caller's.
-#define FLOES_LACKS(Instance, name)              \
-    FLOES_FMI int name(void* instance) {         \
-        return lacks<Instance>(instance, #name); \
+#define FLOES_LACKS(name)                \
+    FLOES_FMI int name(void* instance) { \
+        return lacks(instance, #name);   \
     }
 
 // The values of variables: one for each reference, or it is an error.
@@ -83,67 +101,61 @@ inline void expect_alike(std::size_t references, std::size_t values) {
 }
 
 /// `value_of`: of the session and a reference.
-template <class Instance, class Value, class ValueOf>
+template <class Value, class ValueOf>
 FmiStatus get_values(void* instance, const unsigned* references, std::size_t count, Value* values, std::size_t places,
                      ValueOf value_of) {
-    return on<Instance>(instance, [&](const Instance& one) {
+    return on(instance, [&](const FmuSession& one) {
         expect_alike(count, places);
-        for (std::size_t k = 0; k < count; ++k) values[k] = std::invoke(value_of, one.session, references[k]);
+        for (std::size_t k = 0; k < count; ++k) values[k] = std::invoke(value_of, one, references[k]);
     });
 }
 
-template <class Instance, class Value>
+template <class Value>
 FmiStatus set_values(void* instance, const unsigned* references, std::size_t count, const Value* values,
                      std::size_t places) {
-    return on<Instance>(instance, [&](Instance& one) {
+    return on(instance, [&](FmuSession& one) {
         expect_alike(count, places);
-        for (std::size_t k = 0; k < count; ++k) one.session.set(references[k], values[k]);
+        for (std::size_t k = 0; k < count; ++k) one.set(references[k], values[k]);
     });
 }
 
 // States, which hosts hold as pointers to Bytes.
 
-template <class Instance>
-FmiStatus get_state(void* instance, void** state) {
-    return on<Instance>(instance, [&](const Instance& one) {
-        Bytes bytes = one.session.saved();
+inline FmiStatus get_state(void* instance, void** state) {
+    return on(instance, [&](const FmuSession& one) {
+        Bytes bytes = one.saved();
         if (*state == nullptr) *state = new Bytes;
         *static_cast<Bytes*>(*state) = std::move(bytes);
     });
 }
 
-template <class Instance>
-FmiStatus set_state(void* instance, void* state) {
-    return on<Instance>(instance, [&](Instance& one) {
+inline FmiStatus set_state(void* instance, void* state) {
+    return on(instance, [&](FmuSession& one) {
         if (state == nullptr) throw InputError("There is no state to set.");
-        one.session.set(*static_cast<Bytes*>(state));
+        one.set(*static_cast<Bytes*>(state));
     });
 }
 
-template <class Instance>
-FmiStatus free_state(void* instance, void** state) {
-    return on<Instance>(instance, [&](const Instance&) {
+inline FmiStatus free_state(void* instance, void** state) {
+    return on(instance, [&](const FmuSession&) {
         if (state != nullptr) delete static_cast<Bytes*>(std::exchange(*state, nullptr));
     });
 }
 
-template <class Instance>
-FmiStatus size_of_state(void* instance, void* state, std::size_t* size) {
-    return on<Instance>(instance, [&](const Instance&) { *size = static_cast<Bytes*>(state)->size(); });
+inline FmiStatus size_of_state(void* instance, void* state, std::size_t* size) {
+    return on(instance, [&](const FmuSession&) { *size = static_cast<Bytes*>(state)->size(); });
 }
 
-template <class Instance>
-FmiStatus serialize_state(void* instance, void* state, void* bytes, std::size_t size) {
-    return on<Instance>(instance, [&](const Instance&) {
+inline FmiStatus serialize_state(void* instance, void* state, void* bytes, std::size_t size) {
+    return on(instance, [&](const FmuSession&) {
         const Bytes& own = *static_cast<Bytes*>(state);
         if (size < own.size()) throw InputError("The state is longer than the bytes for it.");
         std::memcpy(bytes, own.data(), own.size());
     });
 }
 
-template <class Instance>
-FmiStatus deserialize_state(void* instance, const void* bytes, std::size_t size, void** state) {
-    return on<Instance>(instance, [&](const Instance&) {
+inline FmiStatus deserialize_state(void* instance, const void* bytes, std::size_t size, void** state) {
+    return on(instance, [&](const FmuSession&) {
         const auto* first = static_cast<const std::byte*>(bytes);
         *state = new Bytes(first, first + size);
     });
