@@ -18,9 +18,9 @@
 #include <cmath>
 #include <condition_variable>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <exception>
+#include <fstream>
 #include <mutex>
 #include <new>
 #include <thread>
@@ -37,12 +37,6 @@
 #include "run/signals.hpp"
 
 namespace floes {
-
-AttemptLimits limits_of(const RunRules& rules) {
-    constexpr double longest = 1e9;  // s, which every clock holds
-    return {.deadline = std::min(rules.member_deadline, longest),
-            .memory = static_cast<std::uint64_t>(rules.member_memory)};
-}
 
 namespace {
 
@@ -63,29 +57,6 @@ MemberResult failed_result(std::string reason) {
     result.reason = std::move(reason);
     return result;
 }
-
-}  // namespace
-
-std::string reason_of(const Ending& ending, const AttemptLimits& limits) {
-    if (ending.at_deadline) return deadline_reason(limits);
-    if (!WIFSIGNALED(ending.wait_status)) {
-        return fmt::format("The process of the member exited with status {} without a result.",
-                           WEXITSTATUS(ending.wait_status));
-    }
-    const int signal = WTERMSIG(ending.wait_status);
-    const char* meaning = ::sigdescr_np(signal);
-    return fmt::format("The process of the member was killed by {} ({}){}.", signal_name(signal),
-                       meaning == nullptr ? "unknown" : meaning,
-                       signal == SIGKILL ? ": by a user, or by the system because memory ran out" : "");
-}
-
-MemberResult compute_member(const Campaign& campaign, int number, std::stop_token stop) {
-    const auto [case_index, arrangement] = member_key(campaign, number);
-    return run_member(case_of(campaign, number).scenario, arrangement_seed(campaign, case_index),
-                      static_cast<std::uint32_t>(arrangement), std::move(stop));
-}
-
-namespace {
 
 /// Asks the member to stop at its deadline, and reports when it does not.
 class Deadline {
@@ -127,19 +98,6 @@ std::uint64_t own_peak_memory() {
     return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-}  // namespace
-
-MemberResult checked(MemberResult result) {
-    if (result.status == MemberStatus::failed) return result;
-    const LoadStatistics& load = result.load;
-    for (const double value : {load.mean, load.sd, load.maximum, load.mean_maximum, load.sd_maximum}) {
-        if (!std::isfinite(value)) throw MemberFailure("The load statistics of the member are not numbers.");
-    }
-    return result;
-}
-
-namespace {
-
 Attempted attempt_at(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
                      const Attempting& attempting, const std::function<bool()>& is_late) {
     const auto failed = [&](std::string reason) -> Attempted {
@@ -160,6 +118,40 @@ Attempted attempt_at(const MemberFunction& compute, const Campaign& campaign, in
 
 }  // namespace
 
+AttemptLimits limits_of(const RunRules& rules) {
+    constexpr double longest = 1e9;  // s, which every clock holds
+    return {.deadline = std::min(rules.member_deadline, longest),
+            .memory = static_cast<std::uint64_t>(rules.member_memory)};
+}
+
+std::string reason_of(const Ending& ending, const AttemptLimits& limits) {
+    if (ending.at_deadline) return deadline_reason(limits);
+    if (!WIFSIGNALED(ending.wait_status)) {
+        return fmt::format("The process of the member exited with status {} without a result.",
+                           WEXITSTATUS(ending.wait_status));
+    }
+    const int signal = WTERMSIG(ending.wait_status);
+    const char* meaning = ::sigdescr_np(signal);
+    return fmt::format("The process of the member was killed by {} ({}){}.", signal_name(signal),
+                       meaning == nullptr ? "unknown" : meaning,
+                       signal == SIGKILL ? ": by a user, or by the system because memory ran out" : "");
+}
+
+MemberResult compute_member(const Campaign& campaign, int number, std::stop_token stop) {
+    const auto [case_index, arrangement] = member_key(campaign, number);
+    return run_member(case_of(campaign, number).scenario, arrangement_seed(campaign, case_index),
+                      static_cast<std::uint32_t>(arrangement), std::move(stop));
+}
+
+MemberResult checked(MemberResult result) {
+    if (result.status == MemberStatus::failed) return result;
+    const LoadStatistics& load = result.load;
+    for (const double value : {load.mean, load.sd, load.maximum, load.mean_maximum, load.sd_maximum}) {
+        if (!std::isfinite(value)) throw MemberFailure("The load statistics of the member are not numbers.");
+    }
+    return result;
+}
+
 Attempted attempt_here(const MemberFunction& compute, const Campaign& campaign, int number, const AttemptLimits& limits,
                        std::stop_token stop, const std::function<void()>& stuck,
                        const std::function<void(const MemberProgress&)>& tell) {
@@ -176,6 +168,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+Clock::time_point in_seconds(double seconds) {
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
+/// How long poll() may wait, in ms; -1: without limit.
+int until(const std::optional<Clock::time_point>& end) {
+    if (!end) return -1;
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(*end - Clock::now()).count();
+    return static_cast<int>(std::clamp<std::int64_t>(left, 0, 1'000'000));
+}
+
 // The protocol between a process, its helper and the helper's children.
 //
 // Requests go over the control socket, each with a descriptor: of a file with the campaign's text, or of the socket of
@@ -190,11 +193,6 @@ struct Request {
     enum class Kind : std::int32_t { campaign, attempt } kind = Kind::attempt;
     std::int32_t number = 0;
     AttemptLimits limits;
-};
-
-struct RequestWithDescriptor {
-    Request request;
-    Descriptor descriptor;
 };
 
 enum class AnswerKind : std::uint8_t { result, sentence, no_process };
@@ -216,23 +214,22 @@ struct Envelope {
     msghdr message{};
 };
 
-/// False if the other end is closed.
-bool post(int control, const Request& request, int descriptor) {
-    Request copy = request;
-    Envelope envelope(copy);
+constexpr const char* helper_is_gone = "The helper process that runs members is gone.";
+
+/// Throws HelperLost if the other end is closed.
+void post(int control, Request request, int descriptor) {
+    Envelope envelope(request);
     cmsghdr* attached = CMSG_FIRSTHDR(&envelope.message);
     attached->cmsg_level = SOL_SOCKET;
     attached->cmsg_type = SCM_RIGHTS;
     attached->cmsg_len = CMSG_LEN(sizeof(int));
     std::memcpy(CMSG_DATA(attached), &descriptor, sizeof descriptor);
-    while (true) {
-        if (::sendmsg(control, &envelope.message, MSG_NOSIGNAL) >= 0) return true;
-        if (errno != EINTR) return false;
-    }
+    while (::sendmsg(control, &envelope.message, MSG_NOSIGNAL) < 0)
+        if (errno != EINTR) throw HelperLost(helper_is_gone);
 }
 
-/// The next request; empty if the other end is closed.
-std::optional<RequestWithDescriptor> next_request(int control) {
+/// The next request and its descriptor; empty if the other end is closed.
+std::optional<std::pair<Request, Descriptor>> next_request(int control) {
     Request request;
     Envelope envelope(request);
     ssize_t size = 0;
@@ -243,7 +240,7 @@ std::optional<RequestWithDescriptor> next_request(int control) {
     if (size != static_cast<ssize_t>(sizeof request) || attached == nullptr) return std::nullopt;
     int descriptor = -1;
     std::memcpy(&descriptor, CMSG_DATA(attached), sizeof descriptor);
-    return RequestWithDescriptor{request, Descriptor(descriptor)};
+    return std::pair(request, Descriptor(descriptor));
 }
 
 /// Sends the bytes in as many frames as needed; gives up if the other end is closed.
@@ -263,12 +260,9 @@ void send_frames(int socket, PacketKind kind, std::span<const std::byte> bytes) 
 
 /// Bytes of address space of this process; 0 if unknown.
 std::uint64_t mapped_bytes() {
-    unsigned long pages = 0;
-    std::FILE* file = std::fopen("/proc/self/statm", "r");
-    if (file == nullptr) return 0;
-    const bool known = std::fscanf(file, "%lu", &pages) == 1;
-    std::fclose(file);
-    return known ? pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) : 0;
+    std::uint64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 void limit_memory(std::uint64_t bytes) {
@@ -289,33 +283,12 @@ void reset_signals() {
     ::setrlimit(RLIMIT_CORE, &no_core);
 }
 
-Bytes sentence(const std::string& text) {
+Bytes answer_with(AnswerKind kind, const std::string& text) {
     ByteWriter answer;
-    answer.u8(static_cast<std::uint8_t>(AnswerKind::sentence));
+    answer.u8(static_cast<std::uint8_t>(kind));
     answer.text(text);
     return answer.take();
 }
-
-/// Whether the other end says nothing more; looked at ten times a second.
-class PutOff {
-  public:
-    explicit PutOff(const Descriptor& socket) : socket_(socket) {}
-
-    bool operator()() {
-        constexpr std::chrono::milliseconds interval{100};
-        const Clock::time_point now = Clock::now();
-        if (put_off_ || now < next_look_) return put_off_;
-        next_look_ = now + interval;
-        pollfd look{socket_.get(), POLLRDHUP, 0};
-        put_off_ = ::poll(&look, 1, 0) > 0;
-        return put_off_;
-    }
-
-  private:
-    const Descriptor& socket_;
-    Clock::time_point next_look_ = Clock::now();
-    bool put_off_ = false;
-};
 
 /// Empty: put off.
 Bytes compute_answer(const Request& request, const Campaign& campaign, const MemberFunction& compute,
@@ -323,7 +296,16 @@ Bytes compute_answer(const Request& request, const Campaign& campaign, const Mem
     // The helper enforces the deadline, so that it also ends a member that does not poll.
     const AttemptLimits limits{.deadline = 0, .memory = request.limits.memory};
     Attempting attempting;
-    attempting.is_put_off = [put_off = PutOff(socket)]() mutable { return put_off(); };
+    // The other end says nothing more then.
+    attempting.is_put_off = [&socket, next_look = Clock::now(), put_off = false]() mutable {
+        constexpr std::chrono::milliseconds interval{100};
+        const Clock::time_point now = Clock::now();
+        if (put_off || now < next_look) return put_off;
+        next_look = now + interval;
+        pollfd look{socket.get(), POLLRDHUP, 0};
+        put_off = ::poll(&look, 1, 0) > 0;
+        return put_off;
+    };
     attempting.tell = [&socket](const MemberProgress& progress) {
         send_frames(socket.get(), PacketKind::progress, std::as_bytes(std::span(&progress, 1)));
     };
@@ -336,7 +318,7 @@ Bytes compute_answer(const Request& request, const Campaign& campaign, const Mem
         write_arrays(answer, *attempt.result);
         return answer.take();
     } catch (const std::bad_alloc&) {
-        return sentence(memory_reason(limits));
+        return answer_with(AnswerKind::sentence, memory_reason(limits));
     }
 }
 
@@ -397,7 +379,7 @@ class Server {
             std::vector<pollfd> waits{{control_.get(), POLLIN, 0}, {child_ended_.get(), POLLIN, 0}};
             // A child whose parent hung up has been killed: wait for its end, not for the same hang-up again.
             for (const Child& child : children_) waits.push_back({child.ended ? -1 : child.socket.get(), 0, 0});
-            ::poll(waits.data(), waits.size(), patience());
+            ::poll(waits.data(), waits.size(), until(next_deadline()));
             for (std::size_t i = 0; i < children_.size(); ++i) {
                 if ((waits[i + 2].revents & POLLHUP) != 0) end(children_[i]);
             }
@@ -408,15 +390,11 @@ class Server {
     }
 
   private:
-    int patience() const {
-        auto wait = std::chrono::milliseconds(-1);
-        for (const Child& child : children_) {
-            if (child.ended || !child.deadline) continue;
-            const auto left = std::max(std::chrono::ceil<std::chrono::milliseconds>(*child.deadline - Clock::now()),
-                                       std::chrono::milliseconds(0));
-            wait = wait.count() < 0 ? left : std::min(wait, left);
-        }
-        return static_cast<int>(std::min<std::int64_t>(wait.count(), 1'000'000));
+    std::optional<Clock::time_point> next_deadline() const {
+        std::optional<Clock::time_point> next;
+        for (const Child& child : children_)
+            if (!child.ended && child.deadline && (!next || *child.deadline < *next)) next = child.deadline;
+        return next;
     }
 
     static void end(Child& child) {
@@ -449,13 +427,13 @@ class Server {
     }
 
     bool take_request() {
-        std::optional<RequestWithDescriptor> taken = next_request(control_.get());
+        std::optional<std::pair<Request, Descriptor>> taken = next_request(control_.get());
         if (!taken) return false;
-        if (taken->request.kind == Request::Kind::campaign) {
-            campaign_ = read_from(taken->descriptor);
-        } else {
-            begin(taken->request, std::move(taken->descriptor));
-        }
+        auto& [request, descriptor] = *taken;
+        if (request.kind == Request::Kind::campaign)
+            campaign_ = read_from(descriptor);
+        else
+            begin(request, std::move(descriptor));
         return true;
     }
 
@@ -469,19 +447,14 @@ class Server {
             compute_and_leave(request, socket, campaign_, compute_, helper);
         }
         if (pid < 0) {
-            ByteWriter answer;
-            answer.u8(static_cast<std::uint8_t>(AnswerKind::no_process));
-            answer.text(fmt::format("Cannot create a process for the member ({}).", std::strerror(errno)));
-            send_frames(socket.get(), PacketKind::part, answer.bytes());
+            const std::string why = fmt::format("Cannot create a process for the member ({}).", std::strerror(errno));
+            send_frames(socket.get(), PacketKind::part, answer_with(AnswerKind::no_process, why));
             const Ending none;
             send_frames(socket.get(), PacketKind::ending, std::as_bytes(std::span(&none, 1)));
             return;
         }
         std::optional<Clock::time_point> deadline;
-        if (request.limits.deadline > 0) {
-            const std::chrono::duration<double> longest(request.limits.deadline);
-            deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(longest);
-        }
+        if (request.limits.deadline > 0) deadline = in_seconds(request.limits.deadline);
         children_.push_back({pid, std::move(socket), deadline});
     }
 
@@ -523,13 +496,6 @@ Descriptor file_of(const std::string& text) {
         written += static_cast<std::size_t>(more);
     }
     return file;
-}
-
-/// How long poll() may wait, in ms; -1: without limit.
-int until(const std::optional<Clock::time_point>& end) {
-    if (!end) return -1;
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(*end - Clock::now()).count();
-    return static_cast<int>(std::clamp<std::int64_t>(left, 0, 1'000'000));
 }
 
 struct Answered {
@@ -606,37 +572,28 @@ Helper::~Helper() {
 
 void Helper::prepare(const Campaign& campaign) {
     const Descriptor text = file_of(write_campaign(campaign));
-    if (!post(control_.get(), {Request::Kind::campaign, 0, {}}, text.get())) {
-        throw HelperLost("The helper process that runs members is gone.");
-    }
+    post(control_.get(), {Request::Kind::campaign, 0, {}}, text.get());
 }
 
 Attempted Helper::run(int number, const AttemptLimits& limits, const std::stop_token& stop,
                       const std::function<void(const MemberProgress&)>& tell) const {
     auto [mine, childs] = socket_pair(SOCK_SEQPACKET);
-    if (!post(control_.get(), {Request::Kind::attempt, number, limits}, childs.get())) {
-        throw HelperLost("The helper process that runs members is gone.");
-    }
+    post(control_.get(), {Request::Kind::attempt, number, limits}, childs.get());
     childs.close();
     std::optional<Clock::time_point> end;
-    if (limits.deadline > 0) {
-        const std::chrono::duration<double> longest(limits.deadline + limits.grace);
-        end = Clock::now() + std::chrono::duration_cast<Clock::duration>(longest);
-    }
+    if (limits.deadline > 0) end = in_seconds(limits.deadline + limits.grace);
     const std::stop_callback put_off(
         stop, [&socket = mine, saves = patience_ > 0] { ::shutdown(socket.get(), saves ? SHUT_WR : SHUT_RDWR); });
     bool waits = false;
     const auto last = [&] {
-        if (stop.stop_requested() && !std::exchange(waits, true))
-            end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience_));
+        if (stop.stop_requested() && !std::exchange(waits, true)) end = in_seconds(patience_);
         return end;
     };
     const Answered answer = listen(mine.get(), last, tell);
     if (stop.stop_requested() && answer.bytes.empty()) return {};
     if (answer.ending) return {understand(answer.bytes, *answer.ending, limits), answer.ending->peak_memory};
     if (stop.stop_requested()) return {};
-    throw HelperLost(answer.closed ? "The helper process that runs members is gone."
-                                   : "The helper process that runs members does not answer.");
+    throw HelperLost(answer.closed ? helper_is_gone : "The helper process that runs members does not answer.");
 }
 
 }  // namespace floes
