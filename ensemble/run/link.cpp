@@ -18,6 +18,8 @@
 #include <exception>
 #include <functional>
 #include <iterator>
+#include <list>
+#include <set>
 #include <string_view>
 #include <thread>
 #include <utility>
@@ -188,114 +190,139 @@ Topology find_topology() {
     return topology;
 }
 
-}  // namespace
-
-struct MpiLink::Transfer {
-    Message message;  // `from` is the other rank, in both directions
-    MPI_Request request = MPI_REQUEST_NULL;
-
-    bool complete() {
-        int done = 0;
-        FLOES_MPI(MPI_Test(&request, &done, MPI_STATUS_IGNORE));
-        return done != 0;
+class MpiLink final : public Link {
+  public:
+    explicit MpiLink(unsigned longest_start) : exceptions_(std::uncaught_exceptions()) {
+        const StartDeadline deadline(longest_start);
+        int provided = MPI_THREAD_SINGLE;
+        {
+            const CrashSignals former;
+            FLOES_MPI(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided));
+        }
+        if (provided < MPI_THREAD_FUNNELED) {
+            throw RunError(
+                "This MPI library does not let a rank have threads (MPI_THREAD_FUNNELED); floes needs that.");
+        }
+        FLOES_MPI(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN));
+        FLOES_MPI(MPI_Comm_rank(MPI_COMM_WORLD, &rank_));
+        FLOES_MPI(MPI_Comm_size(MPI_COMM_WORLD, &size_));
+        topology_ = find_topology();
     }
+
+    /// Waits (asleep, for a limited time) until all messages are sent, then ends MPI. During an exception MPI_Finalize
+    /// is not called, because the other ranks may never reach it: mpirun then sees an improper exit and ends them all,
+    /// instead of waiting without end. It is not called either if a rank was abandoned. If a rank hangs in it for
+    /// minutes, SIGALRM ends this process.
+    ~MpiLink() override {
+        if (std::uncaught_exceptions() > exceptions_) return;
+        const auto deadline = std::chrono::steady_clock::now() + longest_parting;
+        try {
+            while (!outgoing_.empty() && std::chrono::steady_clock::now() < deadline) {
+                forget_sent();
+                std::this_thread::sleep_for(std::chrono::microseconds(200));
+            }
+        } catch (const RunError&) {
+            return;  // MPI itself failed: MPI_Finalize would hang
+        }
+        if (!outgoing_.empty() || !abandoned_.empty()) return;
+        // MPI_Finalize waits for every rank, and one may be suspended. All results are sent and stored, so SIGALRM may
+        // end it.
+        ::alarm(longest_finalize);
+        MPI_Finalize();
+        ::alarm(0);
+    }
+
+    int rank() const override { return rank_; }
+    int size() const override { return size_; }
+    const Topology& topology() const override { return topology_; }
+
+    void send(int to, Tag tag, std::vector<std::byte> bytes) override {
+        if (bytes.size() > INT_MAX)
+            throw RunError(fmt::format("A message of {} bytes is too long for MPI.", bytes.size()));
+        if (abandoned_.contains(to)) return;
+        Transfer& transfer = outgoing_.emplace_back(Transfer{{to, tag, std::move(bytes)}, MPI_REQUEST_NULL});
+        const auto& payload = transfer.message.bytes;
+        FLOES_MPI(MPI_Isend(payload.data(), static_cast<int>(payload.size()), MPI_BYTE, to, static_cast<int>(tag),
+                            MPI_COMM_WORLD, &transfer.request));
+    }
+
+    std::optional<Message> poll() override {
+        forget_sent();
+        begin_receiving();
+        return take_arrived();
+    }
+
+    void abandon(int rank) override {
+        abandoned_.insert(rank);
+        // A transfer to that rank may never complete, and its buffer belongs to MPI until it does.
+        std::list<Transfer>::iterator next;
+        for (auto it = outgoing_.begin(); it != outgoing_.end(); it = next) {
+            next = std::next(it);
+            if (it->message.from == rank) stranded_.splice(stranded_.end(), outgoing_, it);
+        }
+    }
+
+    bool moving() const override { return !outgoing_.empty() || !incoming_.empty(); }
+
+  private:
+    struct Transfer {
+        Message message;  // `from` is the other rank, in both directions
+        MPI_Request request = MPI_REQUEST_NULL;
+
+        bool complete() {
+            int done = 0;
+            FLOES_MPI(MPI_Test(&request, &done, MPI_STATUS_IGNORE));
+            return done != 0;
+        }
+    };
+
+    void forget_sent() {
+        std::erase_if(outgoing_, [](Transfer& transfer) { return transfer.complete(); });
+    }
+
+    void begin_receiving() {
+        while (incoming_.size() < most_receives_at_once) {
+            int found = 0;
+            MPI_Message matched = MPI_MESSAGE_NULL;
+            MPI_Status status;
+            FLOES_MPI(MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, &matched, &status));
+            if (found == 0) return;
+            int size = 0;
+            FLOES_MPI(MPI_Get_count(&status, MPI_BYTE, &size));
+            Transfer& transfer = incoming_.emplace_back(
+                Transfer{{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG), {}}, MPI_REQUEST_NULL});
+            transfer.message.bytes.resize(static_cast<std::size_t>(size));
+            FLOES_MPI(MPI_Imrecv(transfer.message.bytes.data(), size, MPI_BYTE, &matched, &transfer.request));
+        }
+    }
+
+    std::optional<Message> take_arrived() {
+        std::set<int> waiting_for;  // a message never overtakes an earlier one of its sender
+        for (auto it = incoming_.begin(); it != incoming_.end(); ++it) {
+            const int from = it->message.from;
+            if (waiting_for.contains(from)) continue;
+            if (!it->complete()) {
+                waiting_for.insert(from);
+                continue;
+            }
+            Message message = std::move(it->message);
+            incoming_.erase(it);
+            return message;
+        }
+        return std::nullopt;
+    }
+
+    int rank_ = 0;
+    int size_ = 1;
+    int exceptions_ = 0;  // active at construction
+    Topology topology_;
+    std::set<int> abandoned_;
+    std::list<Transfer> outgoing_;
+    std::list<Transfer> stranded_;  // sent to ranks that were abandoned later
+    std::list<Transfer> incoming_;  // in the order in which they were matched
 };
 
-MpiLink::MpiLink(unsigned longest_start) : exceptions_(std::uncaught_exceptions()) {
-    const StartDeadline deadline(longest_start);
-    int provided = MPI_THREAD_SINGLE;
-    {
-        const CrashSignals former;
-        FLOES_MPI(MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided));
-    }
-    if (provided < MPI_THREAD_FUNNELED) {
-        throw RunError("This MPI library does not let a rank have threads (MPI_THREAD_FUNNELED); floes needs that.");
-    }
-    FLOES_MPI(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN));
-    FLOES_MPI(MPI_Comm_rank(MPI_COMM_WORLD, &rank_));
-    FLOES_MPI(MPI_Comm_size(MPI_COMM_WORLD, &size_));
-    topology_ = find_topology();
-}
-
-MpiLink::~MpiLink() {
-    if (std::uncaught_exceptions() > exceptions_) return;
-    const auto deadline = std::chrono::steady_clock::now() + longest_parting;
-    try {
-        while (!outgoing_.empty() && std::chrono::steady_clock::now() < deadline) {
-            forget_sent();
-            std::this_thread::sleep_for(std::chrono::microseconds(200));
-        }
-    } catch (const RunError&) {
-        return;  // MPI itself failed: MPI_Finalize would hang
-    }
-    if (!outgoing_.empty() || !abandoned_.empty()) return;
-    // MPI_Finalize waits for every rank, and one may be suspended. All results are sent and stored, so SIGALRM may end
-    // it.
-    ::alarm(longest_finalize);
-    MPI_Finalize();
-    ::alarm(0);
-}
-
-void MpiLink::send(int to, Tag tag, std::vector<std::byte> bytes) {
-    if (bytes.size() > INT_MAX) throw RunError(fmt::format("A message of {} bytes is too long for MPI.", bytes.size()));
-    if (abandoned_.contains(to)) return;
-    Transfer& transfer = outgoing_.emplace_back(Transfer{{to, tag, std::move(bytes)}, MPI_REQUEST_NULL});
-    const auto& payload = transfer.message.bytes;
-    FLOES_MPI(MPI_Isend(payload.data(), static_cast<int>(payload.size()), MPI_BYTE, to, static_cast<int>(tag),
-                        MPI_COMM_WORLD, &transfer.request));
-}
-
-void MpiLink::abandon(int rank) {
-    abandoned_.insert(rank);
-    // A transfer to that rank may never complete, and its buffer belongs to MPI until it does.
-    std::list<Transfer>::iterator next;
-    for (auto it = outgoing_.begin(); it != outgoing_.end(); it = next) {
-        next = std::next(it);
-        if (it->message.from == rank) stranded_.splice(stranded_.end(), outgoing_, it);
-    }
-}
-
-std::optional<Message> MpiLink::poll() {
-    forget_sent();
-    begin_receiving();
-    return take_arrived();
-}
-
-void MpiLink::forget_sent() {
-    std::erase_if(outgoing_, [](Transfer& transfer) { return transfer.complete(); });
-}
-
-void MpiLink::begin_receiving() {
-    while (incoming_.size() < most_receives_at_once) {
-        int found = 0;
-        MPI_Message matched = MPI_MESSAGE_NULL;
-        MPI_Status status;
-        FLOES_MPI(MPI_Improbe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &found, &matched, &status));
-        if (found == 0) return;
-        int size = 0;
-        FLOES_MPI(MPI_Get_count(&status, MPI_BYTE, &size));
-        Transfer& transfer = incoming_.emplace_back(
-            Transfer{{status.MPI_SOURCE, static_cast<Tag>(status.MPI_TAG), {}}, MPI_REQUEST_NULL});
-        transfer.message.bytes.resize(static_cast<std::size_t>(size));
-        FLOES_MPI(MPI_Imrecv(transfer.message.bytes.data(), size, MPI_BYTE, &matched, &transfer.request));
-    }
-}
-
-std::optional<Message> MpiLink::take_arrived() {
-    std::set<int> waiting_for;  // a message never overtakes an earlier one of its sender
-    for (auto it = incoming_.begin(); it != incoming_.end(); ++it) {
-        const int from = it->message.from;
-        if (waiting_for.contains(from)) continue;
-        if (!it->complete()) {
-            waiting_for.insert(from);
-            continue;
-        }
-        Message message = std::move(it->message);
-        incoming_.erase(it);
-        return message;
-    }
-    return std::nullopt;
-}
+}  // namespace
 
 std::string library_version() {
     char text[MPI_MAX_LIBRARY_VERSION_STRING] = "";
@@ -304,9 +331,6 @@ std::string library_version() {
     const std::string version(text);
     return version.substr(0, version.find_first_of(",\n"));
 }
-
-}  // namespace floes
-namespace floes {
 
 std::unique_ptr<Link> open_link(unsigned longest_start) {
     if (started_by_mpi()) return std::make_unique<MpiLink>(longest_start);

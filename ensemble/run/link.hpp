@@ -5,10 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <list>
 #include <memory>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -43,7 +41,7 @@ Topology make_topology(std::span<const CoreMask> masks, std::size_t mine);
 /// them; otherwise empty.
 std::string binding_remark(const Topology& topology);
 
-// The link between ranks: whole messages, in order for each sender. LocalLink serves a single process, MpiLink uses
+// The link between ranks: whole messages, in order for each sender. LocalLink serves a single process, another one uses
 // MPI.
 //
 //     std::unique_ptr<Link> link = open_link();
@@ -129,52 +127,13 @@ class LocalLink final : public Link {
     std::deque<Message> waiting_;
 };
 
-// The link over MPI. Its constructor starts MPI and its destructor ends MPI, so a process can have only one, ever, and
-// must use it from the thread that made it.
-
-class MpiLink final : public Link {
-  public:
-    /// Collective over all ranks. Throws RunError if MPI cannot be started. Where the ranks have not all started within
-    /// `longest_start` s, this process says so and ends with status 1.
-    explicit MpiLink(unsigned longest_start);
-
-    /// Waits (asleep, for a limited time) until all messages are sent, then ends MPI. During an exception MPI_Finalize
-    /// is not called, because the other ranks may never reach it: mpirun then sees an improper exit and ends them all,
-    /// instead of waiting without end. It is not called either if a rank was abandoned. If a rank hangs in it for
-    /// minutes, SIGALRM ends this process.
-    ~MpiLink() override;
-
-    int rank() const override { return rank_; }
-    int size() const override { return size_; }
-    const Topology& topology() const override { return topology_; }
-    void send(int to, Tag tag, std::vector<std::byte> bytes) override;
-    std::optional<Message> poll() override;
-    void abandon(int rank) override;
-    bool moving() const override { return !outgoing_.empty() || !incoming_.empty(); }
-
-  private:
-    struct Transfer;
-
-    void forget_sent();
-    void begin_receiving();
-    std::optional<Message> take_arrived();
-
-    int rank_ = 0;
-    int size_ = 1;
-    int exceptions_ = 0;  // active at construction
-    Topology topology_;
-    std::set<int> abandoned_;
-    std::list<Transfer> outgoing_;
-    std::list<Transfer> stranded_;  // sent to ranks that were abandoned later
-    std::list<Transfer> incoming_;  // in the order in which they were matched
-};
-
 /// Name and version of the MPI library, e.g. "Open MPI v4.1.4". Needs no MPI to be started.
 std::string library_version();
 
-// The link that matches how this process was started.
-
-/// MPI under mpirun or srun, otherwise local without starting MPI. `longest_start`, s: MpiLink.
+/// The link that matches how this process was started: under mpirun or srun over MPI, which it starts and its
+/// destructor ends, so that a process has only one, ever, and uses it from the thread that made it; otherwise local.
+/// The former is collective over all ranks: throws RunError if MPI cannot be started; where the ranks have not all
+/// started within `longest_start` s, this process says so and ends with status 1.
 std::unique_ptr<Link> open_link(unsigned longest_start = 600);
 
 }  // namespace floes

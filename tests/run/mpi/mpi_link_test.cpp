@@ -1,4 +1,5 @@
-// MpiLink on any number of ranks started by mpirun. MPI starts once in a process, so all tests share one link.
+// The link over MPI on any number of ranks started by mpirun. MPI starts once in a process, so all tests share one
+// link.
 
 #include "run/link.hpp"
 
@@ -92,7 +93,7 @@ TEST(MpiLink, WaitingCostsAlmostNothing) {
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     floes::mpi_link_test::handlers_before_mpi = floes::mpi_link_test::crash_handlers();
-    floes::MpiLink link(60);
-    floes::mpi_link_test::link = &link;
+    const std::unique_ptr<floes::Link> link = floes::open_link(60);
+    floes::mpi_link_test::link = link.get();
     return RUN_ALL_TESTS();
 }
