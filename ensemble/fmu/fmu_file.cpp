@@ -3,6 +3,7 @@
 #include <zlib.h>
 
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 
 #include <fmt/format.h>
@@ -16,9 +17,17 @@ namespace floes {
 
 namespace {
 
+struct ZipField {
+    std::uint64_t value;
+    int bytes;
+};
+
 /// Little endian.
-void put(std::string& text, std::uint32_t value, int bytes) {
-    for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> (8 * k) & 0xff);
+std::string bytes_of(std::initializer_list<ZipField> fields) {
+    std::string text;
+    for (const auto& [value, bytes] : fields)
+        for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> (8 * k) & 0xff);
+    return text;
 }
 
 /// As zip wants it: without a header of its own.
@@ -38,6 +47,21 @@ std::string deflated(const std::string& bytes) {
     return made;
 }
 
+/// For people who open the archive.
+std::string index_page(const FmuDescription& of) {
+    std::string rows;
+    for (const FmuVariable& one : fmu_variables(of.mover)) {
+        rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", one.name,
+                            fmu_role_words.at(static_cast<std::size_t>(one.role)), one.unit, markup_escaped(one.words));
+    }
+    return fmt::format(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title></head><body>\n"
+        "<h1>{0}</h1>\n<p>The load of ice floes on a hull that is moved {1} this FMU, made by {2}. Axes: X along the "
+        "channel as the tow goes, Y to port, Z up, from where the tow has the hull; forces on the hull, at its axis at "
+        "the height of the calm water.</p>\n<table>\n{3}</table>\n</body></html>\n",
+        markup_escaped(of.model_name), hull_mover_words.at(static_cast<std::size_t>(of.mover)), of.program, rows);
+}
+
 }  // namespace
 
 std::string zip_archive(const std::vector<ArchivedFile>& files) {
@@ -55,62 +79,32 @@ std::string zip_archive(const std::vector<ArchivedFile>& files) {
         if (bytes.size() > std::numeric_limits<std::int32_t>::max())
             throw RunError(fmt::format("{} has {} bytes, more than an FMU can hold.", name, bytes.size()));
         const std::string packed = deflated(bytes);
-        std::string facts;
-        put(facts, version, 2);
-        put(facts, 0, 2);           // flags
-        put(facts, Z_DEFLATED, 2);  // which zip counts as zlib does
-        put(facts, 0, 2);           // time
-        put(facts, date, 2);
-        put(facts,
-            static_cast<std::uint32_t>(
-                crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()))),
-            4);
-        put(facts, static_cast<std::uint32_t>(packed.size()), 4);
-        put(facts, static_cast<std::uint32_t>(bytes.size()), 4);
-        put(facts, static_cast<std::uint32_t>(name.size()), 2);
-        put(facts, 0, 2);  // extra field
-        put(central, central_mark, 4);
-        put(central, unix_made | version, 2);
-        central += facts;
-        put(central, 0, 2);  // comment
-        put(central, 0, 2);  // disk
-        put(central, 0, 2);  // a binary
-        put(central, permissions, 4);
-        put(central, static_cast<std::uint32_t>(archive.size()), 4);
-        central += name;
-        put(archive, local_mark, 4);
-        archive += facts + name + packed;
+        const auto crc = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
+        const std::string facts = bytes_of({{version, 2},
+                                            {0, 2},           // flags
+                                            {Z_DEFLATED, 2},  // which zip counts as zlib does
+                                            {0, 2},           // time
+                                            {date, 2},
+                                            {crc, 4},
+                                            {packed.size(), 4},
+                                            {bytes.size(), 4},
+                                            {name.size(), 2},
+                                            {0, 2}});  // extra field
+        // Behind the facts: no comment, the first disk, a binary, and where the file is.
+        central += bytes_of({{central_mark, 4}, {unix_made | version, 2}}) + facts +
+                   bytes_of({{0, 2}, {0, 2}, {0, 2}, {permissions, 4}, {archive.size(), 4}}) + name;
+        archive += bytes_of({{local_mark, 4}}) + facts + name + packed;
     }
-    const auto begin = static_cast<std::uint32_t>(archive.size());
-    archive += central;
-    put(archive, end_mark, 4);
-    put(archive, 0, 4);  // disks
-    put(archive, static_cast<std::uint32_t>(files.size()), 2);
-    put(archive, static_cast<std::uint32_t>(files.size()), 2);
-    put(archive, static_cast<std::uint32_t>(central.size()), 4);
-    put(archive, begin, 4);
-    put(archive, 0, 2);  // comment
-    return archive;
+    // The first of one disk, how many files, where the list of them is, and no comment.
+    const std::string end = bytes_of({{end_mark, 4},
+                                      {0, 4},
+                                      {files.size(), 2},
+                                      {files.size(), 2},
+                                      {central.size(), 4},
+                                      {archive.size(), 4},
+                                      {0, 2}});
+    return archive + central + end;
 }
-
-namespace {
-
-/// For people who open the archive.
-std::string index_page(const FmuDescription& of) {
-    std::string rows;
-    for (const FmuVariable& one : fmu_variables(of.mover)) {
-        rows += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", one.name,
-                            fmu_role_words.at(static_cast<std::size_t>(one.role)), one.unit, markup_escaped(one.words));
-    }
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title></head><body>\n"
-        "<h1>{0}</h1>\n<p>The load of ice floes on a hull that is moved {1} this FMU, made by {2}. Axes: X along the "
-        "channel as the tow goes, Y to port, Z up, from where the tow has the hull; forces on the hull, at its axis at "
-        "the height of the calm water.</p>\n<table>\n{3}</table>\n</body></html>\n",
-        markup_escaped(of.model_name), hull_mover_words.at(static_cast<std::size_t>(of.mover)), of.program, rows);
-}
-
-}  // namespace
 
 std::string fmu_file(FmuParts parts, FmiVersion version) {
     FmuDescription& of = parts.description;

@@ -4,6 +4,7 @@
 // functions"; OrcaFlex's, "Vessel data: Applied loads"). kN and kN m are its SI units.
 
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -49,15 +50,10 @@ std::vector<WrittenLoad> orcaflex_files(const LoadToWrite& load, const std::stri
         "# s\n"
         "COLUMNS = {{",
         applied, series.step);
-    for (const char* name : {"ForceX", "ForceY", "ForceZ", "MomentX", "MomentY", "MomentZ"}) {
-        const std::string_view word(name);
-        const std::string place = word == "ForceX"                              ? "0"
-                                  : word == "ForceY"                            ? "1"
-                                  : word == "ForceZ"                            ? "2"
-                                  : word == "MomentZ" && !series.moment.empty() ? "3"
-                                                                                : "None";
-        text += fmt::format("\"{}{}\": {}, ", applied, name, place);
-    }
+    const std::pair<const char*, const char*> columns[]{
+        {"ForceX", "0"},     {"ForceY", "1"},     {"ForceZ", "2"},
+        {"MomentX", "None"}, {"MomentY", "None"}, {"MomentZ", series.moment.empty() ? "None" : "3"}};
+    for (const auto& [name, place] : columns) text += fmt::format("\"{}{}\": {}, ", applied, name, place);
     text += "}\nLOADS = [[float(value) for value in row.split()] for row in \"\"\"\\\n";
     for (std::size_t k = 0; k < series.cells(); ++k)
         text += fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", 1e-3 * series.force[0][k], 1e-3 * series.force[1][k],

@@ -87,22 +87,6 @@ DriverCosts measured_costs() {
     };
 }
 
-MemberCosts measured_member_costs() {
-    return {
-        .direct_per_unit = 2.4e-6,
-        .lanes_per_unit = 1.6e-6,
-        .stock_per_unit = 12e-6,
-        .jam = 4.5,
-        .variation = 0.05,
-        .history_bytes = 7,
-        .file_per_record_byte = 0.8,
-        .file_bytes = 165e3,
-        .source =
-            "the expected cost of each member, times the measured time per unit on a Xeon of 2023 (AVX-512); "
-            "42 of 46 campaigns took 0.7 to 2.3 times as long. --from takes those of members that ran",
-    };
-}
-
 namespace {
 
 // Simulated time of the master's single thread, which works sequentially, syncs the journal when due, and publishes,
@@ -260,10 +244,8 @@ struct Happening {
     int rank = 0;
     int number = 0;  // of the member; of the message for `answered` and `kept`
     int attempt = 0;
-};
 
-struct Later {
-    bool operator()(const Happening& a, const Happening& b) const {
+    friend bool operator>(const Happening& a, const Happening& b) {
         return std::tie(a.time, a.order) > std::tie(b.time, b.order);
     }
 };
@@ -494,7 +476,7 @@ class Play {
     double start_up_;
     MasterClock clock_;
     std::vector<Rank> ranks_;
-    std::priority_queue<Happening, std::vector<Happening>, Later> happenings_;
+    std::priority_queue<Happening, std::vector<Happening>, std::greater<>> happenings_;
     std::uint64_t order_ = 0;
     std::map<int, std::vector<Assign>> handed_out_;  // by worker, since the last hand_out()
     std::map<int, std::vector<Assign>> messages_;    // of answers, on their way
@@ -616,7 +598,7 @@ struct HistoryBytes {
             if (output.group() != "history" || !scenario.analysis.keep_history) continue;
             const std::size_t numbers = output.axes[0]->places(scenario).size();
             const int repeated = std::max(1, output.held_steps / scenario.analysis.history_stride);
-            const double bytes = measured_member_costs().history_bytes * static_cast<double>(numbers) / repeated;
+            const double bytes = MemberCosts().history_bytes * static_cast<double>(numbers) / repeated;
             all += bytes;
             if (PackedNumbers{numbers, {}}.deflated()) deflated += bytes;
         }
@@ -652,7 +634,7 @@ std::vector<SimulatedMember> members_of(const Campaign& campaign) {
         const auto k = static_cast<std::size_t>(member_key(campaign, number).case_index);
         members.push_back({.expected_cost = costs[k],
                            .record_bytes = histories[k].all + others[k],
-                           .file_bytes = histories[k].all + measured_member_costs().file_per_record_byte * others[k],
+                           .file_bytes = histories[k].all + MemberCosts().file_per_record_byte * others[k],
                            .packed_bytes = histories[k].deflated});
     }
     return members;
@@ -688,7 +670,7 @@ const std::vector<double>& rates_for(const Case& one, const MeasuredRun& run, co
 void scale_as_measured(std::vector<SimulatedMember>& members, const MeasuredRun& run) {
     const std::vector<SimulatedMember> planned = members_of(run.campaign);
     double journal = 0;
-    double file = measured_member_costs().file_bytes;
+    double file = MemberCosts().file_bytes;
     for (std::size_t k = 0; k < planned.size(); ++k) {
         if (std::isnan(run.wall_time[k])) continue;
         journal += planned[k].record_bytes;
@@ -727,11 +709,11 @@ double time_per_unit(const Scenario& scenario, const MemberCosts& costs) {
 
 double expected_run_time(const Campaign& campaign, int case_index) {
     return expected_cost(campaign, case_index) *  // members begin with one of each case
-           time_per_unit(campaign.cases[static_cast<std::size_t>(case_index)].scenario, measured_member_costs());
+           time_per_unit(campaign.cases[static_cast<std::size_t>(case_index)].scenario, MemberCosts());
 }
 
 PlannedMembers expected_members(const Campaign& campaign) {
-    const MemberCosts costs = measured_member_costs();
+    const MemberCosts costs;
     PlannedMembers planned{members_of(campaign), costs.source};
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);
@@ -795,7 +777,7 @@ PlanRow plan_row(std::span<const SimulatedMember> members, const Machine& machin
     PlanRow row{std::accumulate(cores.begin(), cores.end(), 0), static_cast<int>(cores.size()),
                 simulate(members, machine, costs, with_file),
                 costs.memory_per_member * static_cast<double>(members.size())};
-    row.forecast.file_bytes += measured_member_costs().file_bytes;
+    row.forecast.file_bytes += MemberCosts().file_bytes;
     return row;
 }
 

@@ -62,20 +62,21 @@ struct DriverCosts {
 /// Costs of the present driver on the machine named in plan.cpp.
 DriverCosts measured_costs();
 
-/// Costs of a member.
+/// Costs of a member, measured as plan.cpp says.
 struct MemberCosts {
-    double direct_per_unit = 0;       ///< s per unit of expected_cost(), an element in a step; beams solved exactly
-    double lanes_per_unit = 0;        ///< the same with sweeps over joints, as the paper has them
-    double stock_per_unit = 0;        ///< the same with Bullet's own solver
-    double jam = 0;                   ///< times this at an upright wall, where jams take many sweeps
-    double variation = 0;             ///< of the run times of a case: standard deviation over mean
-    double history_bytes = 0;         ///< per number of a history, packed; less of ice that leaves the hull
-    double file_per_record_byte = 0;  ///< of everything else: the file has rows that several records share only once
-    double file_bytes = 0;            ///< of a campaign file without members
-    std::string source;               ///< a sentence: where and when
+    double direct_per_unit = 2.4e-6;    ///< s per unit of expected_cost(), an element in a step; beams solved exactly
+    double lanes_per_unit = 1.6e-6;     ///< the same with sweeps over joints, as the paper has them
+    double stock_per_unit = 12e-6;      ///< the same with Bullet's own solver
+    double jam = 4.5;                   ///< times this at an upright wall, where jams take many sweeps
+    double variation = 0.05;            ///< of the run times of a case: standard deviation over mean
+    double history_bytes = 7;           ///< per number of a history, packed; less of ice that leaves the hull
+    double file_per_record_byte = 0.8;  ///< of everything else: the file has rows that several records share only once
+    double file_bytes = 165e3;          ///< of a campaign file without members
+    /// A sentence: where and when.
+    std::string source =
+        "the expected cost of each member, times the measured time per unit on a Xeon of 2023 (AVX-512); "
+        "42 of 46 campaigns took 0.7 to 2.3 times as long. --from takes those of members that ran";
 };
-
-MemberCosts measured_member_costs();
 
 // A run in simulated time: the real Scheduler gets the events of a real run, at times that follow from the members and
 // the measured costs of the driver. Deterministic: the same members, machine and costs give the same forecast to the

@@ -208,26 +208,19 @@ std::variant<HttpReply, ModelQuestion> taken(const ServedModel& model, std::stri
     return question;
 }
 
-std::pair<int, const char*> status_and_type(ModelError::Kind kind) {
-    switch (kind) {
-        case ModelError::Kind::invalid_input:
-            return {400, "InvalidInput"};
-        case ModelError::Kind::model_not_found:
-            return {400, "ModelNotFound"};
-        case ModelError::Kind::unsupported_feature:
-            return {400, "UnsupportedFeature"};
-        case ModelError::Kind::invalid_output:
-            return {500, "InvalidOutput"};
-        case ModelError::Kind::unavailable:
-            break;
-    }
-    return {503, "Unavailable"};
-}
+/// By ModelError::Kind.
+constexpr std::array<std::pair<int, const char*>, 5> statuses_and_types{{
+    {400, "InvalidInput"},
+    {500, "InvalidOutput"},
+    {400, "ModelNotFound"},
+    {400, "UnsupportedFeature"},
+    {503, "Unavailable"},
+}};
 
 }  // namespace
 
 HttpReply reply(const ModelError& error) {
-    const auto [status, type] = status_and_type(error.kind());
+    const auto [status, type] = statuses_and_types.at(static_cast<std::size_t>(error.kind()));
     return {status, text_of({{"error", {{"type", type}, {"message", error.what()}}}})};
 }
 

@@ -37,7 +37,7 @@ TEST(ExpectedMembers, TakeAsLongAsTheirCostSays) {
     for (Case& one : stock.cases) one.scenario.general.solver = SolverKind::stock;
     EXPECT_GT(mean_run_time(expected_members(stock).members) / expected, 5 * per_unit);
     // The scatter has mean 1: the mean over many is that of the costs.
-    const MemberCosts costs = measured_member_costs();
+    const MemberCosts costs;
     const bool direct = campaign.cases[0].scenario.general.solver == SolverKind::direct;
     EXPECT_NEAR(per_unit, direct ? costs.direct_per_unit : costs.lanes_per_unit, 0.01 * per_unit);
     Campaign legs = campaign;
@@ -57,8 +57,7 @@ TEST(CostWords, SayWhatOtherElementsAndWindowsCost) {
     scenario.analysis.window = 1500;
     scenario.field.far_end = FarEnd::never;
     campaign.cases.push_back({"long", scenario});
-    const double seconds =
-        measured_member_costs().direct_per_unit * scenario.step_count() * 9 * computed_floes(scenario);
+    const double seconds = MemberCosts().direct_per_unit * scenario.step_count() * 9 * computed_floes(scenario);
     EXPECT_DOUBLE_EQ(expected_run_time(campaign, 0), seconds);
     const std::vector<std::string> words = cost_words(campaign);
     ASSERT_EQ(words.size(), 1u);
@@ -101,7 +100,7 @@ TEST(ExpectedMembers, HaveTheSizeOfTheirRecords) {
         const auto others = static_cast<double>(encode(record).size());
         const double map = 8.0 * (2 * LoadMap::heights * LoadMap::angles + LoadMap::parts);  // hardly compressed
         EXPECT_EQ(member.packed_bytes, 0) << "so few steps are left as they are";
-        const double bytes = others + measured_member_costs().history_bytes * numbers;
+        const double bytes = others + MemberCosts().history_bytes * numbers;
         EXPECT_GT(member.record_bytes, bytes + 0.8 * map);
         EXPECT_LT(member.record_bytes, bytes + 1.1 * map);
     }
@@ -135,7 +134,7 @@ TEST(MeasuredMembers, DrawFromTheirOwnCase) {
     // Three members took 3 MB of journal and 1 MB of file, of which some is there without members too.
     EXPECT_NEAR(planned.members[0].record_bytes, 1e6, 0.1e6);
     const std::vector<SimulatedMember> expected = expected_members(large).members;
-    const double foreseen = measured_member_costs().file_bytes + 2 * expected[0].file_bytes + expected[1].file_bytes;
+    const double foreseen = MemberCosts().file_bytes + 2 * expected[0].file_bytes + expected[1].file_bytes;
     EXPECT_NEAR(planned.members[0].file_bytes / expected[0].file_bytes, 1e6 / foreseen, 1e-9);
     EXPECT_EQ(planned.source, "3 measured members of synthetic");
 }
@@ -163,7 +162,7 @@ TEST(ExpectedMembers, HaveSmallerRecordsWithoutHistories) {
     campaign.cases[0].scenario.analysis.keep_history = false;
     const SimulatedMember without = expected_members(campaign).members[0];
     const double of_history =
-        (3 + 3.0 / steps_a_look) * measured_member_costs().history_bytes * campaign.cases[0].scenario.step_count();
+        (3 + 3.0 / steps_a_look) * MemberCosts().history_bytes * campaign.cases[0].scenario.step_count();
     EXPECT_NEAR(with.record_bytes - without.record_bytes, of_history, 1e-9 * of_history);
     EXPECT_NEAR(with.file_bytes - without.file_bytes, of_history, 1e-9 * of_history);
     EXPECT_DOUBLE_EQ(with.packed_bytes, with.record_bytes - without.record_bytes);
