@@ -75,40 +75,6 @@ void settle(Case& one, const PlateResult& measured, Progress& progress) {
     one.pairing = Pairing::settled;
 }
 
-}  // namespace
-
-void settle_moduli(Campaign& campaign, int threads, Progress& progress) {
-    struct Tested {
-        Scenario ice;
-        PlateResult measured;
-    };
-    std::map<std::string, Tested> ices;  // distinct ones, by their canonical text
-    std::vector<std::pair<Case*, const Tested*>> asked;
-    for (Case& one : campaign.cases) {
-        if (one.pairing != Pairing::find_modulus && one.pairing != Pairing::check) continue;
-        Scenario ice = tested_ice(one);
-        std::string text = canonical_text(ice);
-        asked.emplace_back(&one, &ices.try_emplace(std::move(text), Tested{std::move(ice), {}}).first->second);
-    }
-    std::vector<Tested*> tests;
-    for (auto& [text, tested] : ices) tests.push_back(&tested);
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
-        tbb::parallel_for(std::size_t{0}, tests.size(),
-                          [&](std::size_t i) { tests[i]->measured = measure(tests[i]->ice); });
-    });
-    for (const auto& [one, tested] : asked) settle(*one, tested->measured, progress);
-}
-
-std::vector<CurvePoint> measure_curve(const std::vector<PointPlan>& plans) {
-    std::vector<CurvePoint> curve(plans.size());
-    tbb::parallel_for(std::size_t{0}, plans.size(),
-                      [&](std::size_t i) { curve[i] = measure_curve_point(plans[i].scenario, plans[i].test); });
-    return curve;
-}
-
-namespace {
-
 /// One ice to be calibrated, for all cases that have it.
 struct Task {
     std::string cases;  ///< their names
@@ -163,6 +129,36 @@ std::string finding(const Task& task) {
 }
 
 }  // namespace
+
+void settle_moduli(Campaign& campaign, int threads, Progress& progress) {
+    struct Tested {
+        Scenario ice;
+        PlateResult measured;
+    };
+    std::map<std::string, Tested> ices;  // distinct ones, by their canonical text
+    std::vector<std::pair<Case*, const Tested*>> asked;
+    for (Case& one : campaign.cases) {
+        if (one.pairing != Pairing::find_modulus && one.pairing != Pairing::check) continue;
+        Scenario ice = tested_ice(one);
+        std::string text = canonical_text(ice);
+        asked.emplace_back(&one, &ices.try_emplace(std::move(text), Tested{std::move(ice), {}}).first->second);
+    }
+    std::vector<Tested*> tests;
+    for (auto& [text, tested] : ices) tests.push_back(&tested);
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(std::size_t{0}, tests.size(),
+                          [&](std::size_t i) { tests[i]->measured = measure(tests[i]->ice); });
+    });
+    for (const auto& [one, tested] : asked) settle(*one, tested->measured, progress);
+}
+
+std::vector<CurvePoint> measure_curve(const std::vector<PointPlan>& plans) {
+    std::vector<CurvePoint> curve(plans.size());
+    tbb::parallel_for(std::size_t{0}, plans.size(),
+                      [&](std::size_t i) { curve[i] = measure_curve_point(plans[i].scenario, plans[i].test); });
+    return curve;
+}
 
 std::vector<CalibrationRecord> kept_calibrations(const Recorder::Places& places) {
     const std::filesystem::path journal = journal_path(places.campaign_file);

@@ -47,14 +47,6 @@ std::string clock_text(double seconds) {
                     : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
-}  // namespace
-
-std::string come_text(double time, double end) {
-    return fmt::format("{:.0f} % ({:.0f} of {:.0f} s)", 100 * time / end, time, end);
-}
-
-namespace {
-
 std::string counts_text(const ProgressState& state) {
     std::string text =
         fmt::format("{} of {} done, {} failed, {} running", state.done, state.total, state.failed, state.running);
@@ -74,7 +66,32 @@ std::string counts_text(const ProgressState& state) {
     return text;
 }
 
+/// A reader finds the old text or the new one. It is not worth a sync.
+void replace_text(const std::filesystem::path& path, const std::string& text, const System& system) {
+    const std::filesystem::path aside = path.string() + ".tmp";
+    try {
+        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), std::as_bytes(std::span(text)));
+        system.rename(aside, path);
+    } catch (const std::exception&) {
+        system.remove(aside);
+    }
+}
+
+/// A label's value as the format has it.
+std::string escaped(const std::string& label) {
+    std::string text;
+    for (const char letter : label) {
+        if (letter == '\\' || letter == '"') text += '\\';
+        text += letter == '\n' ? std::string("\\n") : std::string(1, letter);
+    }
+    return text;
+}
+
 }  // namespace
+
+std::string come_text(double time, double end) {
+    return fmt::format("{:.0f} % ({:.0f} of {:.0f} s)", 100 * time / end, time, end);
+}
 
 std::string progress_text(const ProgressState& state) {
     std::string text = counts_text(state);
@@ -134,31 +151,6 @@ constexpr double longest_silence = 60;  // s; heartbeats come every few seconds,
 std::filesystem::path heartbeat_path(const std::filesystem::path& campaign_file) {
     return target_of(campaign_file).replace_extension(".alive");
 }
-
-namespace {
-
-/// A reader finds the old text or the new one. It is not worth a sync.
-void replace_text(const std::filesystem::path& path, const std::string& text, const System& system) {
-    const std::filesystem::path aside = path.string() + ".tmp";
-    try {
-        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), std::as_bytes(std::span(text)));
-        system.rename(aside, path);
-    } catch (const std::exception&) {
-        system.remove(aside);
-    }
-}
-
-/// A label's value as the format has it.
-std::string escaped(const std::string& label) {
-    std::string text;
-    for (const char letter : label) {
-        if (letter == '\\' || letter == '"') text += '\\';
-        text += letter == '\n' ? std::string("\\n") : std::string(1, letter);
-    }
-    return text;
-}
-
-}  // namespace
 
 std::string metrics_text(const Metrics& metrics) {
     const std::string of = fmt::format("campaign=\"{}\"", escaped(metrics.campaign));

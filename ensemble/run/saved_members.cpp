@@ -48,59 +48,6 @@ std::string beginning_of_names(const fs::path& campaign_file) {
     return campaign_file.stem().string() + ".";
 }
 
-}  // namespace
-
-fs::path saved_path(const fs::path& campaign_file, const MemberIdentity& member) {
-    return fs::path(campaign_file)
-        .replace_filename(
-            fmt::format("{}{}-{}{}", beginning_of_names(campaign_file), member.first, member.second, ending));
-}
-
-std::string saved_stamp(const Campaign& campaign, int number) {
-    const MemberKey key = member_key(campaign, number);
-    std::string stamp = fmt::format("case {}\nseed {}\narrangement {}\n", case_fingerprint(campaign, key.case_index),
-                                    arrangement_seed(campaign, key.case_index), key.arrangement);
-    for (const Software& one : describe_session(1, 1, {}).software)
-        stamp += fmt::format("{} {}\n", one.name, one.version);
-    return stamp + fmt::format("program {}\n", digest_hex(text_of(bytes_of("/proc/self/exe", this_system()))));
-}
-
-void write_saved(const fs::path& path, const std::string& stamp, const SavedMember& member, const System& system) {
-    ByteWriter out;
-    out.text(magic);
-    out.text(stamp);
-    out.f64(member.wall_time);
-    out.f64(member.cpu_time);
-    out.blob(member.state);
-    Bytes bytes = out.take();
-    const std::string digest = digest_hex(text_of(bytes));
-    const auto last = std::as_bytes(std::span(digest));
-    bytes.insert(bytes.end(), last.begin(), last.end());
-    const auto write = [&](const fs::path& aside) {
-        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), bytes);
-    };
-    replace_file(path, fmt::format("{}.{}.{}.tmp", path.string(), host_name(), ::getpid()), write, system);
-}
-
-std::optional<SavedMember> read_saved(const fs::path& path, const std::string& stamp, const System& system) {
-    if (!is_there(path, system)) return {};
-    const Bytes bytes = bytes_of(path, system);
-    if (bytes.size() < digest_bytes) throw RunError("its end is missing");
-    const auto content = std::span(bytes).first(bytes.size() - digest_bytes);
-    if (digest_hex(text_of(content)) != text_of(std::span(bytes).last(digest_bytes)))
-        throw RunError("it is damaged or its end is missing");
-    ByteReader in(content);
-    if (in.text() != magic) throw RunError("it is of another version of floes");
-    if (in.text() != stamp) throw RunError("it is of another program, processor or campaign");
-    SavedMember member;
-    member.wall_time = in.f64();
-    member.cpu_time = in.f64();
-    member.state = in.blob();
-    return member;
-}
-
-namespace {
-
 struct SavedFile {
     fs::path path;
     MemberIdentity member;
@@ -123,24 +70,6 @@ std::vector<SavedFile> saved_files(const fs::path& campaign_file, const System& 
     }
     return found;
 }
-
-}  // namespace
-
-void remove_saved(const fs::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted,
-                  HalfWritten half_written, const System& system) {
-    for (const SavedFile& file : saved_files(campaign_file, system))
-        if (file.whole ? !wanted(file.member) : half_written == HalfWritten::removed) system.remove(file.path);
-}
-
-int count_saved(const Campaign& campaign, const fs::path& campaign_file, const System& system) {
-    const std::vector<std::string> keys = case_fingerprints(campaign);
-    const std::set<std::string> cases(keys.begin(), keys.end());
-    return static_cast<int>(std::ranges::count_if(saved_files(campaign_file, system), [&](const SavedFile& file) {
-        return file.whole && cases.contains(file.member.first) && file.member.second < campaign.arrangements;
-    }));
-}
-
-namespace {
 
 using Clock = std::chrono::steady_clock;
 
@@ -270,6 +199,69 @@ class LongMember {
 };
 
 }  // namespace
+
+fs::path saved_path(const fs::path& campaign_file, const MemberIdentity& member) {
+    return fs::path(campaign_file)
+        .replace_filename(
+            fmt::format("{}{}-{}{}", beginning_of_names(campaign_file), member.first, member.second, ending));
+}
+
+std::string saved_stamp(const Campaign& campaign, int number) {
+    const MemberKey key = member_key(campaign, number);
+    std::string stamp = fmt::format("case {}\nseed {}\narrangement {}\n", case_fingerprint(campaign, key.case_index),
+                                    arrangement_seed(campaign, key.case_index), key.arrangement);
+    for (const Software& one : describe_session(1, 1, {}).software)
+        stamp += fmt::format("{} {}\n", one.name, one.version);
+    return stamp + fmt::format("program {}\n", digest_hex(text_of(bytes_of("/proc/self/exe", this_system()))));
+}
+
+void write_saved(const fs::path& path, const std::string& stamp, const SavedMember& member, const System& system) {
+    ByteWriter out;
+    out.text(magic);
+    out.text(stamp);
+    out.f64(member.wall_time);
+    out.f64(member.cpu_time);
+    out.blob(member.state);
+    Bytes bytes = out.take();
+    const std::string digest = digest_hex(text_of(bytes));
+    const auto last = std::as_bytes(std::span(digest));
+    bytes.insert(bytes.end(), last.begin(), last.end());
+    const auto write = [&](const fs::path& aside) {
+        write_all(open_file(aside, O_WRONLY | O_CREAT | O_TRUNC, system), bytes);
+    };
+    replace_file(path, fmt::format("{}.{}.{}.tmp", path.string(), host_name(), ::getpid()), write, system);
+}
+
+std::optional<SavedMember> read_saved(const fs::path& path, const std::string& stamp, const System& system) {
+    if (!is_there(path, system)) return {};
+    const Bytes bytes = bytes_of(path, system);
+    if (bytes.size() < digest_bytes) throw RunError("its end is missing");
+    const auto content = std::span(bytes).first(bytes.size() - digest_bytes);
+    if (digest_hex(text_of(content)) != text_of(std::span(bytes).last(digest_bytes)))
+        throw RunError("it is damaged or its end is missing");
+    ByteReader in(content);
+    if (in.text() != magic) throw RunError("it is of another version of floes");
+    if (in.text() != stamp) throw RunError("it is of another program, processor or campaign");
+    SavedMember member;
+    member.wall_time = in.f64();
+    member.cpu_time = in.f64();
+    member.state = in.blob();
+    return member;
+}
+
+void remove_saved(const fs::path& campaign_file, const std::function<bool(const MemberIdentity&)>& wanted,
+                  HalfWritten half_written, const System& system) {
+    for (const SavedFile& file : saved_files(campaign_file, system))
+        if (file.whole ? !wanted(file.member) : half_written == HalfWritten::removed) system.remove(file.path);
+}
+
+int count_saved(const Campaign& campaign, const fs::path& campaign_file, const System& system) {
+    const std::vector<std::string> keys = case_fingerprints(campaign);
+    const std::set<std::string> cases(keys.begin(), keys.end());
+    return static_cast<int>(std::ranges::count_if(saved_files(campaign_file, system), [&](const SavedFile& file) {
+        return file.whole && cases.contains(file.member.first) && file.member.second < campaign.arrangements;
+    }));
+}
 
 MemberFunction long_members(fs::path campaign_file, double interval) {
     return [campaign_file = std::move(campaign_file), interval](const Campaign& campaign, int number,

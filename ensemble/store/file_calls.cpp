@@ -27,6 +27,20 @@ FileFacts facts_of(const OpenFile& file) {
     return facts;
 }
 
+/// Where a file cannot be renamed to: what arrives there is copied beside it first.
+std::error_code copy_into_place(const std::filesystem::path& aside, const std::filesystem::path& target) {
+    const std::filesystem::path arriving = target.string() + ".arriving";
+    std::error_code error;
+    std::filesystem::copy_file(aside, arriving, std::filesystem::copy_options::overwrite_existing, error);
+    if (!error) {
+        sync_data(open_file(arriving, O_RDWR));
+        std::filesystem::rename(arriving, target, error);
+    }
+    std::error_code ignored;
+    std::filesystem::remove(error ? arriving : aside, ignored);
+    return error;
+}
+
 }  // namespace
 
 OpenFile open_file(const std::filesystem::path& path, int flags, const System& system) {
@@ -126,24 +140,6 @@ std::filesystem::path target_of(std::filesystem::path path) {
     }
     return path;
 }
-
-namespace {
-
-/// Where a file cannot be renamed to: what arrives there is copied beside it first.
-std::error_code copy_into_place(const std::filesystem::path& aside, const std::filesystem::path& target) {
-    const std::filesystem::path arriving = target.string() + ".arriving";
-    std::error_code error;
-    std::filesystem::copy_file(aside, arriving, std::filesystem::copy_options::overwrite_existing, error);
-    if (!error) {
-        sync_data(open_file(arriving, O_RDWR));
-        std::filesystem::rename(arriving, target, error);
-    }
-    std::error_code ignored;
-    std::filesystem::remove(error ? arriving : aside, ignored);
-    return error;
-}
-
-}  // namespace
 
 void rename_into_place(const std::filesystem::path& aside, const std::filesystem::path& path, const System& system) {
     const std::filesystem::path target = target_of(path);

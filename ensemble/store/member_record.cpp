@@ -33,6 +33,46 @@ PackedArray read_array(ByteReader& in) {
     return array;
 }
 
+/// Calls `use` with the number of each record and of each member that it is a record of. Cases of equal physics share
+/// their records.
+template <class Use>
+void for_each_match(const Campaign& campaign, const MemberNotes& notes, const Use& use) {
+    std::vector<std::vector<std::size_t>> cases_of_key(notes.keys().size());
+    for (std::size_t k = 0; const std::string& fingerprint : case_fingerprints(campaign)) {
+        const auto key = notes.keys().find(fingerprint);
+        if (key != notes.keys().end()) cases_of_key[static_cast<std::size_t>(key->second)].push_back(k);
+        ++k;
+    }
+    for (std::size_t record = 0; record < notes.size(); ++record) {
+        const MemberNote& note = notes[record];
+        if (note.arrangement < 0 || note.arrangement >= campaign.arrangements) continue;
+        const std::size_t first = static_cast<std::size_t>(note.arrangement) * campaign.cases.size();
+        for (const std::size_t of_case : cases_of_key[static_cast<std::size_t>(note.key)]) use(record, first + of_case);
+    }
+}
+
+/// How far the record's arrays go along the axes of which it alone knows that.
+std::array<int, found_axes.size()> found_in(const MemberRecord& record) {
+    std::array<int, found_axes.size()> found{};
+    for (std::size_t number = 0; number < array_outputs.size(); ++number) {
+        const auto& axes = array_outputs[number].axes;
+        for (std::size_t k = 0; k < axes.size() && axes[k] != nullptr; ++k) {
+            const auto at = std::ranges::find(found_axes, axes[k]);
+            if (at == found_axes.end()) continue;
+            const PackedArray array = record.array(number);
+            if (!array.empty())
+                found[static_cast<std::size_t>(at - found_axes.begin())] = static_cast<int>(array.sizes[k]);
+        }
+    }
+    return found;
+}
+
+MemberNotes notes_of(std::span<const MemberRecord> records) {
+    MemberNotes notes;
+    for (const MemberRecord& record : records) notes.add(record);
+    return notes;
+}
+
 }  // namespace
 
 PackedArray MemberRecord::array(std::size_t number) const {
@@ -135,55 +175,6 @@ CalibrationRecord decode_calibration_record(std::span<const std::byte> bytes) {
         throw RunError("a stored calibration is longer than expected; it was written by another version");
     return record;
 }
-
-namespace {
-
-/// As member_key() has it.
-std::size_t number_of(const Campaign& campaign, const MemberKey& key) {
-    return static_cast<std::size_t>(key.arrangement) * campaign.cases.size() + static_cast<std::size_t>(key.case_index);
-}
-
-/// Calls `use` with the number of each record and of each member that it is a record of. Cases of equal physics share
-/// their records.
-template <class Use>
-void for_each_match(const Campaign& campaign, const MemberNotes& notes, const Use& use) {
-    std::vector<std::vector<int>> cases_of_key(notes.keys().size());
-    for (int k = 0; const std::string& of_case : case_fingerprints(campaign)) {
-        const auto key = notes.keys().find(of_case);
-        if (key != notes.keys().end()) cases_of_key[static_cast<std::size_t>(key->second)].push_back(k);
-        ++k;
-    }
-    for (std::size_t record = 0; record < notes.size(); ++record) {
-        const MemberNote& note = notes[record];
-        if (note.arrangement < 0 || note.arrangement >= campaign.arrangements) continue;
-        for (const int case_index : cases_of_key[static_cast<std::size_t>(note.key)])
-            use(record, number_of(campaign, {case_index, note.arrangement}));
-    }
-}
-
-/// How far the record's arrays go along the axes of which it alone knows that.
-std::array<int, found_axes.size()> found_in(const MemberRecord& record) {
-    std::array<int, found_axes.size()> found{};
-    for (std::size_t number = 0; number < array_outputs.size(); ++number) {
-        const auto& axes = array_outputs[number].axes;
-        for (std::size_t k = 0; k < axes.size() && axes[k] != nullptr; ++k) {
-            const auto at = std::ranges::find(found_axes, axes[k]);
-            if (at == found_axes.end()) continue;
-            const PackedArray array = record.array(number);
-            if (!array.empty())
-                found[static_cast<std::size_t>(at - found_axes.begin())] = static_cast<int>(array.sizes[k]);
-        }
-    }
-    return found;
-}
-
-MemberNotes notes_of(std::span<const MemberRecord> records) {
-    MemberNotes notes;
-    for (const MemberRecord& record : records) notes.add(record);
-    return notes;
-}
-
-}  // namespace
 
 int found_along(const MemberNote& note, const ArrayAxis& axis) {
     return note.found.at(static_cast<std::size_t>(std::ranges::find(found_axes, &axis) - found_axes.begin()));
