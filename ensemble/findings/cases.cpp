@@ -233,80 +233,82 @@ bool never_happened(const Summary& summary, const Quantity& quantity) {
            std::ranges::none_of(summary.cases, [&](const CaseSummary& row) { return row.of(quantity).estimate > 0; });
 }
 
-/// Cases as rows.
-using CaseTable = ByColumn<CaseSummary>;
-
 /// For people only where the interval says something of some case.
-void add_further_run(const Summary& summary, const Quantity& quantity, CaseTable& table) {
+void add_further_run(const Summary& summary, const Quantity& quantity, Results& table) {
     const auto further = [&](const CaseSummary& row) { return one_further_run(row, quantity); };
     const bool said = quantity.shown >= Shown::in_table3 && !quantity.for_programs &&
                       std::ranges::any_of(summary.cases, &Bracket::said, further);
-    table.add({.key = std::string{quantity.key.view()} + "_prediction",
-               .words = said ? "  one further run" : "",
-               .unit = unit_of(quantity),
-               .holds = ResultColumn::Holds::brackets,
-               .decimals = column_of(quantity).decimals},
-              further);
+    table.add_column({.key = std::string{quantity.key.view()} + "_prediction",
+                      .words = said ? "  one further run" : "",
+                      .unit = unit_of(quantity),
+                      .holds = ResultColumn::Holds::brackets,
+                      .decimals = column_of(quantity).decimals},
+                     summary.cases, further);
 }
 
-void add_counts(const Summary& summary, CaseTable& table) {
+void add_counts(const Summary& summary, Results& table) {
     using Row = const CaseSummary&;
+    const auto add = [&](ResultColumn about, const auto& value) {
+        table.add_column(std::move(about), summary.cases, value);
+    };
     const bool any_cfm = std::ranges::any_of(summary.cases, [](Row row) { return !std::isnan(row.about.cfm); });
-    table.add({"name", "case"},
-              [&](Row row) { return summary.named(static_cast<std::size_t>(&row - summary.cases.data())); });
-    table.add({.key = "cfm", .words = any_cfm ? "Σ" : "", .digits = 4}, [](Row row) { return row.about.cfm; });
-    table.add({.key = "elastic_modulus_MPa", .words = "E, MPa", .digits = 4},
-              [](Row row) { return row.about.elastic_modulus / unit::megapascal; });
-    table.add({"members", "arrangements"}, [](Row row) { return row.members; });
-    table.add({"done", "  done"}, [](Row row) { return row.done; });
-    table.add({"failed_members", "  failed"}, [](Row row) { return row.failed_members; });
-    table.add({"missing_members"}, [](Row row) { return row.missing_members; });
-    table.add({"not_steady"}, [](Row row) { return row.not_steady; });
-    table.add({.key = "trend"}, [](Row row) { return name_of(row.trend.steadiness); });
-    table.add({.words = "load through the window"}, [](Row row) { return judged_words(row.trend); });
+    add({"name", "case"},
+        [&](Row row) { return summary.named(static_cast<std::size_t>(&row - summary.cases.data())); });
+    add({.key = "cfm", .words = any_cfm ? "Σ" : "", .digits = 4}, [](Row row) { return row.about.cfm; });
+    add({.key = "elastic_modulus_MPa", .words = "E, MPa", .digits = 4},
+        [](Row row) { return row.about.elastic_modulus / unit::megapascal; });
+    add({"members", "arrangements"}, [](Row row) { return row.members; });
+    add({"done", "  done"}, [](Row row) { return row.done; });
+    add({"failed_members", "  failed"}, [](Row row) { return row.failed_members; });
+    add({"missing_members"}, [](Row row) { return row.missing_members; });
+    add({"not_steady"}, [](Row row) { return row.not_steady; });
+    add({.key = "trend"}, [](Row row) { return name_of(row.trend.steadiness); });
+    add({.words = "load through the window"}, [](Row row) { return judged_words(row.trend); });
     const auto as_estimate = [](const Interval& change) {
         return Estimate{change.estimate, change.low, change.high, std::isfinite(change.low)};
     };
-    table.add(estimates("", "  changes by", "N"), [&](Row row) { return as_estimate(row.trend.judged()); });
-    table.add(estimates("change_over_window", "", "N"), [&](Row row) { return as_estimate(row.trend.load); });
+    add(estimates("", "  changes by", "N"), [&](Row row) { return as_estimate(row.trend.judged()); });
+    add(estimates("change_over_window", "", "N"), [&](Row row) { return as_estimate(row.trend.load); });
 }
 
-void add_quantity(const Summary& summary, const Quantity& quantity, Reference reference, CaseTable& table) {
+void add_quantity(const Summary& summary, const Quantity& quantity, Reference reference, Results& table) {
     using Row = const CaseSummary&;
     const std::string key{quantity.key.view()};
     ResultColumn about = column_of(quantity);
     if (never_happened(summary, quantity)) about.words.clear();
-    table.add(std::move(about), [&](Row row) { return estimate_of(row, quantity); });
+    table.add_column(std::move(about), summary.cases, [&](Row row) { return estimate_of(row, quantity); });
     add_further_run(summary, quantity, table);
     if (kind_of(quantity).load)
-        table.add({key + "_standing_out"}, [&](Row row) { return row.of(quantity).standing_out; });
+        table.add_column({key + "_standing_out"}, summary.cases,
+                         [&](Row row) { return row.of(quantity).standing_out; });
     if (!reference) return;
     const std::string words = fmt::format("  against {}, %", summary.name_of(*reference));
-    table.add({.key = key + "_difference_percent",
-               .words = quantity.shown >= Shown::in_pairs && !quantity.for_programs ? words : "",
-               .decimals = 1},
-              [&](Row row) {
-                  const auto index = static_cast<std::size_t>(&row - summary.cases.data());
-                  return difference_percent(summary, index, *reference, quantity);
-              });
+    table.add_column({.key = key + "_difference_percent",
+                      .words = quantity.shown >= Shown::in_pairs && !quantity.for_programs ? words : "",
+                      .decimals = 1},
+                     summary.cases, [&](Row row) {
+                         const auto index = static_cast<std::size_t>(&row - summary.cases.data());
+                         return difference_percent(summary, index, *reference, quantity);
+                     });
 }
 
 Results case_table(const Summary& summary, Reference reference) {
-    CaseTable table(summary.cases);
+    Results table{.place = "cases", .view = Results::View::side_by_side};
     add_counts(summary, table);
     for (const Quantity& quantity : shown_in(summary.quantities, Shown::in_summary))
         add_quantity(summary, quantity, reference, table);
     for (const Quantity& quantity : summary.quantities) {
         if (!quantity.count) continue;
         const std::string key{quantity.key.view()};
-        table.add({key + "_total"}, [&](const CaseSummary& row) {
+        table.add_column({key + "_total"}, summary.cases, [&](const CaseSummary& row) {
             const auto total = row.totals.find(key);
             return total == row.totals.end() ? Datum(Undefined{}) : Datum(total->second);
         });
     }
     for (const Condition& condition : conditions())
-        table.add({condition.key}, [&](const CaseSummary& row) { return condition.value(row.about); });
-    return table.take({.place = "cases", .view = Results::View::side_by_side});
+        table.add_column({condition.key}, summary.cases,
+                         [&](const CaseSummary& row) { return condition.value(row.about); });
+    return table;
 }
 
 /// The hull of each case as its configuration has it.

@@ -466,9 +466,10 @@ Estimate relative_change(const JointTrend& trend) {
 Results basis_table(const Summary& summary, const DesignLoads& designs) {
     const DesignLoadRequest& request = designs.asked;
     using Design = const CaseDesignLoad&;
-    ByColumn<CaseDesignLoad> table(designs.of_cases);
+    Results table{.view = Results::View::side_by_side};
     const auto add = [&](ResultColumn about, const auto& value) {
-        table.add(std::move(about), [&](Design one) { return one.load.valid() ? Datum(value(one)) : Undefined{}; });
+        table.add_column(std::move(about), designs.of_cases,
+                         [&](Design one) { return one.load.valid() ? Datum(value(one)) : Undefined{}; });
     };
     // A single tail through two kinds of member is that of neither.
     const auto of_one_kind = [](const auto& value) {
@@ -477,7 +478,8 @@ Results basis_table(const Summary& summary, const DesignLoads& designs) {
     const double times = std::sqrt(request.scale);
     const double factor = request.factor() * request.of.shown_factor();
     const std::string shown_unit(request.of.shown_unit());
-    table.add({.words = "what it rests on"}, [&](Design one) { return summary.label_of(one.case_index); });
+    table.add_column({.words = "what it rests on"}, designs.of_cases,
+                     [&](Design one) { return summary.label_of(one.case_index); });
     add({.words = "arrangements"}, [](Design one) { return one.load.arrangements; });
     add({.words = "time run, h", .digits = 3}, [&](Design one) { return one.load.time_run * times / unit::hour; });
     add({.words = "exposure / time run", .digits = 2},
@@ -490,10 +492,10 @@ Results basis_table(const Summary& summary, const DesignLoads& designs) {
     add({.words = "peaks above the threshold a member, variance / mean", .decimals = 2},
         [](Design one) { return one.load.unlike.dispersion; });
     add({.words = "  p, if members are alike", .digits = 3}, [](Design one) { return one.load.unlike.dispersion_p; });
-    table.add({.words = fmt::format("the {} through the window", request.of.noun)},
-              [](Design one) { return judged_words(one.trend); });
-    table.add({.words = "  changes by", .unit = "share", .holds = ResultColumn::Holds::estimates, .decimals = 0},
-              [](Design one) { return relative_change(one.trend); });
+    table.add_column({.words = fmt::format("the {} through the window", request.of.noun)}, designs.of_cases,
+                     [](Design one) { return judged_words(one.trend); });
+    table.add_column(estimates("", "  changes by", "share", 0), designs.of_cases,
+                     [](Design one) { return relative_change(one.trend); });
     add({.words = "peaks at least apart, s", .digits = 3}, [&](Design one) { return one.separation * times; });
     add({.words = "threshold", .unit = shown_unit, .digits = 3},
         [&](Design one) { return factor * one.load.threshold; });
@@ -513,7 +515,7 @@ Results basis_table(const Summary& summary, const DesignLoads& designs) {
     add({.words = "resamples without a fit"},
         [](Design one) { return fmt::format("{} of {}", one.load.dropped, one.load.draws.size()); });
     add({.words = "more arrangements for half the interval"}, [](Design one) { return 3 * one.load.arrangements; });
-    return table.take({.view = Results::View::side_by_side});
+    return table;
 }
 
 Section basis_section(const Summary& summary, const DesignLoads& designs) {

@@ -165,6 +165,15 @@ struct Results {
     /// A line of words above the rows that follow, for people. `unit`: of their values in columns that have none.
     void add_heading(std::string words, For whom = For::everybody, std::string unit = {});
 
+    /// A further column, with what `value` makes of each of `all`, of which there are as many as for other columns.
+    template <class Row>
+    void add_column(ResultColumn about, const std::vector<Row>& all, const auto& value) {
+        columns.push_back(std::move(about));
+        rows.resize(all.size());
+        rows_for.resize(all.size(), For::everybody);
+        for (std::size_t k = 0; k < all.size(); ++k) rows[k].emplace_back(value(all[k]));
+    }
+
     bool empty() const { return rows.empty(); }
     /// Whether people see any of its columns.
     bool for_people() const;
@@ -188,32 +197,6 @@ Results list(std::string place, std::string_view keys, const std::vector<Row>& r
     for (const Row& row : rows) made.add(values(row));
     return made;
 }
-
-/// Results made column by column, with a row for each of `rows`.
-template <class Row>
-class ByColumn {
-  public:
-    explicit ByColumn(const std::vector<Row>& rows) : rows_(rows), lines_(rows.size()) {}
-
-    /// `value`: of a row.
-    template <class Value>
-    void add(ResultColumn about, const Value& value) {
-        columns_.push_back(std::move(about));
-        for (std::size_t k = 0; k < rows_.size(); ++k) lines_[k].emplace_back(value(rows_[k]));
-    }
-
-    /// `made` with the columns and rows.
-    Results take(Results made) {
-        made.columns = std::move(columns_);
-        for (std::vector<Datum>& line : lines_) made.add(std::move(line));
-        return made;
-    }
-
-  private:
-    const std::vector<Row>& rows_;
-    std::vector<ResultColumn> columns_;
-    std::vector<std::vector<Datum>> lines_;
-};
 
 /// One list after another: of columns, and of the values under them.
 std::vector<ResultColumn> operator+(std::vector<ResultColumn> first, const std::vector<ResultColumn>& second);
