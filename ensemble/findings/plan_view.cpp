@@ -34,24 +34,28 @@ Way way_of(const Scenario& scenario) {
     return way;
 }
 
-Figure::Points floe_from_above(const FloeShape& floe, const PlanarPose& pose) {
+Vec2 place_of(const PlanarPose& pose) {
+    return {pose.x, pose.z};
+}
+
+Figure::Points from_above(const std::vector<Vec2>& own, const PlanarPose& pose) {
     Figure::Points points;
-    for (const Corner& own : floe.corners()) {
-        const Vec2 at = Vec2(pose.x, pose.z) + turned({own.x, own.z}, pose.yaw);
+    for (const Vec2& point : own) {
+        const Vec2 at = place_of(pose) + turned(point, pose.yaw);
         points.emplace_back(at.x(), at.y());
     }
     return points;
 }
 
+Figure::Points floe_from_above(const FloeShape& floe, const PlanarPose& pose) {
+    std::vector<Vec2> corners;
+    for (const Corner& own : floe.corners()) corners.emplace_back(own.x, own.z);
+    return from_above(corners, pose);
+}
+
 std::vector<Figure::Points> waterlines_at(const Shape& shape, const PlanarPose& pose) {
     std::vector<Figure::Points> outlines;
-    for (const std::vector<Vec2>& piece : shape.waterlines()) {
-        Figure::Points& outline = outlines.emplace_back();
-        for (const Vec2& point : piece) {
-            const Vec2 at = Vec2(pose.x, pose.z) + turned(point, pose.yaw);
-            outline.emplace_back(at.x(), at.y());
-        }
-    }
+    for (const std::vector<Vec2>& piece : shape.waterlines()) outlines.push_back(from_above(piece, pose));
     return outlines;
 }
 

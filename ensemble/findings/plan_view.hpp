@@ -27,6 +27,10 @@ struct Way {
 };
 Way way_of(const Scenario& scenario);
 
+Vec2 place_of(const PlanarPose& pose);
+
+/// Points of what lies so, (x, z) in its own axes.
+Figure::Points from_above(const std::vector<Vec2>& own, const PlanarPose& pose);
 Figure::Points floe_from_above(const FloeShape& floe, const PlanarPose& pose);
 
 /// What the hull cuts out of the water, an outline for each piece.

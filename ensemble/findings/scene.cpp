@@ -52,22 +52,15 @@ void extend(Seen& seen, const Figure::Points& points) {
     for (const auto& [x, y] : points) seen.extend(Vec2(x, y));
 }
 
-Vec2 place_of(const PlanarPose& pose) {
-    return {pose.x, pose.z};
-}
-
 /// The hull from above at its widest, one outline; none of a hull that is in several pieces at the water.
 Figure::Points widest_outline(const Shape& shape, const PlanarPose& pose) {
     if (shape.waterlines().size() != 1) return {};
     Outline points;
     for (const Vec3& point : shape.mesh(round_sides).points) points.push_back({point.x(), point.z()});
-    Figure::Points outline;
-    for (const Corner& corner : convex_hull(std::move(points))) {
-        const Vec2 at = place_of(pose) + turned({corner.x, corner.z}, pose.yaw);
-        outline.emplace_back(at.x(), at.y());
-    }
-    if (!outline.empty()) outline.push_back(outline.front());
-    return outline;
+    std::vector<Vec2> rim;
+    for (const Corner& corner : convex_hull(std::move(points))) rim.emplace_back(corner.x, corner.z);
+    if (!rim.empty()) rim.push_back(rim.front());
+    return from_above(rim, pose);
 }
 
 /// A mooring line as it lies before the first step, m in the world.
@@ -76,6 +69,13 @@ struct LaidLine {
     Vec3 anchor;
     std::vector<Vec3> course;
     bool hangs = false;
+
+    /// Of a structure whose axis is at `x`.
+    Figure::Points from_abeam(double x) const {
+        Figure::Points points;
+        for (const Vec3& point : course) points.emplace_back(point.x() - x, point.y());
+        return points;
+    }
 };
 
 std::vector<LaidLine> laid_lines(const Scenario& scenario, const PlanarPose& start) {
@@ -250,12 +250,8 @@ Figure plan_of(const Drawn& of) {
 Figure hull_of(const Drawn& of) {
     const Shape& shape = of.shape();
     Figure figure = elevation_of(of.scenario, "from the axis, ", 0.6 * widest);
-    for (const LaidLine& line : of.lines) {
-        if (!line.hangs) continue;
-        Figure::Points points;
-        for (const Vec3& point : line.course) points.emplace_back(point.x() - of.start().x, point.y());
-        add_clipped(figure, points, "c3");
-    }
+    for (const LaidLine& line : of.lines)
+        if (line.hangs) add_clipped(figure, line.from_abeam(of.start().x), "c3");
     const Turret& turret = of.scenario.moorings.turret;
     if (of.scenario.moorings.give_way() && turret.any()) figure.upright(turret.ahead, "dotted c2");
     figure.caption = fmt::format(
@@ -294,7 +290,7 @@ Figure hanging_of(const Drawn& of) {
     for (const LaidLine& line : of.lines) {
         if (!line.hangs) continue;
         depth = std::max(depth, -line.anchor.y());
-        for (const Vec3& point : line.course) seen.extend(Vec2(point.x() - x, point.y()));
+        extend(seen, line.from_abeam(x));
     }
     seen.extend(Vec2(0, of.shape().top()));
     const double air = 0.08 * seen.sizes().y();
@@ -311,9 +307,7 @@ Figure hanging_of(const Drawn& of) {
     add_hull_from_abeam(figure, of.shape());
     for (const LaidLine& line : of.lines) {
         if (!line.hangs) continue;
-        Figure::Points points;
-        for (const Vec3& point : line.course) points.emplace_back(point.x() - x, point.y());
-        figure.line(std::move(points), "c3");
+        figure.line(line.from_abeam(x), "c3");
         figure.cross(line.anchor.x() - x, line.anchor.y(), "c3 thick", 4);
     }
     figure.caption =
@@ -450,7 +444,7 @@ std::vector<std::string> scene_oddities(const Scenario& scenario, const FloeSet&
     const Way way = way_of(scenario);
     std::vector<std::string> found{far_ice(scenario, floes, way), past_the_ice(scenario, floes, way),
                                    crossing_line(scenario), hull_on_its_side(scenario)};
-    std::erase_if(found, [](const std::string& one) { return one.empty(); });
+    std::erase(found, "");
     return found;
 }
 
