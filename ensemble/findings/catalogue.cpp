@@ -1,7 +1,6 @@
 #include "findings/catalogue.hpp"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 
 #include "findings/answer.hpp"
@@ -114,7 +113,7 @@ std::vector<Section> design(Evidence& evidence) {
     return sections;
 }
 
-constexpr auto all = std::to_array<Finding>({
+constexpr Finding all[]{
     {.name = "cases",
      .sections = one<cases>,
      .holds = "a line for each case: means over arrangements with their 95 % intervals: _low and _high by Student's t, "
@@ -192,7 +191,7 @@ constexpr auto all = std::to_array<Finding>({
      .sections = one<long_section>,
      .holds = "a line for each value of each simulation",
      .for_csv_alone = true},
-});
+};
 
 }  // namespace
 
