@@ -233,8 +233,8 @@ void take_in(const FiledCampaign& filed, const Campaign& campaign, Journal& jour
         if (there[member] && (!known[member] || !journal.contents().members[*known[member]].done()))
             journal.append(filed.read(*there[member]));
     for (const CalibrationRecord& calibration : filed.calibrations) journal.append(calibration);
-    if (journal.sessions().size() < filed.sessions.size())
-        journal.append(std::span(filed.sessions).subspan(journal.sessions().size()));
+    if (journal.contents().sessions.size() < filed.sessions.size())
+        journal.append(std::span(filed.sessions).subspan(journal.contents().sessions.size()));
     journal.sync();
 }
 

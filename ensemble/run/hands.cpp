@@ -19,27 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads the records of an order, each journal or piece of it open from its first record on.
-class Records {
-  public:
-    explicit Records(const PieceOrder& order) : order_(order) {}
-
-    void add(const JournalContents::Place& place) { places_.push_back(place); }
-
-    MemberRecord read(std::size_t k) {
-        const JournalContents::Place& place = places_.at(k);
-        auto known = open_.find(place.piece);
-        if (known == open_.end())
-            known = open_.emplace(place.piece, open_file(piece_path(order_.journal, place.piece), O_RDONLY)).first;
-        return journal_format::read_member(known->second, place);
-    }
-
-  private:
-    const PieceOrder& order_;
-    std::vector<JournalContents::Place> places_;
-    std::map<int, OpenFile> open_;
-};
-
 }  // namespace
 
 std::vector<PieceOrder> piece_orders(const Campaign& published, const JournalContents& journal,
@@ -82,16 +61,22 @@ PieceMade make_piece(Campaign campaign, const PieceOrder& order) {
     try {
         campaign.arrangements = order.arrangements;
         MemberNotes notes;
-        Records records(order);
+        std::vector<JournalContents::Place> places;
         PieceRows rows{.first = order.first, .records = {}, .attempts = {}, .most = order.most};
         for (const PieceOrder::Member& member : order.members) {
             rows.attempts.push_back(member.attempts);
             rows.records.emplace_back(member.has_record ? std::optional(notes.size()) : std::nullopt);
             if (!member.has_record) continue;
             notes.add("", member.note);
-            records.add(member.place);
+            places.push_back(member.place);
         }
-        const StoredMembers members(notes, [&](std::size_t k) { return records.read(k); });
+        std::map<int, OpenFile> open;  // the journal and its pieces, each from its first record on
+        const StoredMembers members(notes, [&](std::size_t k) {
+            const JournalContents::Place& place = places.at(k);
+            if (!open.contains(place.piece))
+                open.emplace(place.piece, open_file(piece_path(order.journal, place.piece), O_RDONLY));
+            return journal_format::read_member(open.at(place.piece), place);
+        });
         made.piece = publish_piece(order.campaign_file, order.name, campaign, members, std::move(rows));
     } catch (const std::exception& error) {
         made.trouble = error.what();
@@ -123,8 +108,9 @@ bool Hands::publish(const Campaign& published, const Journal& journal, const fs:
     make_piece_folder(campaign_file);
     const std::vector<FilePiece> pieces = make_pieces(orders);
     if (lost_one_) return false;
-    publish_over_pieces(campaign_file, published, pieces, orders.front().most, journal.sessions(),
-                        journal.calibrations(), [&](const fs::path& over, const std::vector<std::string>& datasets) {
+    publish_over_pieces(campaign_file, published, pieces, orders.front().most, journal.contents().sessions,
+                        journal.contents().calibrations,
+                        [&](const fs::path& over, const std::vector<std::string>& datasets) {
                             return digests(over, pieces, datasets);
                         });
     return true;

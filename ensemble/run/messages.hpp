@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <vector>
@@ -137,25 +136,15 @@ void take_value(ByteReader& in, MemberRecord& record);
 void put_value(ByteWriter& out, const std::optional<MemberRecord>& record);
 void take_value(ByteReader& in, std::optional<MemberRecord>& record);
 
-/// One of the above, or a list of these.
+/// One of the above, a list of these, a text, or a number.
 template <class Message>
-requires WithFields<Message> || WithFields<typename Message::value_type> Bytes encode(const Message& message) {
+Bytes encode(const Message& message) {
     ByteWriter writer;
     put(writer, message);
     return writer.take();
 }
-inline Bytes encode_status(int exit_status) {
-    ByteWriter writer;
-    writer.i32(exit_status);
-    return writer.take();
-}
-inline Bytes encode_text(std::string_view text) {
-    ByteWriter writer;
-    writer.text(text);
-    return writer.take();
-}
 
-/// A status is an int. Throws RunError if the bytes are malformed.
+/// Throws RunError if the bytes are malformed.
 template <class Message>
 Message decode(const Bytes& bytes) {
     ByteReader reader(bytes);

@@ -453,8 +453,6 @@ std::vector<fs::path> other_parts(const fs::path& file, const CampaignPart& part
 
 namespace {
 
-namespace fs = std::filesystem;
-
 void remove_pieces(const fs::path& journal) {
     for (const int number : pieces_of(journal)) fs::remove(piece_path(journal, number));
 }
@@ -540,7 +538,7 @@ void write_journal(const Parts& parts, const fs::path& aside) {
 
 void publish_merged(const Parts& read, const fs::path& output) {
     const Journal merged = open_journal(journal_path(output), read.whole_campaign(), Existing::resume);
-    publish(output, read.campaign(), merged.members(), merged.sessions(), merged.calibrations());
+    publish(output, read.campaign(), merged.members(), merged.contents().sessions, merged.contents().calibrations);
 }
 
 }  // namespace

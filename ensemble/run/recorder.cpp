@@ -127,7 +127,8 @@ Recorder::Recorder(const Campaign& campaign, Places places)
       places_(std::move(places)),
       keeper_(open(campaign, places_)),
       tally_(campaign,
-             take_inventory(campaign, journal().members(), journal().attempts(), places_.part, places_.retry_failed),
+             take_inventory(campaign, journal().members(), journal().contents().attempts, places_.part,
+                            places_.retry_failed),
              places_.system.now()),
       timer_(places_.system.now(), places_.publish_every) {}
 
@@ -135,8 +136,8 @@ std::vector<std::string> Recorder::begin(Session session) {
     const Inventory& found = tally_.found();
     std::vector<std::string> changes;
     Journal& journal = keeper_.journal();
-    if (found.reused() > 0 && !journal.sessions().empty())
-        changes = changed_software(journal.sessions().back(), session);
+    if (found.reused() > 0 && !journal.contents().sessions.empty())
+        changes = changed_software(journal.contents().sessions.back(), session);
     for (const CalibrationRecord& calibration : places_.calibrations) journal.append(calibration);
     session.reused = found.reused();
     session.retried = found.retried;
@@ -317,8 +318,8 @@ void Recorder::remove_saved_of_done(HalfWritten half_written) const {
 void Recorder::publish_now() {
     remove_saved_of_done(HalfWritten::kept);
     const std::unique_lock<std::mutex> alone = alone_with_files(places_);
-    publish(places_.campaign_file, tally_.published(), journal().members(), journal().sessions(),
-            journal().calibrations(), places_.system, places_.content);
+    publish(places_.campaign_file, tally_.published(), journal().members(), journal().contents().sessions,
+            journal().contents().calibrations, places_.system, places_.content);
 }
 
 }  // namespace floes

@@ -86,7 +86,7 @@ Muster muster(Link& link, const Campaign& campaign, const Groups& groups, const 
               const Hello& own, const SilenceLimits& patience, const System& system) {
     Muster result{std::vector<Hello>(static_cast<std::size_t>(link.size())), false};
     result.hellos[0] = own;
-    const Bytes text = link.size() > 1 ? encode_text(write_campaign(campaign)) : Bytes{};
+    const Bytes text = link.size() > 1 ? encode(write_campaign(campaign)) : Bytes{};
     const bool has_writers = !groups.writers().empty();
     for (int rank = 1; rank < link.size(); ++rank) {
         if (has_writers) link.send(rank, Tag::post, encode(post_of(rank, groups, journal)));
@@ -130,11 +130,6 @@ class RankWatch {
   public:
     using Time = std::chrono::steady_clock::time_point;
 
-    struct Lost {
-        int rank = 0;
-        double silence = 0;  ///< s
-    };
-
     /// `link` must outlive the watch. `mustered`: of muster().
     RankWatch(Link& link, const Muster& mustered, const SilenceLimits& patience, Time now)
         : link_(link), patience_(patience), silence_(link.size(), now) {
@@ -149,19 +144,19 @@ class RankWatch {
     void heard(int rank) { silence_.heard(rank); }
 
     /// To be called after all arrived messages were taken. Sends the other ranks a sign of life when it is due. Returns
-    /// the ranks that have now been silent for too long; the link has abandoned them.
-    std::vector<Lost> watch(Time now) {
+    /// the ranks that have now been silent for too long, and for how many s; the link has abandoned them.
+    std::vector<std::pair<int, double>> watch(Time now) {
         silence_.listened(now);
         if (silence_.total() < next_sign_) return {};
         next_sign_ = silence_.total() + patience_.sign_of_life;
-        std::vector<Lost> newly_lost;
+        std::vector<std::pair<int, double>> newly_lost;
         for (int rank = 1; rank < link_.size(); ++rank) {
             if (lost_.contains(rank)) continue;
             link_.send(rank, Tag::alive, {});
             if (silence_.of(rank) < patience_.with_a_worker) continue;
             lost_.insert(rank);
             link_.abandon(rank);
-            newly_lost.push_back({rank, silence_.of(rank)});
+            newly_lost.emplace_back(rank, silence_.of(rank));
         }
         return newly_lost;
     }
@@ -193,9 +188,8 @@ constexpr int self = 0;
 /// The reasons of all attempts, in order; identical ones are given once.
 std::string reason_of_all(std::span<const std::string> reasons) {
     if (reasons.size() == 1) return reasons[0];
-    const bool all_equal =
-        std::ranges::all_of(reasons, [&](const std::string& reason) { return reason == reasons[0]; });
-    if (all_equal) return fmt::format("{} ({} attempts)", reasons[0], reasons.size());
+    if (std::ranges::count(reasons, reasons[0]) == std::ssize(reasons))
+        return fmt::format("{} ({} attempts)", reasons[0], reasons.size());
     std::string all;
     for (std::size_t i = 0; i < reasons.size(); ++i) {
         all += fmt::format("{}attempt {}: {}", i == 0 ? "" : " ", i + 1, reasons[i]);
@@ -203,40 +197,36 @@ std::string reason_of_all(std::span<const std::string> reasons) {
     return all;
 }
 
-/// What the master uses besides its crew.
-struct MasterTools {
-    Link& link;
-    const Groups& groups;
-    Recorder& recorder;
-    Progress& progress;
-    const StopSignals& signals;
-};
+/// s, as RunOptions has it: what runs longer is saved, and goes on in another run; 0 where a member cannot be saved.
+double saves_every(const Campaign& campaign, const RunOptions& options) {
+    const auto can = [](const Case& one) { return saves_state(one.scenario.general.solver); };
+    return std::ranges::all_of(campaign.cases, can) ? options.saves_every : 0;
+}
 
-/// Time limits of a run.
-struct MasterLimits {
-    Walltime walltime;
-    SilenceLimits patience;
-    double saves_every = 0;  ///< s: what runs longer is saved, and goes on in another run; 0: never
+/// What is done with the answer of a finished member, as the scheduler wants it.
+struct WithAnswer {
+    std::function<void()> keep = {};
+    std::function<void()> retry = {};
 };
 
 class Master {
   public:
-    /// `campaign` and the tools must outlive the master. `setup`: of the crew of this rank. `mustered`: of muster().
-    Master(const Campaign& campaign, const MasterTools& tools, const CrewSetup& setup, const Muster& mustered,
-           const MasterLimits& limits)
+    /// What is referred to must outlive the master. `setup`: of the crew of this rank. `mustered`: of muster().
+    Master(const Campaign& campaign, const RunOptions& options, Link& link, const Groups& groups, Recorder& recorder,
+           Progress& progress, const StopSignals& signals, const CrewSetup& setup, const Muster& mustered)
         : campaign_(campaign),
           system_(setup.system),
-          link_(tools.link),
-          groups_(tools.groups),
-          recorder_(tools.recorder),
-          progress_(tools.progress),
-          signals_(tools.signals),
-          walltime_(limits.walltime),
-          saves_every_(limits.saves_every),
+          link_(link),
+          groups_(groups),
+          recorder_(recorder),
+          progress_(progress),
+          signals_(signals),
+          walltime_(options.walltime),
+          saves_every_(saves_every(campaign, options)),
           scheduler_(recorder_.tally().found().tasks, campaign.run.attempts),
           crew_(campaign, setup),
           pause_(pause_between_polls(link_.size())),
-          ranks_(link_, mustered, limits.patience, begin_),
+          ranks_(link_, mustered, options.patience, begin_),
           pace_(recorder_.tally().found().pace) {
         for (const int writer : groups_.writers()) open_pieces_.insert(writer);
         if (mustered.stop_requested) request_stop("another rank");
@@ -342,23 +332,24 @@ class Master {
 
     void finished(int worker, int number, MemberRecord record) {
         const auto end = record.result.status == MemberStatus::done ? AttemptEnd::done : AttemptEnd::failed;
-        if (end == AttemptEnd::done) note_pace(number, record.result.wall_time);
-        tell_time_left();
-        handle(MemberFinished{worker, number, record.attempt, end, record.result.wall_time}, &record);
-        end_when_precise();
+        finished({worker, number, record.attempt, end, record.result.wall_time},
+                 {.keep = [&] { keep(number, record); }, .retry = [&] { note_failure(number, record); }});
     }
 
     void finished_in_piece(const Kept& kept, int writer) {
-        note_pace(kept.number, kept.note.wall_time);
-        tell_time_left();
-        const KeptBy by{kept, groups_.piece_of(writer)};
-        handle(MemberFinished{kept.worker, kept.number, kept.note.attempt, AttemptEnd::done, kept.note.wall_time},
-               nullptr, &by);
-        end_when_precise();
+        const auto keep = [&] {
+            failures_.erase(kept.number);
+            recorder_.kept_in_piece(kept, groups_.piece_of(writer));
+        };
+        finished({kept.worker, kept.number, kept.note.attempt, AttemptEnd::done, kept.note.wall_time}, {.keep = keep});
     }
 
-    void note_pace(int number, double wall_time) {
-        pace_ = std::max(pace_, wall_time / expected_cost(campaign_, number));
+    void finished(const MemberFinished& event, const WithAnswer& with) {
+        if (event.end == AttemptEnd::done)
+            pace_ = std::max(pace_, event.run_time / expected_cost(campaign_, event.number));
+        tell_time_left();
+        handle(event, with);
+        end_when_precise();
     }
 
     void give_up(const CrewTrouble& trouble) {
@@ -448,22 +439,14 @@ class Master {
         system_.sleep(pause_.next());
     }
 
-    struct KeptBy {
-        const Kept& kept;
-        int piece;  ///< of the journal
-    };
-
-    void handle(const Event& event, MemberRecord* record = nullptr, const KeptBy* in_piece = nullptr) {
+    void handle(const Event& event, const WithAnswer& with = {}) {
         for (const Command& command : scheduler_.handle(event)) {
             if (const auto* assign = std::get_if<Assign>(&command)) {
                 handed_out_[assign->worker].push_back({assign->number, assign->attempt, assign->apart});
             }
             if (const auto* dismiss = std::get_if<Dismiss>(&command)) obey(*dismiss);
-            if (const auto* retry = std::get_if<Retry>(&command)) note_failure(*retry, *record);
-            if (const auto* kept = std::get_if<Keep>(&command)) {
-                if (in_piece == nullptr) keep(kept->number, *record);
-                if (in_piece != nullptr) keep(*in_piece);
-            }
+            if (std::holds_alternative<Retry>(command)) with.retry();
+            if (std::holds_alternative<Keep>(command)) with.keep();
         }
     }
 
@@ -478,14 +461,9 @@ class Master {
         recorder_.keep(record);
     }
 
-    void keep(const KeptBy& in_piece) {
-        failures_.erase(in_piece.kept.number);
-        recorder_.kept_in_piece(in_piece.kept, in_piece.piece);
-    }
-
-    void note_failure(const Retry& retry, const MemberRecord& record) {
-        failures_[retry.number].push_back(record.result.reason);
-        progress_.say(fmt::format("{} failed and will be retried: {}", name_of(retry.number), record.result.reason));
+    void note_failure(int number, const MemberRecord& record) {
+        failures_[number].push_back(record.result.reason);
+        progress_.say(fmt::format("{} failed and will be retried: {}", name_of(number), record.result.reason));
     }
 
     void obey(const Dismiss& command) {
@@ -581,12 +559,6 @@ std::string part_text(const CampaignPart& part, const Inventory& found) {
     return fmt::format("part {} of {}: {} of these members", part.number, part.of, found.total);
 }
 
-/// 0 where a member cannot be saved.
-double saves_every(const Campaign& campaign, const RunOptions& options) {
-    const auto can = [](const Case& one) { return saves_state(one.scenario.general.solver); };
-    return std::ranges::all_of(campaign.cases, can) ? options.saves_every : 0;
-}
-
 /// What earlier sessions left; empty if nothing. `saved`: members that were put off.
 std::string stock(const Inventory& found, int saved) {
     if (found.reused() + found.retried + saved == 0) return {};
@@ -652,7 +624,7 @@ int conclude(const Campaign& campaign, const RunOptions& options, Recorder& reco
     const Tally& tally = recorder.tally();
     const bool taken_in = options.places.with_file || master.lost_a_writer();
     const int lost = taken_in ? recorder.take_in_pieces(master.lost_a_writer()) : 0;
-    const bool resumed = recorder.journal().sessions().size() > 1;
+    const bool resumed = recorder.journal().contents().sessions.size() > 1;
     const std::string file = options.places.campaign_file.string();
     const int total = members_of(total_of(tally));
     if (lost > 0 && stopped_by.empty()) {
@@ -717,11 +689,11 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
         progress.say(stop_forecast(campaign, options.places.part, found.done, found.pace, mustered.cores()));
     if (options.places.part.of > 1) progress.say(part_text(options.places.part, recorder.tally().found()));
     if (const std::string remark = binding_remark(link.topology()); !remark.empty()) progress.say(remark);
-    if (recorder.journal().damaged_bytes() > 0) {
+    if (recorder.journal().contents().damaged_bytes > 0) {
         progress.say(
             fmt::format("{} bytes of the journal are damaged and were skipped; the members in them are computed "
                         "again, unless the campaign file has them. Is the disk failing?",
-                        recorder.journal().damaged_bytes()));
+                        recorder.journal().contents().damaged_bytes));
     }
     for (const std::string& line : recorder.journal().extension()) {
         progress.say(fmt::format("the campaign is extended, existing results are kept: {}", line));
@@ -732,9 +704,8 @@ int run_campaign(const Campaign& campaign, const RunOptions& options, Link& link
     }
     const int saved = options.saves_every > 0 ? count_saved(campaign, options.places.campaign_file, system) : 0;
     if (const std::string text = stock(recorder.tally().found(), saved); !text.empty()) progress.say(text);
-    Master master(campaign, {link, groups, recorder, progress, signals},
-                  {compute, own.cores, helper, options.cores, system}, mustered,
-                  {options.walltime, options.patience, saves_every(campaign, options)});
+    Master master(campaign, options, link, groups, recorder, progress, signals,
+                  {compute, own.cores, helper, options.cores, system}, mustered);
     try {
         master.run();
     } catch (...) {
@@ -758,7 +729,7 @@ int lead_ranks(Link& link, std::ostream& errors, const std::function<int()>& bod
     } catch (const std::exception& error) {
         errors << fmt::format("floes: {}\n", error.what());
     }
-    for (int rank = 1; rank < link.size(); ++rank) link.send(rank, Tag::leave, encode_status(status));
+    for (int rank = 1; rank < link.size(); ++rank) link.send(rank, Tag::leave, encode(status));
     return status;
 }
 

@@ -262,7 +262,7 @@ int serve_campaign(Link& link, int threads, const MemberFunction& compute, Helpe
                      {.compute = compute, .threads = threads_of(link, threads), .helper = helper, .rank = link.rank()},
                      patience, signals);
     } catch (const std::exception& error) {
-        link.send(master_rank, Tag::trouble, encode_text(error.what()));
+        link.send(master_rank, Tag::trouble, encode(std::string(error.what())));
     }
     while (true) {
         const Message message = wait_for_message(link);

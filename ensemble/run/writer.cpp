@@ -97,8 +97,7 @@ void Writer::keep(int worker, Answer answer) {
 void Writer::tend() {
     keeper_.sync();  // or a power cut after the loss of this rank takes what its master has told
     if (!kept_.empty()) link_.send(master_rank, Tag::kept, encode(std::exchange(kept_, {})));
-    for (const int worker : std::exchange(farewells_, {}))
-        link_.send(master_rank, Tag::farewell, encode_status(worker));
+    for (const int worker : std::exchange(farewells_, {})) link_.send(master_rank, Tag::farewell, encode(worker));
 }
 
 }  // namespace floes

@@ -548,8 +548,8 @@ Journal open_journal(const std::filesystem::path& path, const Campaign& campaign
                      const System& system, const std::string& before) {
     const std::string here = write_campaign(campaign);
     Journal journal = open_journal(path, here, existing, system, before);
-    if (journal.campaign_text() == here) return journal;
-    const Campaign there = read_text(journal.campaign_text(), path);
+    if (journal.contents().campaign_text == here) return journal;
+    const Campaign there = read_text(journal.contents().campaign_text, path);
     expect_to_continue(there, campaign, path);
     // What readers of the journal alone ask for, besides the members.
     if (fingerprint(there) != fingerprint(campaign) || there.stop != campaign.stop || there.name != campaign.name ||

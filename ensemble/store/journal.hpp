@@ -43,7 +43,8 @@ struct JournalContents {
     AttemptBook attempts;
     std::vector<Piece> pieces;        ///< in order of their numbers
     std::uint64_t good_bytes = 0;     ///< up to the end of the last whole record
-    std::uint64_t damaged_bytes = 0;  ///< bytes among these, of pieces too, that belong to no whole record
+    std::uint64_t damaged_bytes = 0;  ///< bytes among these, of pieces too, that belong to no whole record and are
+                                      ///< skipped; the members in them are computed again
     std::uint64_t torn_bytes = 0;     ///< after these: a torn or damaged tail, or a record being written
 
     /// Adds a member whose record is at `place`, and counts it in the current session unless it is in a piece.
@@ -166,20 +167,13 @@ class Journal {
 
     /// All members. Their records are in the file alone, and can be read once they were handed over.
     StoredMembers members() const;
+    /// As they are now, but torn_bytes: those of the tail that was cut off when the journal was opened. Attempts that
+    /// were lost with earlier sessions are counted as lost().
     const JournalContents& contents() const { return contents_; }
-    const std::vector<Session>& sessions() const { return contents_.sessions; }
-    const std::vector<CalibrationRecord>& calibrations() const { return contents_.calibrations; }
-    /// Attempts that were lost with earlier sessions are counted as lost() here.
-    const AttemptBook& attempts() const { return contents_.attempts; }
-    const std::string& campaign_text() const { return contents_.campaign_text; }
     /// How the campaign has grown since the journal was last opened, see differences().
     const std::vector<std::string>& extension() const { return extension_; }
     /// That has the file.
     const System& system() const { return file_.system(); }
-    /// Damaged bytes inside the journal, which were skipped; the members in them are computed again.
-    std::uint64_t damaged_bytes() const { return contents_.damaged_bytes; }
-    /// Bytes of the torn tail that were cut off when the journal was opened.
-    std::uint64_t cut_bytes() const { return contents_.torn_bytes; }
 
   private:
     friend Journal open_journal(const std::filesystem::path&, const std::string&, Existing, const System&,

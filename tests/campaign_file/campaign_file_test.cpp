@@ -237,15 +237,15 @@ TEST(CampaignFile, MakesTheJournalAgainThatItWasPublishedFrom) {
         Journal journal = open_journal(folder / "a.journal", campaign, Existing::refuse);
         journal.append(records[3]);
         take_in(filed, campaign, journal);
-        EXPECT_EQ(journal.sessions(), sessions);
+        EXPECT_EQ(journal.contents().sessions, sessions);
     }
     Journal journal = open_journal(folder / "a.journal", campaign, Existing::resume);
     EXPECT_EQ(journal.contents().members.size(), records.size()) << "each once";
-    EXPECT_EQ(journal.sessions(), sessions);
+    EXPECT_EQ(journal.contents().sessions, sessions);
     take_in(filed, campaign, journal);
     EXPECT_EQ(journal.contents().members.size(), records.size()) << "nothing is new";
-    EXPECT_EQ(journal.sessions().size(), sessions.size());
-    publish(folder / "again.h5", campaign, journal.members(), journal.sessions());
+    EXPECT_EQ(journal.contents().sessions.size(), sessions.size());
+    publish(folder / "again.h5", campaign, journal.members(), journal.contents().sessions);
     const auto digests = [&](const char* name) {
         return hdf5::read_contents_digests(hdf5::open_for_reading(folder / name).id()).contents;
     };

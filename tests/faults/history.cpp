@@ -381,7 +381,7 @@ void PlayedRank::in_trouble_if_it_fails(const Work& work) {
         work();
     } catch (const std::exception& error) {
         writer_.reset();
-        link.send(master_rank, Tag::trouble, encode_text(error.what()));
+        link.send(master_rank, Tag::trouble, encode(std::string(error.what())));
     }
 }
 
@@ -736,7 +736,7 @@ std::optional<int> Session::run() {
         status = 1;
     }
     if (!master.alive()) return {};
-    for (int rank = 1; rank < size_; ++rank) link_.send(rank, Tag::leave, encode_status(0));
+    for (int rank = 1; rank < size_; ++rank) link_.send(rank, Tag::leave, encode(0));
     return status;
 }
 

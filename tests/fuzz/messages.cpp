@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             require_same_bytes(bytes, floes::decode<std::vector<floes::Assignment>>, encode);
             break;
         case 3:
-            require_same_bytes(bytes, floes::decode<int>, floes::encode_status);
+            require_same_bytes(bytes, floes::decode<int>, encode);
             break;
         case 4:
             require_one_writing(bytes, floes::decode<std::vector<floes::Kept>>);
@@ -52,7 +52,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             require_same_bytes(bytes, floes::decode<std::vector<floes::MemberProgress>>, encode);
             break;
         default:
-            require_same_bytes(bytes, floes::decode<std::string>, floes::encode_text);
+            require_same_bytes(bytes, floes::decode<std::string>, encode);
     }
     return 0;
 }

@@ -100,12 +100,12 @@ int main(int count, char** arguments) {
     seeds.write("messages/answers", encode(std::vector<Answer>{{3, small_record(1)}}), kind(0));
     seeds.write("messages/hello", encode(Hello{2, "node", "0123", 77}), kind(1));
     seeds.write("messages/assignments", encode(std::vector<Assignment>{{1, 1, false}, {2, 1, true}}), kind(2));
-    seeds.write("messages/status", encode_status(85), kind(3));
+    seeds.write("messages/status", encode(85), kind(3));
     seeds.write("messages/kept", encode(std::vector<Kept>{{3, 6, {}, {}, {}}, {4, 7, {}, {}, small_record(1)}}),
                 kind(4));
     seeds.write("messages/post", encode(Post{64, "/a/b.journal.1"}), kind(5));
     seeds.write("messages/progress", encode(std::vector<MemberProgress>{{3, 43.5, 200}}), kind(7));
-    seeds.write("messages/text", encode_text("a sentence"), kind(6));
+    seeds.write("messages/text", encode(std::string("a sentence")), kind(6));
     seeds.write("journal/whole", journal(), "", kind(1));
     Bytes torn = journal();
     torn[torn.size() / 2] ^= std::byte{1};

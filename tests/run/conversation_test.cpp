@@ -33,7 +33,7 @@ Campaign two_members() {
 }
 
 Bytes text_of(const Campaign& campaign) {
-    return encode_text(write_campaign(campaign));
+    return encode(write_campaign(campaign));
 }
 
 Bytes hello_of(const Campaign& campaign) {
@@ -62,7 +62,7 @@ class WorkerConversation : public testing::Test {
     void dismiss(int status) {
         link_.deliver(0, Tag::dismiss);
         link_.expect(0, Tag::farewell);
-        link_.deliver(0, Tag::leave, encode_status(status));
+        link_.deliver(0, Tag::leave, encode(status));
     }
 
     FakeLink link_{1, 2};
@@ -126,22 +126,22 @@ TEST_F(WorkerConversation, AbandonsWhatItHoldsWhenDismissed) {
 }
 
 TEST_F(WorkerConversation, LeavesWhenTheRunEndsBeforeItBegins) {
-    link_.deliver(0, Tag::leave, encode_status(2));
+    link_.deliver(0, Tag::leave, encode(2));
     EXPECT_EQ(serve_campaign(link_, 1, fake::compute), 2);
 }
 
 TEST_F(WorkerConversation, LeavesInTheMiddleWhenTheMasterCannotGoOn) {
     greet();
     assign(0);
-    link_.deliver(0, Tag::leave, encode_status(1));
+    link_.deliver(0, Tag::leave, encode(1));
     EXPECT_EQ(serve_campaign(link_, 1, fake::wait_for_stop), 1);
 }
 
 TEST_F(WorkerConversation, TellsTheMasterWhatItDoesNotUnderstand) {
-    link_.deliver(0, Tag::campaign, encode_text("general.iterations = 'many'"));
+    link_.deliver(0, Tag::campaign, encode(std::string("general.iterations = 'many'")));
     link_.expect(0, Tag::trouble,
                  [](const Bytes& bytes) { EXPECT_THAT(decode<std::string>(bytes), HasSubstr("iterations")); });
-    link_.deliver(0, Tag::leave, encode_status(1));
+    link_.deliver(0, Tag::leave, encode(1));
     EXPECT_EQ(serve_campaign(link_, 1, fake::compute), 1);
 }
 
@@ -154,7 +154,7 @@ TEST_F(WorkerConversation, LeavesAMasterThatIsSilentForTooLong) {
 TEST_F(WorkerConversation, DoesNotWaitForOthersWhenRanksAreMissing) {
     greet();
     link_.deliver(0, Tag::part);
-    link_.deliver(0, Tag::leave, encode_status(0));
+    link_.deliver(0, Tag::leave, encode(0));
     EXPECT_EQ(serve_campaign(link_, 1, fake::compute), 0);
     EXPECT_EQ(link_.abandoned, (std::vector<int>{0}));
 }
@@ -188,7 +188,7 @@ TEST_F(WorkerConversation, BringsItsAnswersToItsWriterAndFailuresToTheMaster) {
     link_.deliver(0, Tag::dismiss);
     link_.expect(2, Tag::farewell);
     link_.deliver(0, Tag::part);
-    link_.deliver(0, Tag::leave, encode_status(0));
+    link_.deliver(0, Tag::leave, encode(0));
     const MemberFunction compute = [](const Campaign& of, int number, std::stop_token stop) {
         if (number == 1) throw std::runtime_error("the ice melted");
         return fake::compute(of, number, std::move(stop));
@@ -228,7 +228,7 @@ TEST_F(WriterConversation, TellsTheMasterOfWhatIsInItsJournal) {
     link_.expect(0, Tag::farewell, [](const Bytes& bytes) { EXPECT_EQ(decode<int>(bytes), 3); });
     link_.deliver(0, Tag::close);
     link_.expect(0, Tag::closed, [&](const Bytes&) { EXPECT_FALSE(is_being_written(piece)); });
-    link_.deliver(0, Tag::leave, encode_status(0));
+    link_.deliver(0, Tag::leave, encode(0));
     EXPECT_EQ(serve_campaign(link_, 1, fake::compute), 0);
     EXPECT_EQ(kept_so_far(), 4u);
 }
@@ -251,7 +251,7 @@ TEST_F(WriterConversation, TellsTheStopRuleAllButTheHistories) {
         EXPECT_FALSE(computed.history.surge.empty());
         EXPECT_TRUE(result.history.surge.empty());
     });
-    link_.deliver(0, Tag::leave, encode_status(0));
+    link_.deliver(0, Tag::leave, encode(0));
     EXPECT_EQ(serve_campaign(link_, 1, fake::compute), 0);
 }
 
@@ -260,7 +260,7 @@ TEST_F(WriterConversation, ComplainsWhenItsJournalCannotBeOpened) {
     link_.deliver(0, Tag::campaign, text_of(two_members()));
     link_.expect(0, Tag::trouble,
                  [](const Bytes& bytes) { EXPECT_THAT(decode<std::string>(bytes), HasSubstr("--writers 1")); });
-    link_.deliver(0, Tag::leave, encode_status(1));
+    link_.deliver(0, Tag::leave, encode(1));
     EXPECT_EQ(serve_campaign(link_, 1, fake::compute), 1);
 }
 
@@ -482,7 +482,7 @@ TEST_F(MasterConversation, EndsTheRunWhenRanksDisagreeOrAreInTrouble) {
     link_.finish();
 
     greet();
-    link_.deliver(1, Tag::trouble, encode_text("out of memory"));
+    link_.deliver(1, Tag::trouble, encode(std::string("out of memory")));
     EXPECT_EQ(error(), "Rank 1: out of memory");
 }
 

@@ -109,8 +109,8 @@ TEST(JournalPieces, EndTheAttemptsOfTheirMembers) {
     const InPieces made;
     { open_journal(made.path, "", Existing::resume).started({"case", 4}, 1); }
     const Journal journal = open_journal(made.path, "", Existing::resume);
-    for (const int number : {0, 1, 2, 3}) EXPECT_EQ(journal.attempts().lost({"case", number}), 0);
-    EXPECT_EQ(journal.attempts().lost({"case", 4}), 1);
+    for (const int number : {0, 1, 2, 3}) EXPECT_EQ(journal.contents().attempts.lost({"case", number}), 0);
+    EXPECT_EQ(journal.contents().attempts.lost({"case", 4}), 1);
 }
 
 TEST(JournalPieces, AreReplacedWithTheJournal) {

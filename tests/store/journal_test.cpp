@@ -58,11 +58,11 @@ TEST(Journal, TellsOfSessions) {
     journal.begin_session(finished);
     journal.append(small_record(0));
     journal.end_session("complete");
-    finished.ended = journal.sessions()[1].ended;
+    finished.ended = journal.contents().sessions[1].ended;
     finished.outcome = "complete";
     finished.computed = 1;
     EXPECT_EQ(finished.ended.size(), std::string("2026-01-01T10:00:00Z").size());
-    EXPECT_THAT(journal.sessions(), testing::ElementsAre(killed, finished));
+    EXPECT_THAT(journal.contents().sessions, testing::ElementsAre(killed, finished));
     EXPECT_THAT(read_journal(path).sessions, testing::ElementsAre(killed, finished));
 }
 
@@ -73,17 +73,17 @@ TEST(Journal, KnowsTheAttemptsThatNeverEnded) {
     const MemberIdentity lost{"case", 1};
     for (int session = 0; session < 2; ++session) {
         Journal journal = open_journal(path, "", Existing::resume);
-        EXPECT_EQ(journal.attempts().lost(lost), session);
+        EXPECT_EQ(journal.contents().attempts.lost(lost), session);
         journal.begin_session(synthetic::session(session));
         journal.started(ended, 1);
         journal.started(lost, session + 1);
-        EXPECT_EQ(journal.attempts().lost(lost), session) << "it is running";
+        EXPECT_EQ(journal.contents().attempts.lost(lost), session) << "it is running";
         journal.append(small_record(0));
     }  // killed
     {
         Journal journal = open_journal(path, "", Existing::resume);
-        EXPECT_EQ(journal.attempts().lost(ended), 0);
-        EXPECT_EQ(journal.attempts().lost(lost), 2);
+        EXPECT_EQ(journal.contents().attempts.lost(ended), 0);
+        EXPECT_EQ(journal.contents().attempts.lost(lost), 2);
         journal.begin_session(synthetic::session(2));
         journal.started({"case", 2}, 1);
         journal.started(lost, 3);

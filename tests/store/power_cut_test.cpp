@@ -81,7 +81,7 @@ TEST(PowerCut, LeavesNoHeaderThatHasToBeRemovedByHand) {
         machine.disk.sync_names();
         machine.disk.power_cut();
         const Process process(machine.disk, machine.time, machine.dice);
-        EXPECT_EQ(machine.open(process).campaign_text(), text);
+        EXPECT_EQ(machine.open(process).contents().campaign_text, text);
     });
 }
 
@@ -97,7 +97,7 @@ TEST(PowerCut, LeavesNoRecordBehindATornHeader) {
         machine.disk.sync_names();
         machine.disk.power_cut();
         const Process process(machine.disk, machine.time, machine.dice);
-        EXPECT_EQ(machine.open(process).campaign_text(), text);
+        EXPECT_EQ(machine.open(process).contents().campaign_text, text);
     });
 }
 
