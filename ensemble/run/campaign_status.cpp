@@ -25,9 +25,12 @@ namespace {
 
 constexpr std::size_t most_under_way = 20;
 
-/// With a stop rule the run may end sooner.
-std::string left_text(const CampaignStatus& status) {
-    return fmt::format(", {} {} left", status.stop ? "at most" : "about", duration_text(*status.seconds_left));
+/// ", 4.2 members/min, about 5 min left", as far as it is known. With a stop rule the run may end sooner.
+std::string pace_text(const CampaignStatus& status) {
+    std::string text = status.rate ? ", " + rate_text(*status.rate) : "";
+    if (status.seconds_left)
+        text += fmt::format(", {} {} left", status.stop ? "at most" : "about", duration_text(*status.seconds_left));
+    return text;
 }
 
 /// Of several parts.
@@ -37,9 +40,8 @@ std::string work_sentence(const CampaignStatus& status, const PartsAtWork& parts
                    ? fmt::format("None of {} runs; start those again that are not complete, with --resume.",
                                  counted(parts.parts, "part"))
                    : fmt::format("No part runs; floes merge makes one file of {}.", counted(parts.parts, "part"));
-    return fmt::format("Running: {} of {}, {} on {}{}{}.", parts.running, counted(parts.parts, "part"),
-                       counted(parts.threads, "thread"), counted(parts.hosts, "host"),
-                       status.rate ? ", " + rate_text(*status.rate) : "", status.seconds_left ? left_text(status) : "");
+    return fmt::format("Running: {} of {}, {} on {}{}.", parts.running, counted(parts.parts, "part"),
+                       counted(parts.threads, "thread"), counted(parts.hosts, "host"), pace_text(status));
 }
 
 }  // namespace
@@ -74,10 +76,8 @@ std::string work_sentence(const CampaignStatus& status) {
     if (status.sessions.empty()) return missing > 0 ? "Continue it with floes run --resume." : "";
     const Session& last = status.sessions.back();
     if (status.at_work)
-        return fmt::format("Running: {}, {} from {} since {}{}{}.", counted(last.ranks, "rank"),
-                           counted(last.threads, "thread"), last.host, last.started,
-                           status.rate ? ", " + rate_text(*status.rate) : "",
-                           status.seconds_left ? left_text(status) : "");
+        return fmt::format("Running: {}, {} from {} since {}{}.", counted(last.ranks, "rank"),
+                           counted(last.threads, "thread"), last.host, last.started, pace_text(status));
     if (missing == 0) return fmt::format("Ended {}.", last.ended.empty() ? "at an unknown time" : last.ended);
     if (last.ended.empty() && status.heartbeat)
         return fmt::format(

@@ -126,20 +126,15 @@ void check(int code, const char* call) {
 class CrashSignals {
   public:
     CrashSignals() {
-        each([](int signal, struct sigaction& former) { ::sigaction(signal, nullptr, &former); });
+        for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], nullptr, &former_[i]);
     }
     ~CrashSignals() {
-        each([](int signal, struct sigaction& former) { ::sigaction(signal, &former, nullptr); });
+        for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &former_[i], nullptr);
     }
     CrashSignals(const CrashSignals&) = delete;
     CrashSignals& operator=(const CrashSignals&) = delete;
 
   private:
-    template <class Use>
-    void each(const Use& use) {
-        for (std::size_t i = 0; i < signals.size(); ++i) use(signals[i], former_[i]);
-    }
-
     static constexpr std::array signals{SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
     std::array<struct sigaction, signals.size()> former_{};
 };

@@ -620,23 +620,19 @@ double scatter(const std::array<double, 2>& uniform, double variation) {
 }
 
 std::vector<SimulatedMember> members_of(const Campaign& campaign) {
-    std::vector<HistoryBytes> histories;
-    std::vector<double> others;
-    std::vector<double> costs;
+    std::vector<SimulatedMember> of_case;  // the first of each
     for (const Case& one : campaign.cases) {
-        histories.emplace_back(one.scenario);
-        others.push_back(record_bytes(one.scenario));
-        costs.push_back(expected_cost(campaign, static_cast<int>(costs.size())));  // of the case's first member
+        const HistoryBytes history(one.scenario);
+        const double other = record_bytes(one.scenario);
+        of_case.push_back({.expected_cost = expected_cost(campaign, static_cast<int>(of_case.size())),
+                           .record_bytes = history.all + other,
+                           .file_bytes = history.all + MemberCosts().file_per_record_byte * other,
+                           .packed_bytes = history.deflated});
     }
     std::vector<SimulatedMember> members;
     members.reserve(static_cast<std::size_t>(member_count(campaign)));
-    for (int number = 0; number < member_count(campaign); ++number) {
-        const auto k = static_cast<std::size_t>(member_key(campaign, number).case_index);
-        members.push_back({.expected_cost = costs[k],
-                           .record_bytes = histories[k].all + others[k],
-                           .file_bytes = histories[k].all + MemberCosts().file_per_record_byte * others[k],
-                           .packed_bytes = histories[k].deflated});
-    }
+    for (int number = 0; number < member_count(campaign); ++number)
+        members.push_back(of_case[static_cast<std::size_t>(member_key(campaign, number).case_index)]);
     return members;
 }
 

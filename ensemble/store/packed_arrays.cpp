@@ -29,30 +29,25 @@ namespace {
 constexpr std::size_t width = sizeof(double);
 constexpr std::uint64_t most_numbers = 25'000'000;  // more than a run may have steps; 200 MB
 
-/// Position of byte k of number i.
-struct Layout {
-    std::size_t of_number, of_byte;
-    std::size_t operator()(std::size_t i, std::size_t k) const { return i * of_number + k * of_byte; }
-};
-
-Layout layout(bool by_bytes, std::size_t count) {
-    return by_bytes ? Layout{1, count} : Layout{width, 1};
-}
-
-Bytes bytes_of(std::span<const double> numbers, const Layout& at) {
-    Bytes bytes(width * numbers.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
+/// The bytes of each number follow each other, or with `by_bytes` the first byte of all numbers comes first.
+Bytes bytes_of(std::span<const double> numbers, bool by_bytes) {
+    const std::size_t count = numbers.size();
+    Bytes bytes(width * count);
+    for (std::size_t i = 0; i < count; ++i) {
         const auto bits = std::bit_cast<std::uint64_t>(numbers[i]);
-        for (std::size_t k = 0; k < width; ++k) bytes[at(i, k)] = static_cast<std::byte>(bits >> (8 * k));
+        for (std::size_t k = 0; k < width; ++k)
+            bytes[by_bytes ? i + k * count : i * width + k] = static_cast<std::byte>(bits >> (8 * k));
     }
     return bytes;
 }
 
-std::vector<double> numbers_of(const Bytes& bytes, const Layout& at) {
-    std::vector<double> numbers(bytes.size() / width);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
+std::vector<double> numbers_of(const Bytes& bytes, bool by_bytes) {
+    const std::size_t count = bytes.size() / width;
+    std::vector<double> numbers(count);
+    for (std::size_t i = 0; i < count; ++i) {
         std::uint64_t bits = 0;
-        for (std::size_t k = 0; k < width; ++k) bits |= std::to_integer<std::uint64_t>(bytes[at(i, k)]) << (8 * k);
+        for (std::size_t k = 0; k < width; ++k)
+            bits |= std::to_integer<std::uint64_t>(bytes[by_bytes ? i + k * count : i * width + k]) << (8 * k);
         numbers[i] = std::bit_cast<double>(bits);
     }
     return numbers;
@@ -83,12 +78,12 @@ Bytes inflated(const Bytes& chunk, std::size_t size) {
 }  // namespace
 
 Bytes shuffled(std::span<const double> numbers) {
-    return bytes_of(numbers, layout(true, numbers.size()));
+    return bytes_of(numbers, true);
 }
 
 PackedNumbers pack(std::span<const double> numbers) {
     PackedNumbers packed{numbers.size(), {}};
-    packed.chunk = bytes_of(numbers, layout(packed.deflated(), numbers.size()));
+    packed.chunk = bytes_of(numbers, packed.deflated());
     if (packed.deflated()) packed.chunk = deflated(packed.chunk);
     return packed;
 }
@@ -100,8 +95,8 @@ std::vector<double> unpack(const PackedNumbers& packed) {
                                             : packed.chunk.size() == width * packed.count;
     if (!possible || packed.count > most_numbers)
         throw RunError("the numbers of a stored member are not as many as stated; it was damaged");
-    const Layout at = layout(packed.deflated(), packed.count);
-    return numbers_of(packed.deflated() ? inflated(packed.chunk, width * packed.count) : packed.chunk, at);
+    if (!packed.deflated()) return numbers_of(packed.chunk, false);
+    return numbers_of(inflated(packed.chunk, width * packed.count), true);
 }
 
 PackedArray pack(const ArrayValues& array) {
