@@ -29,9 +29,7 @@ void set_levels(MemberRow& row, std::span<const double> all, std::span<const dou
 }
 
 ArrangementRows::ArrangementRows(const Campaign& campaign)
-    : group_of_case_(sharing_groups(campaign)), arrangements_(campaign.arrangements) {
-    groups_ = *std::ranges::max_element(group_of_case_) + 1;
-}
+    : group_of_case_(sharing_groups(campaign)), groups_(std::ranges::max(group_of_case_) + 1) {}
 
 int ArrangementRows::row(MemberKey member) const {
     return member.arrangement * groups_ + group_of_case_.at(static_cast<std::size_t>(member.case_index));

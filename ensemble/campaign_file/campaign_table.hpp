@@ -95,7 +95,6 @@ class ArrangementRows {
   public:
     explicit ArrangementRows(const Campaign& campaign);
 
-    int count() const { return groups_ * arrangements_; }
     /// Rows of each arrangement number.
     int groups() const { return groups_; }
     int row(MemberKey member) const;
@@ -104,8 +103,7 @@ class ArrangementRows {
 
   private:
     std::vector<int> group_of_case_;
-    int groups_ = 0;
-    int arrangements_ = 0;
+    int groups_;
 };
 
 // Rows of members, made of their records one by one. For this module only.

@@ -2,9 +2,7 @@
 
 #include <cmath>
 #include <numeric>
-#include <ranges>
 #include <set>
-#include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -130,6 +128,12 @@ Scale make_scale(hid_t file, const ArrayAxis& axis, const CampaignContent& conte
     return hdf5::write_scale(file, Label{std::string(axis.key), "1", std::string(axis.unlike)}, numbers);
 }
 
+std::size_t most_profile_points(const Campaign& campaign) {
+    std::size_t most = 1;
+    for (const Case& one : campaign.cases) most = std::max(most, one.scenario.structure.shape.profile().size());
+    return most;
+}
+
 }  // namespace
 
 CampaignContent::CampaignContent(const Campaign& of, const StoredMembers& all_members)
@@ -201,9 +205,7 @@ CampaignScales::CampaignScales(hid_t file, const CampaignContent& content)
                                   static_cast<std::size_t>(content.count * content.rows.arrangements().groups()),
                                   static_cast<std::size_t>(content.first * content.rows.arrangements().groups()))),
       profile_point(hdf5::write_index_scale(file, "profile_point", "point of the structure's profile, from below",
-                                            content.largest([](const Scenario& s) {
-                                                return std::max<std::size_t>(1, s.structure.shape.profile().size());
-                                            }))) {
+                                            most_profile_points(content.campaign))) {
     for (const ArrayOutput& array : array_outputs) {
         if (!array.in_file() || !content.has(array)) continue;
         for (const ArrayAxis* axis : array.axes)

@@ -3,7 +3,6 @@
 // together need, and the datasets that take one member after another. For this module only.
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <map>
@@ -240,14 +239,6 @@ struct CampaignContent {
     }
     /// Whether the file has the array: none of its axes is without places.
     bool has(const ArrayOutput& array) const;
-    /// The largest of a count over the cases' scenarios.
-    template <class Function>
-    std::size_t largest(Function function) const {
-        std::size_t value = 0;
-        for (const Case& one : campaign.cases)
-            value = std::max(value, static_cast<std::size_t>(function(one.scenario)));
-        return value;
-    }
 
   private:
     /// Of the members in rows of its own.

@@ -16,7 +16,6 @@
 #include "core/error.hpp"
 #include "core/trial.hpp"
 #include "hdf5/read.hpp"
-#include "store/file_calls.hpp"
 
 namespace floes::hdf5 {
 

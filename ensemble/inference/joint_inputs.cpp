@@ -1,7 +1,6 @@
 #include "inference/joint_inputs.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -105,7 +104,7 @@ std::vector<ContourPoint> contour(const JointInputs& inputs, double radius, int 
 namespace {
 
 constexpr double least_probability = 1e-300;
-constexpr SimplexOptions walk{.size = 0.3, .small_enough = 1e-9, .most_costs = 4000};
+constexpr SimplexOptions walk{.size = 0.3, .small_enough = 1e-9};
 constexpr std::size_t classes_for_scatter = 3;  // of `one`, with several of `other`, for a scatter that depends on it
 
 struct Border {

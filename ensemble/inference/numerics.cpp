@@ -113,6 +113,8 @@ struct OptimizerDeleter {
     void operator()(nlopt_opt_s* optimizer) const { nlopt_destroy(optimizer); }
 };
 
+constexpr int most_costs = 4000;  // of a walk
+
 double cost_at(unsigned count, const double* point, double*, void* cost) {
     const double found = (*static_cast<const Cost*>(cost))({point, count});
     return std::isfinite(found) ? found : std::numeric_limits<double>::infinity();
@@ -127,7 +129,7 @@ Minimum walk_simplex(const Cost& cost, std::span<const double> start, const Simp
     nlopt_set_min_objective(simplex.get(), cost_at, const_cast<Cost*>(&cost));
     nlopt_set_initial_step1(simplex.get(), options.size);
     nlopt_set_xtol_abs1(simplex.get(), options.small_enough);
-    nlopt_set_maxeval(simplex.get(), options.most_costs);
+    nlopt_set_maxeval(simplex.get(), most_costs);
     // Any status will do: the least cost so far stands in `found`.
     nlopt_optimize(simplex.get(), found.at.data(), &found.cost);
     return found;

@@ -67,7 +67,6 @@ struct Minimum {
 struct SimplexOptions {
     double size;          ///< edge of the first simplex, the same along all parameters
     double small_enough;  ///< ends when no corner is farther than this from their centre along any parameter
-    int most_costs = 4000;
 };
 
 /// Walks from `start`. Scale the parameters so that one size suits all. Deterministic.

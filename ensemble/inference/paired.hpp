@@ -2,7 +2,6 @@
 // Differences over arrangements and their tests: of two cases over the same arrangements, which excludes the effect
 // that an arrangement has on both, and of the load through the measured window.
 
-#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>

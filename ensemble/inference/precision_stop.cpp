@@ -6,9 +6,6 @@
 #include <fmt/format.h>
 
 #include "campaign/stop_rule.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
-#include "core/units.hpp"
 #include "inference/interval.hpp"
 #include "member/design_of.hpp"
 #include "member/quantity.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <span>
 
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>

@@ -1,7 +1,6 @@
 #pragma once
 // The regimes of a year: which ice comes by, for how many hours.
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
