@@ -291,27 +291,51 @@ double tough(const Scenario& scenario) {
                      2);
 }
 
-/// The keys that are not as by default, without comments. `base`: the case whose variations all others are; may be
-/// empty.
-std::string tables_text(const Campaign& campaign, const Scenario& scenario, std::string_view base) {
+/// The campaign's stop rule where a study of the case with these variations can have it: it is of every case alone,
+/// not of some of the campaign's, and each measures what it is of.
+StopRule stop_rule_for(const Campaign& campaign, const Case& of, const std::vector<Variation>& variations) {
+    if (campaign.stop.case_name != "all" || campaign.stop.contrast != "none") return {};
+    Campaign study;
+    study.stop = campaign.stop;
+    study.cases.push_back(of);
+    for (const Variation& one : variations) {
+        Scenario& scenario = study.cases.emplace_back(of).scenario;
+        const Keys keys = describe(scenario);
+        for (const auto& [key, value] : one.sets)
+            assign(*find_key(keys, key), parse_override(fmt::format("{}={}", key, value), one.name));
+    }
+    return stop_quantity_fault(study) ? StopRule{} : study.stop;
+}
+
+/// The keys that are not as by default, without comments but for a stop rule that is left out. `base`: the case whose
+/// variations all others are; may be empty.
+std::string tables_text(const Campaign& campaign, const Case& of, std::string_view base, const StopRule& stop) {
     CampaignTables own;
     own.head = campaign;
     own.head.name.clear();  // named by its file
+    own.stop = stop;
     own.run = campaign.run;
     own.run.base_case = base;
-    own.scenario = scenario;
+    own.scenario = of.scenario;
     const CampaignTables usual;
 
-    // Keys that a reader would lay anew are stated, as they are here.
-    const bool laid = lays_itself(scenario);
+    // Keys that a reader would lay anew are stated, as they are here; so are E and Σ, of which it would find one.
+    const bool laid = lays_itself(own.scenario);
+    const bool paired = own.scenario.joint.model == JointModel::cfm;
     Keys written;
     for (std::size_t k = 0; k < own.keys.size(); ++k) {
         const Key& key = own.keys[k];
-        if (key.derived() || key.idle()) continue;
-        const bool stated = laid && std::ranges::find(laid_paths, key.path) != laid_paths.end();
+        if (key.derived() || key.idle() || !to_be_found(of, key).empty()) continue;
+        const bool stated = (laid && std::ranges::find(laid_paths, key.path) != laid_paths.end()) ||
+                            (paired && (key.path == cfm_path || key.path == modulus_path));
         if (stated || exact_text(key) != exact_text(usual.keys[k])) written.push_back(key);
     }
-    return write_tables(written, {}, Comments::none);
+    const bool left_out = campaign.stop.active() && !stop.active();
+    return (left_out ? fmt::format("# The stop rule of {} does not fit these cases and is left out: all {} "
+                                   "arrangements run.\n\n",
+                                   in_a_file_name(campaign.name), campaign.arrangements)
+                     : "") +
+           write_tables(written, {}, Comments::none);
 }
 
 std::string cases_text(const std::vector<Variation>& cases) {
@@ -368,13 +392,14 @@ std::string variations_text(const Campaign& campaign, const Case& of) {
         "together.\n"
         "# Keys that are not here have their defaults.\n\n",
         of.name, in_a_file_name(campaign.name));
-    text += tables_text(campaign, of.scenario, base_name);
+    const std::vector<Variation> variations = variations_of(of.scenario);
+    text += tables_text(campaign, of, base_name, stop_rule_for(campaign, of, variations));
     text += fmt::format("\n[[case]]\nname = {}\n", text_literal(std::string(base_name)));
-    return text + cases_text(variations_of(of.scenario));
+    return text + cases_text(variations);
 }
 
 std::string study_text(const Campaign& campaign, const Case& of, const std::vector<Variation>& cases) {
-    return tables_text(campaign, of.scenario, "") + cases_text(cases);
+    return tables_text(campaign, of, "", stop_rule_for(campaign, of, {})) + cases_text(cases);
 }
 
 }  // namespace floes

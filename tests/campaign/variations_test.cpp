@@ -75,10 +75,49 @@ TEST(Variations, TextHasTheCaseAsItIsAndOneChangeInEachOther) {
     EXPECT_NEAR(wide.field_length(), mine().field_length(), 1e-9);
 }
 
+/// The study of a campaign's first case, read again.
+Campaign study_of(const Campaign& campaign) {
+    return read_campaign({variations_text(campaign, campaign.cases[0]), "varied.toml", {}, true}, nullptr);
+}
+
+// Of joints that follow Σ the reader finds what is not stated of E and Σ, also where it is as by default.
+TEST(Variations, StateTheModulusAndTheSigmaThatTheCaseStates) {
+    const std::string joints =
+        "general.solver = \"lanes\"\njoint.model = \"cfm\"\nwater.heave_damping_from = \"share\"\n"
+        "water.added_mass_from = \"share\"\n";
+    const std::string modulus = "ice.elastic_modulus_MPa = 60\n";
+    const std::string cfm = "joint.cfm = 0.016\n";
+    for (const auto& [text, pairing] : {std::pair{"run.nominal_modulus = true\n" + modulus + cfm, Pairing::settled},
+                                        {modulus + cfm, Pairing::check},
+                                        {cfm, Pairing::find_modulus},
+                                        {modulus, Pairing::find_cfm}}) {
+        const Campaign campaign = read_campaign({joints + text, "a.toml", {}, true}, nullptr);
+        ASSERT_EQ(campaign.cases[0].pairing, pairing) << text;
+        const Campaign read = study_of(campaign);
+        for (const Case& one : read.cases) EXPECT_EQ(one.pairing, pairing) << text << one.name;
+        EXPECT_EQ(case_fingerprint(read, 0), case_fingerprint(campaign, 0)) << text;
+    }
+}
+
+TEST(Variations, StopByTheRuleOfTheirCampaign) {
+    Campaign campaign = of(mine());
+    campaign.arrangements = 400;
+    campaign.stop = {.half_width = 0.05, .of = "maximum_load", .batch = 4};
+    EXPECT_EQ(study_of(campaign).stop, campaign.stop);
+    EXPECT_EQ(
+        read_campaign({study_text(campaign, campaign.cases[0], variations_of(mine())), "a.toml", {}, true}, nullptr)
+            .stop,
+        campaign.stop);
+    campaign.stop = {.half_width = 0.05, .case_name = "stiff"};
+    EXPECT_EQ(study_of(campaign).stop, StopRule{});
+    EXPECT_THAT(variations_text(campaign, campaign.cases[0]),
+                HasSubstr("# The stop rule of mine does not fit these cases and is left out: all 400 arrangements"));
+    EXPECT_THAT(variations_text(of(mine()), of(mine()).cases[0]), Not(HasSubstr("stop")));
+}
+
 TEST(Variations, OfTheSpeedCoverTheSameDistances) {
     const Campaign campaign = of(mine());
-    const Campaign read =
-        read_campaign({variations_text(campaign, campaign.cases[0]), "varied.toml", {}, true}, nullptr);
+    const Campaign read = study_of(campaign);
     const double way = mine().structure.speed * mine().general.time_step;
     for (const char* name : {"speed_m_s_0.035", "speed_m_s_0.14"}) {
         const Scenario other = case_of(read, name);
