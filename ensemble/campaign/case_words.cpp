@@ -568,9 +568,28 @@ Odd long_period(const Case& one) {
             mode->period / scenario.analysis.window};
 }
 
-constexpr std::array<Oddity, 14> oddities{
-    large_elements, thick_elements,  little_ice, odd_strength, soft_in_compression, few_sweeps, long_steps,
-    narrow_gap,     light_structure, other_mass, early_window, long_period,         short_path, size_without_floe};
+/// Added mass by a number and by the matrix of a radiation program, which are often the same water.
+Odd water_twice(const Case& one) {
+    constexpr std::array<std::string_view, 6> numbers{
+        "moorings.added_surge_t", "moorings.added_sway_t",     "moorings.added_yaw_t_m2",
+        "moorings.added_heave_t", "moorings.added_pitch_t_m2", "moorings.added_roll_t_m2"};  // by Motion
+    const Moorings& moorings = one.scenario.moorings;
+    if (!moorings.give_way()) return {};
+    const Mat6 matrix = from_hydrodynamic_axes(moorings.added_mass);
+    std::vector<std::string> both;
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+        if (moorings.added.at(k) > 0 && matrix.diagonal()[static_cast<int>(k)] != 0)
+            both.push_back(given(one.scenario, std::string(numbers.at(k))));
+    if (both.empty()) return {};
+    return {fmt::format("moorings.added_mass is in addition to {}; leave that out if both are of the same water",
+                        fmt::join(both, ", ")),
+            static_cast<double>(both.size())};
+}
+
+constexpr std::array<Oddity, 15> oddities{large_elements,      thick_elements, little_ice,       odd_strength,
+                                          soft_in_compression, few_sweeps,     long_steps,       narrow_gap,
+                                          light_structure,     other_mass,     water_twice,      early_window,
+                                          long_period,         short_path,     size_without_floe};
 
 double least_grade(const std::vector<std::pair<const Case*, Odd>>& found) {
     return std::ranges::min(found, {}, [](const auto& one) { return one.second.grade; }).second.grade;

@@ -126,6 +126,29 @@ std::array<double, 6> natural_frequencies(const RadiationFile& radiation, const 
     return found;
 }
 
+/// What the hull's configuration says of its own of what the matrices are.
+std::string stated_already(const MooringKeysRequest& request, const Surroundings& here) {
+    if (!here.hull) return "";
+    Moorings moorings = here.hull->moorings;
+    Keys keys;
+    add_moorings(keys, moorings);
+    std::vector<std::string_view> added;
+    for (const Key& key : keys)
+        if (const auto* number = std::get_if<NumberField>(&key.field);
+            number != nullptr && key.path.starts_with("moorings.added_") && number->get() > 0)
+            added.push_back(key.path);
+    std::string text;
+    if (!added.empty())
+        text += fmt::format("# leave out {} of {}: added_mass is in their place, and would be in addition to them\n",
+                            fmt::join(added, ", "), request.hull_name);
+    if (moorings.damping > 0)
+        text += fmt::format(
+            "# moorings.damping_percent of {} is in addition to radiation_damping: let it be what lines and friction "
+            "damp\n",
+            request.hull_name);
+    return text;
+}
+
 std::string radiation_text(const MooringKeysRequest& request, const Surroundings& here, const std::string& bytes) {
     const RadiationFile radiation = read_radiation(bytes, request.file, here.units);
     Vec3 reference = radiation.reference.value_or(Vec3::Zero());
@@ -164,7 +187,8 @@ std::string radiation_text(const MooringKeysRequest& request, const Surroundings
     for (const std::string& remark : radiation.remarks) out += "# " + remark + "\n";
     if (const std::string doubt = doubts(radiation, request.file, frequencies); !doubt.empty())
         out += "# " + doubt + "\n";
-    return out + guard(request, here, radiation) + matrix_text("added_mass", about_origin(at.added, reference)) +
+    return out + guard(request, here, radiation) + stated_already(request, here) +
+           matrix_text("added_mass", about_origin(at.added, reference)) +
            matrix_text("radiation_damping", about_origin(at.damping, reference));
 }
 

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include "campaign/read.hpp"
 
 namespace floes {
@@ -124,6 +126,23 @@ TEST(Advice, OfAMassInKilogramsSaysTonnes) {
     EXPECT_THAT(advice_for("[structure]\nprofile_m = [[-0.443, 0.614], [0.122, 0.614]]\n[moorings]\ngyration_m = 0.44\n"
                            "surge_kN_m = 0.8\nsway_kN_m = 0.7\nyaw_kN_m_rad = 0.1\nmass_t = 525\n"),
                 testing::Contains(HasSubstr("moorings.mass_t is in tonnes, and this looks like kilograms")));
+}
+
+TEST(Advice, OfAddedMassByANumberAndByAMatrix) {
+    const std::string moored =
+        "[structure]\nprofile_m = [[-0.443, 0.614], [0.122, 0.614]]\n[moorings]\ngyration_m = 0.44\nmass_t = 0.5\n"
+        "surge_kN_m = 0.8\nsway_kN_m = 0.7\nyaw_kN_m_rad = 0.1\n";
+    const auto matrix = [](double surge, double sway) {
+        std::string rows = fmt::format("added_mass = [[{}, 0, 0, 0, 0, 0], [0, {}, 0, 0, 0, 0]", surge, sway);
+        for (int k = 0; k < 4; ++k) rows += ", [0, 0, 0, 0, 0, 0]";
+        return rows + "]\n";
+    };
+    const std::string numbers = "added_surge_t = 0.2\nadded_sway_t = 0.3\n";
+    EXPECT_THAT(advice_for(moored + numbers + matrix(0.2, 0)),
+                testing::Contains(HasSubstr("case E60: moorings.added_mass is in addition to moorings.added_surge_t = "
+                                            "0.2; leave that out if both are of the same water")));
+    EXPECT_THAT(advice_for(moored + numbers + matrix(0, 0)), testing::Not(testing::Contains(HasSubstr("added_mass"))));
+    EXPECT_THAT(advice_for(moored + matrix(0.2, 0.3)), testing::Not(testing::Contains(HasSubstr("added_mass"))));
 }
 
 }  // namespace advice_test

@@ -12,6 +12,7 @@
 
 #include "cli/verb_output.hpp"
 #include "core/error.hpp"
+#include "support/file_bytes.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace floes {
@@ -72,6 +73,21 @@ TEST(Hydro, TakesEachMotionAtItsNaturalPeriod) {
     EXPECT_THAT(message(radiation()), HasSubstr("give the period at which its values are to hold, --period-s, or"));
     EXPECT_THAT(message(radiation() + " --period-s 200"),
                 HasSubstr("cylinder.1: has periods from 1 to 100 s, and --period-s 200 is outside"));
+}
+
+// Added mass by the matrix is in addition to that by numbers: its natural periods are those without them.
+TEST(Hydro, SaysWhichKeysOfTheHullItsMatricesReplace) {
+    const std::string plain = hydro(radiation() + " --hull " + cylinder());
+    EXPECT_THAT(plain, testing::Not(HasSubstr("leave out")));
+    EXPECT_THAT(plain, testing::Not(HasSubstr("damping_percent")));
+    const std::string stated = file("stated.toml", file_text(cylinder()) +
+                                                       "added_surge_t = 0.17\nadded_heave_t = 0.2\n"
+                                                       "damping_percent = 5.0\n");
+    const std::string keys = hydro(radiation() + " --hull " + stated);
+    EXPECT_THAT(keys, HasSubstr("heave 2.335 s"));
+    EXPECT_THAT(keys, HasSubstr("# leave out moorings.added_surge_t, moorings.added_heave_t of "));
+    EXPECT_THAT(keys, HasSubstr("stated.toml: added_mass is in their place, and would be in addition to them\n"));
+    EXPECT_THAT(keys, HasSubstr("stated.toml is in addition to radiation_damping: let it be what lines and friction"));
 }
 
 /// Pitch of a hull with a low centre swings with surge: about a point near its centre, with less inertia than about the
