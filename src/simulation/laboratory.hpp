@@ -127,8 +127,9 @@ struct BeamStrength {
     double set = 0;  ///< Pa, the scenario's strength of that kind
 };
 
-/// Raises the load in increments, each settled, until a joint fails. Uses general, ice, joint, floe.element of the
-/// scenario (and water density when floating). Throws InputError when the test is not possible or nothing fails.
+/// Raises the load in increments, each settled, until a joint fails, by stress where joint.failure says so. Uses
+/// general, ice, joint, floe.element of the scenario (and water density when floating). Throws InputError when the test
+/// is not possible or nothing fails.
 BeamStrength measure_beam_strength(const Scenario& scenario, const BeamTest& test);
 
 }  // namespace floes

@@ -1,8 +1,12 @@
 #include "simulation/laboratory.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "core/error.hpp"
+#include "support/refusal.hpp"
 #include "support/sweeping_scenario.hpp"
 #include "theory/plate.hpp"
 
@@ -13,7 +17,7 @@ class BeamAtCfm : public testing::TestWithParam<double> {
   protected:
     BeamAtCfm() { scenario_.joint.cfm = GetParam(); }
 
-    Scenario scenario_;
+    Scenario scenario_ = sweeping_scenario();
 };
 
 TEST_P(BeamAtCfm, BreaksInBendingAtItsStrengthWhateverItsLength) {
@@ -63,6 +67,47 @@ TEST(Beam, AFloatingBeamReadsMoreThanItsStrengthAsOneOnAFoundationDoes) {
         const double elastic = floating_cantilever_factor(60e6, elements * 0.2, scenario.floe.thickness, 9810);
         EXPECT_GT(shown.strength / shown.set, elastic);
         EXPECT_LT(shown.strength / shown.set, 1.2 * elastic);
+    }
+}
+
+TEST(Beam, OfBeamJointsBreaksAtItsStrength) {
+    for (const JointFailure by : {JointFailure::stress, JointFailure::moment}) {
+        Scenario scenario;
+        scenario.joint.failure = by;
+        const BeamStrength bent = measure_beam_strength(scenario, {.elements = 2});
+        EXPECT_EQ(bent.mode, FailureMode::bending);
+        EXPECT_EQ(bent.joint, 0);
+        EXPECT_NEAR(bent.strength, 36.4e3, 0.01 * 36.4e3);
+        const BeamStrength sheared = measure_beam_strength(scenario, {.load = BeamLoad::shear, .elements = 1});
+        EXPECT_EQ(sheared.mode, FailureMode::shear);
+        EXPECT_NEAR(sheared.strength, 72.8e3, 0.01 * 72.8e3);
+        const BeamStrength crushed = measure_beam_strength(scenario, {.load = BeamLoad::compression, .elements = 1});
+        EXPECT_EQ(crushed.mode, FailureMode::compression);
+        EXPECT_NEAR(crushed.strength, 145.6e3, 0.01 * 145.6e3);
+    }
+}
+
+// As a strip of plate on an elastic foundation (Hetényi), 1/(1 - ν²) stiffer than a narrow beam: 1.118, 1.632, 1.071.
+TEST(Beam, OfBeamJointsThatFloatsReadsAsTheElasticOneOfItsModulus) {
+    for (const auto& [modulus, elements] : {std::pair{60e6, 2}, {60e6, 3}, {500e6, 3}}) {
+        Scenario scenario;
+        scenario.ice.elastic_modulus = modulus;
+        const BeamStrength shown =
+            measure_beam_strength(scenario, {.elements = elements, .floating = true, .increment = 0.01});
+        const double nu = scenario.ice.poisson_ratio;
+        const double elastic =
+            floating_cantilever_factor(modulus / (1 - nu * nu), elements * 0.2, scenario.floe.thickness, 9810);
+        EXPECT_EQ(shown.joint, 0);
+        EXPECT_NEAR(shown.strength / shown.set, elastic, 0.012 * elastic) << modulus << " Pa, " << elements;
+    }
+}
+
+// The clamp's joint has twice Σ; what is refused is what was given.
+TEST(Beam, SaysWhichSigmaCannotBeTested) {
+    Scenario scenario = sweeping_scenario();
+    for (const auto& [cfm, words] : {std::pair{-1.0, "A beam of Σ = -1 cannot"}, {0.5, "A beam of Σ = 0.5 cannot"}}) {
+        scenario.joint.cfm = cfm;
+        EXPECT_THAT(refusal([&] { measure_beam_strength(scenario, {}); }), testing::HasSubstr(words));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "simulation/laboratory.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -90,6 +91,14 @@ TEST(PlateDeflection, RefusesWithAReason) {
     EXPECT_NE(message_of(weak, {.sheet = 1.0}).find("breaks the sheet"), std::string::npos);
     EXPECT_NE(message_of(paper_plate(0.1), {.sheet = 0.6, .load = 9}).find("sinks"), std::string::npos);
     EXPECT_NE(message_of(paper_plate(0.016), {.load = 0}).find("above 0 N"), std::string::npos);
+}
+
+TEST(PlateDeflection, NamesTheSheetsThatCanBeTested) {
+    const auto told = [](double sheet) {
+        return refusal([&] { measure_plate_deflection(sweeping_scenario(), {.sheet = sheet}); });
+    };
+    EXPECT_THAT(told(0.1), testing::EndsWith("Try 0.4 m."));
+    EXPECT_THAT(told(0.5), testing::EndsWith("Try 0.4 m or 0.6 m."));
 }
 
 }  // namespace plate_deflection_test
