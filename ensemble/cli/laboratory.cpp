@@ -1,6 +1,11 @@
 // floes laboratory: plates that bend and cantilevers that break, on numerical ice.
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <optional>
+
+#include <tbb/info.h>
 
 #include "cli/commands.hpp"
 #include "run/calibrate.hpp"
@@ -12,13 +17,30 @@ namespace floes {
 
 namespace {
 
+std::vector<double> cfm_of_paper() {
+    return {1e-10, 0.016, 0.03};
+}
+
+/// The configuration's first case, with what it leaves open of E and Σ as floes run finds it, as far as that is asked.
+Scenario first_case(const std::string& config, const std::vector<std::string>& overrides, bool cfm, bool modulus) {
+    Campaign campaign = load_campaign(config, overrides);
+    campaign.cases.resize(1);
+    const Pairing pairing = campaign.cases.front().pairing;
+    const int threads = tbb::info::default_concurrency();
+    Progress progress(std::cerr, style_of_standard_error());
+    if (cfm && pairing == Pairing::find_cfm) calibrate_campaign(campaign, {}, threads, progress);
+    if (modulus && pairing == Pairing::find_modulus) settle_moduli(campaign, threads, progress);
+    return campaign.cases.front().scenario;
+}
+
+/// Empty lists of Σ and moduli stand for the ice's own.
 struct CantileverOptions {
     std::string config;
     std::vector<std::string> overrides;
-    std::vector<double> cfm{1e-10, 0.016, 0.03};
+    std::vector<double> cfm;
     std::vector<int> elements{1, 2, 3, 4};
     std::vector<std::string> loads{"bending", "shear", "compression"};
-    std::vector<double> moduli{60};
+    std::vector<double> moduli;
     bool floating = false;
     bool stiffness = false;
     std::string format = "table";
@@ -37,16 +59,25 @@ BeamLoad load_of(const std::string& word) {
 
 Scenario base_scenario(const CantileverOptions& options) {
     if (options.config.empty()) return paper_scenario();
-    return load_campaign(options.config, options.overrides).cases.front().scenario;
+    return first_case(options.config, options.overrides, !options.stiffness && options.cfm.empty(),
+                      options.moduli.empty() && (options.stiffness || options.floating));
 }
 
-std::vector<Row> measure(Scenario scenario, const CantileverOptions& options) {
-    if (options.moduli.size() != 1)
+/// Pa, of the elastic beam for comparison. Beam joints bend as a strip of plate.
+double compared_modulus(const Scenario& scenario, const CantileverOptions& options) {
+    const double modulus =
+        options.moduli.empty() ? scenario.ice.elastic_modulus : options.moduli.front() * unit::megapascal;
+    const double ratio = scenario.joint.model == JointModel::beam ? scenario.ice.poisson_ratio : 0;
+    return modulus / (1 - ratio * ratio);
+}
+
+std::vector<Row> measure(Scenario scenario, const std::vector<double>& cfms, const CantileverOptions& options) {
+    if (options.moduli.size() > 1)
         throw InputError("The elastic beam for comparison has one modulus; give a single --modulus-MPa.");
     const double foundation = scenario.water.density * scenario.general.gravity;
     std::vector<Row> rows;
     const bool beams = scenario.joint.model == JointModel::beam;  // which have no Σ
-    for (const double cfm : beams ? std::vector<double>{NAN} : options.cfm) {
+    for (const double cfm : beams ? std::vector<double>{NAN} : cfms) {
         if (!beams) scenario.joint.cfm = cfm;
         for (const std::string& word : options.loads) {
             const BeamLoad load = load_of(word);
@@ -55,11 +86,10 @@ std::vector<Row> measure(Scenario scenario, const CantileverOptions& options) {
             for (const int elements : lengths) {
                 const BeamTest test{
                     .load = load, .elements = elements, .floating = options.floating && load == BeamLoad::bending};
-                const double elastic = test.floating
-                                           ? floating_cantilever_factor(options.moduli.front() * unit::megapascal,
-                                                                        elements * scenario.floe.element,
-                                                                        scenario.floe.thickness, foundation)
-                                           : 1.0;
+                const double elastic = test.floating ? floating_cantilever_factor(compared_modulus(scenario, options),
+                                                                                  elements * scenario.floe.element,
+                                                                                  scenario.floe.thickness, foundation)
+                                                     : 1.0;
                 rows.push_back({cfm, measure_beam_strength(scenario, test), elastic});
             }
         }
@@ -69,9 +99,12 @@ std::vector<Row> measure(Scenario scenario, const CantileverOptions& options) {
 
 /// Of the given ice, or of the default ice with its beam joints and the paper's with each Σ.
 std::vector<Row> measure_all(const CantileverOptions& options) {
-    std::vector<Row> rows;
-    if (options.config.empty()) rows = measure(Scenario{}, options);
-    for (const Row& row : measure(base_scenario(options), options)) rows.push_back(row);
+    const Scenario scenario = base_scenario(options);
+    if (!options.config.empty())
+        return measure(scenario, options.cfm.empty() ? std::vector{scenario.joint.cfm} : options.cfm, options);
+    std::vector<Row> rows = measure(Scenario{}, {}, options);
+    for (const Row& row : measure(scenario, options.cfm.empty() ? cfm_of_paper() : options.cfm, options))
+        rows.push_back(row);
     return rows;
 }
 
@@ -107,7 +140,8 @@ Section stiffness_section(const CantileverOptions& options) {
                                 {.key = "frequency_1_per_s", .words = "frequency", .unit = "1/s", .decimals = 3},
                                 {.key = "elastic_frequency_1_per_s", .words = "elastic", .unit = "1/s", .decimals = 3},
                                 {.words = "shown/elastic", .decimals = 4}}};
-    for (const double modulus : options.moduli) {
+    const std::vector own{scenario.ice.elastic_modulus / unit::megapascal};
+    for (const double modulus : options.moduli.empty() ? own : options.moduli) {
         const Scenario beam = with_beam_joints(scenario, modulus * unit::megapascal);
         for (const int elements : options.elements) {
             const BeamStiffness shown = measure_beam_stiffness(beam, elements);
@@ -128,9 +162,11 @@ void add_cantilever(Verb& laboratory) {
                     "Test the ice of this configuration's first case; default: the default ice, with beam joints, "
                     "and the paper's with each Σ");
     add_overrides(verb, options->overrides).needs(config);
-    verb.option("--cfm", options->cfm, "Values of Σ, comma-separated; of joints that have it")
-        .comma_separated()
-        .shows_default();
+    verb.option(
+            "--cfm", options->cfm,
+            "Values of Σ, comma-separated; of joints that have it. Default: the configuration's own, or the paper's "
+            "1e-10,0.016,0.03")
+        .comma_separated();
     verb.option("--elements", options->elements, "Lengths of the beam in elements, comma-separated")
         .comma_separated()
         .within(1, 100)
@@ -145,15 +181,15 @@ void add_cantilever(Verb& laboratory) {
         .excludes(floating);
     verb.option("--modulus-MPa", options->moduli,
                 "Modulus of the elastic beam on a foundation used for comparison; with --stiffness moduli of the "
-                "beam joints, comma-separated")
-        .comma_separated()
-        .shows_default();
+                "beam joints, comma-separated. Default: that of the ice")
+        .comma_separated();
     add_format(verb, options->format);
     verb.footer(
         "The beam is one element wide and clamped at one end. Bending: strength = 6 P L/(b h²), L from the load to "
         "the\n"
         "failing joint. With --stiffness: dry, the load at the middle of the last element. Shear and compression: P/(b "
-        "h), or P/(b h²) with paper.threshold_form = \"as_printed\".");
+        "h), or P/(b h²) with paper.threshold_form = \"as_printed\". Beam joints are compared with a strip of plate, "
+        "1/(1 - ν²)\nstiffer than a beam.");
     verb.prints([options] {
         return written(
             {options->stiffness ? stiffness_section(*options) : section_of(measure_all(*options), options->floating)},
@@ -163,26 +199,29 @@ void add_cantilever(Verb& laboratory) {
 
 // floes laboratory plate: the plate-deflection test. Σ to E as in Fig. 2, and back.
 
-/// An empty list stands for the configuration's value; every combination of given values is measured.
+/// An empty list stands for the configuration's value, of sheets for the one that calibrates its ice; every combination
+/// of given values is measured.
 struct PlateOptions {
     std::string config;
     std::vector<std::string> overrides;
-    std::vector<double> sheets{5.4, 2.8, 2.6};
-    std::vector<double> cfm{1e-10, 0.016, 0.03};
-    std::vector<double> moduli{200, 60, 30};
+    std::vector<double> sheets;
+    std::vector<double> cfm;
+    std::vector<double> moduli;
     std::vector<double> elements;
     std::vector<double> thicknesses;
     std::vector<double> time_steps;
     std::vector<double> erps;
     std::vector<int> iterations;
-    double load = PlateTest{}.load;
-    double modulus = 0;
+    std::optional<double> load;
+    std::optional<double> modulus;
     std::string format = "table";
+
+    bool own_joints() const { return cfm.empty() && moduli.empty() && !modulus; }
 };
 
 /// Without a configuration: the paper's ice as a plate of 0.030 m, as tested in its Fig. 2.
 Scenario base_scenario(const PlateOptions& options) {
-    if (!options.config.empty()) return load_campaign(options.config, options.overrides).cases.front().scenario;
+    if (!options.config.empty()) return first_case(options.config, options.overrides, options.own_joints(), false);
     Scenario scenario = paper_scenario();
     scenario.floe.thickness = 0.030;
     return scenario;
@@ -204,13 +243,18 @@ void vary(std::vector<PointPlan>& plans, const std::vector<Value>& values, Set s
 
 /// Sheets with both kinds of joints: stiffness by Σ, and beams of a given modulus.
 std::vector<PointPlan> make_plans(const PlateOptions& options) {
-    std::vector<PointPlan> plans{{base_scenario(options), {.load = options.load}}};
+    std::vector<PointPlan> plans{{base_scenario(options), {}}};
     vary(plans, options.elements, [](PointPlan& plan, double value) { plan.scenario.floe.element = value; });
     vary(plans, options.thicknesses, [](PointPlan& plan, double value) { plan.scenario.floe.thickness = value; });
     vary(plans, options.time_steps, [](PointPlan& plan, double value) { plan.scenario.general.time_step = value; });
     vary(plans, options.erps, [](PointPlan& plan, double value) { plan.scenario.joint.erp = value; });
     vary(plans, options.iterations, [](PointPlan& plan, int value) { plan.scenario.general.iterations = value; });
+    for (PointPlan& plan : plans) {
+        if (!options.config.empty()) plan.test = whole_plate_test(plan.scenario);
+        plan.test.load = options.load.value_or(plan.test.load);
+    }
     vary(plans, options.sheets, [](PointPlan& plan, double value) { plan.test.sheet = value; });
+    if (options.own_joints()) return plans;
     std::vector<PointPlan> beams = options.moduli.empty() ? std::vector<PointPlan>{} : plans;
     vary(beams, options.moduli, [](PointPlan& plan, double value) {
         plan.scenario = with_beam_joints(plan.scenario, value * unit::megapascal);
@@ -251,9 +295,7 @@ Section curve_section(const std::vector<CurvePoint>& curve) {
 
 /// The ice for which Σ is sought. Throws InputError if the lists describe several.
 PointPlan plan_of_inverse(PlateOptions options) {
-    options.sheets.resize(1);
-    options.cfm.clear();
-    options.moduli.clear();
+    options.sheets.resize(std::min<std::size_t>(1, options.sheets.size()));
     const std::vector<PointPlan> plans = make_plans(options);
     if (plans.size() == 1) return plans.front();
     throw InputError(
@@ -264,13 +306,13 @@ PointPlan plan_of_inverse(PlateOptions options) {
 
 Section inverse_section(const PlateOptions& options) {
     const PointPlan plan = plan_of_inverse(options);
-    const Calibration found = calibrate_cfm(plan.scenario, plan.test, options.modulus * unit::megapascal);
+    const Calibration found = calibrate_cfm(plan.scenario, plan.test, *options.modulus * unit::megapascal);
     Section section = curve_section(found.curve);
-    section.results.insert(section.results.begin(), object("", {{"elastic_modulus_MPa", options.modulus},
+    section.results.insert(section.results.begin(), object("", {{"elastic_modulus_MPa", *options.modulus},
                                                                 {"cfm", found.cfm},
                                                                 {"ceiling_MPa", found.ceiling / unit::megapascal}}));
     section.after = fmt::format("\nΣ = {:.4g} shows {:g} MPa (the ceiling of these iterations is {:.4g} MPa)\n",
-                                found.cfm, options.modulus, found.ceiling / unit::megapascal);
+                                found.cfm, *options.modulus, found.ceiling / unit::megapascal);
     return section;
 }
 
@@ -298,32 +340,37 @@ void add_plate(Verb& laboratory) {
     list("--time-step-s", options->time_steps, "Time steps Δt, s").positive();
     list("--erp", options->erps, "Values of Γ").not_negative();
     list("--iterations", options->iterations, "Numbers of Gauss-Seidel sweeps").within(1, 1000000);
-    verb.option("--load-N", options->load, "Largest load on the centre, N").shows_default();
-    const Option modulus = verb.option("--modulus-MPa", options->modulus,
-                                       "Inverse calibration: find the Σ that shows this modulus on the first sheet")
-                               .excludes(cfm)
-                               .excludes(beams);
+    verb.option("--load-N", options->load,
+                "Largest load on the centre, N; default: 3, and of a configuration as much as its ice is larger");
+    verb.option("--modulus-MPa", options->modulus,
+                "Inverse calibration: find the Σ that shows this modulus on the first sheet")
+        .excludes(cfm)
+        .excludes(beams);
     add_format(verb, options->format);
     verb.footer(
         "Lists are comma-separated and every combination is measured. Without arguments: the paper's Σ on sheets of\n"
-        "5.4, 2.8 and 2.6 m, and beam joints of 200, 60 and 30 MPa. E (patch) assumes that the load is spread over "
-        "the\n"
-        "loaded elements, which is right for joints that follow Σ; E (point) a point load, which is right for beams "
-        "from\n"
-        "centre to centre (docs/fracture.md).\n\n"
+        "5.4, 2.8 and 2.6 m, and beam joints of 200, 60 and 30 MPa. Of a configuration what is not given is its own, "
+        "on\n"
+        "the sheet of 5.4 m at its scale; a Σ that it leaves open is found as floes run finds it. E (patch) assumes "
+        "that\n"
+        "the load is spread over the loaded elements, which is right for joints that follow Σ; E (point) a point "
+        "load,\n"
+        "which is right for beams from centre to centre (docs/fracture.md).\n\n"
         "  floes laboratory plate --sheet-m 2.6 --cfm 1e-10 --iterations 10,50,100   the ceiling set by the "
         "iterations\n"
         "  floes laboratory plate --sheet-m 5.1 --element-m 0.3,0.1 --beam-MPa 60    beam joints, whatever the "
         "element\n"
         "  floes laboratory plate table3.toml --modulus-MPa 60                       Σ for an ice of 60 MPa");
-    verb.prints([options, cfm, beams, modulus] {
-        // If only one of the two is given, only sheets with these joints are measured.
-        if (cfm.given() && !beams.given()) options->moduli.clear();
-        if (beams.given() && !cfm.given()) options->cfm.clear();
-        const bool no_sigma = !cfm.given() && base_scenario(*options).joint.model == JointModel::beam;
-        if (no_sigma) options->cfm.clear();
+    verb.prints([options] {
+        if (options->config.empty()) {
+            if (options->sheets.empty()) options->sheets = {5.4, 2.8, 2.6};
+            if (options->own_joints()) {
+                options->cfm = cfm_of_paper();
+                options->moduli = {200, 60, 30};
+            }
+        }
         return written(
-            {modulus.given() ? inverse_section(*options) : curve_section(measure_curve(make_plans(*options)))},
+            {options->modulus ? inverse_section(*options) : curve_section(measure_curve(make_plans(*options)))},
             options->format);
     });
 }

@@ -49,13 +49,49 @@ TEST(LaboratoryPlate, RefusesToLookForTheCfmOfSeveralIces) {
     EXPECT_THROW(plate("--modulus-MPa 60 --cfm 0.016"), CommandLineEnd);
 }
 
-TEST(LaboratoryPlate, HasNoSigmaOfIceWithBeamJoints) {
-    const std::string small = "--sheet-m 1.2 --element-m 0.3 --thickness-m 0.04 --format json";
-    const TemporaryFolder folder;
-    const std::string file = folder / "beams.toml";
-    std::ofstream(file) << "[joint]\nmodel = \"beam\"\n";
-    for (const json& point : json::parse(plate(file + " " + small)).at("curve"))
-        EXPECT_EQ(point.at("joint_model"), "beam");
+/// Configurations with an E, and with a Σ, that no default has.
+class LaboratoryOfAConfiguration : public testing::Test {
+  protected:
+    LaboratoryOfAConfiguration() {
+        std::ofstream(beams_) << "[joint]\nmodel = \"beam\"\n[ice]\nelastic_modulus_MPa = 500\n";
+        std::ofstream(sigma_) << "general.solver = \"lanes\"\njoint.model = \"cfm\"\njoint.cfm = 0.05\n"
+                                 "water.heave_damping_from = \"share\"\nwater.added_mass_from = \"share\"\n";
+    }
+
+    static json cantilever(const std::string& arguments) {
+        return json::parse(verb_output(add_laboratory, "laboratory cantilever " + arguments + " --format json"))
+            .at("rows");
+    }
+
+    TemporaryFolder folder_;
+    std::string beams_ = folder_ / "beams.toml";
+    std::string sigma_ = folder_ / "sigma.toml";
+};
+
+TEST_F(LaboratoryOfAConfiguration, BendsAPlateOfItsIce) {
+    const json beams = json::parse(plate(beams_ + " --element-m 1.8 --format json")).at("curve");
+    ASSERT_EQ(beams.size(), 1u);
+    EXPECT_EQ(beams[0].at("joint_model"), "beam");
+    EXPECT_EQ(beams[0].at("set_modulus_MPa"), 500);
+    EXPECT_NEAR(beams[0].at("sheet_m").get<double>(), 5.4, 1e-9) << "the largest of its elements";
+    const std::string small = " --sheet-m 1.2 --element-m 0.3 --thickness-m 0.04 --format json";
+    const json sigma = json::parse(plate(sigma_ + small)).at("curve");
+    ASSERT_EQ(sigma.size(), 1u);
+    EXPECT_EQ(sigma[0].at("joint_model"), "cfm");
+    EXPECT_EQ(sigma[0].at("cfm"), 0.05);
+    EXPECT_EQ(json::parse(plate(beams_ + small + " --cfm 0.016,0.03")).at("curve").size(), 2u);
+}
+
+TEST_F(LaboratoryOfAConfiguration, BreaksABeamOfItsIce) {
+    const json sigma = cantilever(sigma_ + " --elements 1 --load bending");
+    ASSERT_EQ(sigma.size(), 1u);
+    EXPECT_EQ(sigma[0].at("cfm"), 0.05);
+    const json stiffness = cantilever(beams_ + " --stiffness --elements 2");
+    ASSERT_EQ(stiffness.size(), 1u);
+    EXPECT_EQ(stiffness[0].at("elastic_modulus_MPa"), 500);
+    const json floating = cantilever(beams_ + " --floating --elements 2 --load bending");
+    ASSERT_EQ(floating.size(), 1u);
+    EXPECT_NEAR(floating[0].at("elastic_foundation_ratio").get<double>(), 1.0140, 1e-4) << "of 500 MPa";
 }
 
 // Without a configuration the joints that a campaign has by default are tested too, not only the paper's.
