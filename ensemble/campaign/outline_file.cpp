@@ -284,9 +284,8 @@ constexpr double smallest_map = 0.01;  // m, of all outlines together
 constexpr double largest_map = 1e5;
 
 std::vector<TracedFloe> floes_of(const std::string& text, const std::string& file) {
-    const std::string name = lower(file);
-    const bool csv = name.ends_with(".csv");
-    if (!csv && !name.ends_with(".geojson") && !name.ends_with(".json"))
+    const bool csv = has_ending(file, ".csv");
+    if (!csv && !has_ending(file, ".geojson") && !has_ending(file, ".json"))
         throw InputError("{}: outlines are read from .geojson, .json and .csv files; export one of these", file);
     if (text.size() > longest_outline_file)
         throw InputError("{}: this file has {} bytes, more than {}; simplify its outlines, or take a part of it", file,

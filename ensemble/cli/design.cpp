@@ -328,7 +328,7 @@ int answer_of_year(const DesignOptions& options) {
             options.of));
     const GivenCampaign given(options.files);
     expect_ending(options.output, "a page, a picture or a workbook", {".html", ".pdf", ".svg", ".xlsx"});
-    const bool table = options.regimes.ends_with(".csv");
+    const bool table = has_ending(options.regimes, ".csv");
     const std::string text = read_text(options.regimes);
     const std::vector<Regime> regimes =
         table ? read_regime_table(text, options.regimes) : read_regimes(text, options.regimes);

@@ -9,6 +9,7 @@
 
 #include "campaign/campaign_keys.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "core/units.hpp"
 #include "findings/design_points.hpp"
 #include "keys/document.hpp"
@@ -197,7 +198,7 @@ ContourInputs from_regimes(const std::vector<Regime>& regimes, const std::string
 }  // namespace
 
 ContourInputs read_contour_inputs(std::string_view text, const std::string& file) {
-    if (file.ends_with(".csv")) return from_regimes(read_regime_table(text, file), file);
+    if (has_ending(file, ".csv")) return from_regimes(read_regime_table(text, file), file);
     const Document document = parse_document(text, file);
     const bool regimes = !document.blocks.empty() && document.blocks.front().path == "regime";
     return regimes ? from_regimes(read_regimes(text, file), file) : from_distributions(document, file);

@@ -1,5 +1,6 @@
 #include "match/regimes.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -132,8 +133,11 @@ std::vector<Regime> read_regime_table(std::string_view text, const std::string& 
                         "axes of the design",
                         file));
     std::vector<std::string> columns = lines.front().cells;
-    for (std::string& column : columns)
-        if (column == "regime") column = "name";
+    const auto regime = std::ranges::find(columns, "regime");
+    if (regime != columns.end() && std::ranges::find(columns, "name") != columns.end())
+        throw InputError(fmt::format("{}:{}: the columns regime and name are both the regime's name; keep one", file,
+                                     lines.front().number));
+    if (regime != columns.end()) *regime = "name";
     std::vector<Block> blocks;
     for (std::size_t row = 1; row < lines.size(); ++row) {
         const std::string where = fmt::format("{}:{}", file, lines[row].number);

@@ -40,6 +40,10 @@ bool is_utf16(std::string_view text) {
     return first == "\xFF\xFE" || first == "\xFE\xFF" || first.find('\0') != std::string_view::npos;
 }
 
+bool has_ending(std::string_view file, std::string_view ending) {
+    return lower(file).ends_with(ending);
+}
+
 std::string in_a_file_name(std::string name) {
     std::ranges::replace_if(
         name, [](unsigned char c) { return c == '/' || c < 32; }, '_');

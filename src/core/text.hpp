@@ -25,6 +25,9 @@ std::string markup_escaped(std::string_view text);
 /// The first bytes of a text, `most` or so many fewer that no letter is cut apart.
 std::string_view beginning(std::string_view text, std::size_t most);
 
+/// Whether a file's name ends so, in letters of any case: "states.CSV" with ".csv".
+bool has_ending(std::string_view file, std::string_view ending);
+
 /// A name that people gave, as part of a file's name: without "/" and control characters, and not too long for one.
 std::string in_a_file_name(std::string name);
 

@@ -34,7 +34,7 @@ class DesignYear : public testing::Test {
         put("year.toml",
             "[[regime]]\nhours_per_year = 3\ncase = \"soft\"\n[[regime]]\nhours_per_year = 1\ncase = "
             "\"stiff\"\n");
-        put("year.csv", "case,hours_per_year\nsoft,3\nstiff,1\n");
+        put("year.CSV", "case,hours_per_year\nsoft,3\nstiff,1\n");
     }
 
     std::string got(const std::string& name) const { return file_text(folder_ / name); }
@@ -55,7 +55,7 @@ class DesignYear : public testing::Test {
 
 TEST_F(DesignYear, IsTheSameFromTomlAndFromAScatterDiagram) {
     const std::string told = year("year.toml", likely + "--format json");
-    EXPECT_EQ(told, year("year.csv", likely + "--format json"));
+    EXPECT_EQ(told, year("year.CSV", likely + "--format json"));
     const auto loads = nlohmann::json::parse(told).at("year").at("loads");
     EXPECT_EQ(loads.size(), 2u);
     EXPECT_GT(loads.at(1).at("load").get<double>(), loads.at(0).at("load").get<double>());

@@ -34,6 +34,13 @@ TEST(ShellWord, IsOneWordWhateverIsInIt) {
     EXPECT_EQ(shell_word(""), "''");
 }
 
+TEST(HasEnding, IsOfAnyCase) {
+    EXPECT_TRUE(has_ending("states.csv", ".csv"));
+    EXPECT_TRUE(has_ending("STATES.CSV", ".csv"));
+    EXPECT_FALSE(has_ending("states.csv.toml", ".csv"));
+    EXPECT_FALSE(has_ending("csv", ".csv"));
+}
+
 TEST(InAFileName, IsOnePartOfAPathAndNotTooLong) {
     EXPECT_EQ(in_a_file_name("a/b\nc"), "a_b_c");
     std::string name;

@@ -39,7 +39,7 @@ TEST(ContourInputs, AreDistributionsOfToml) {
 }
 
 TEST(ContourInputs, AreFittedToAScatterDiagram) {
-    const ContourInputs inputs = read_contour_inputs(table(), "ice.csv");
+    const ContourInputs inputs = read_contour_inputs(table(), "ICE.CSV");
     EXPECT_EQ(inputs.keys[1], "structure.speed_m_s");
     EXPECT_NEAR(inputs.time, 450 * unit::hour, 1e-6);
     EXPECT_EQ(inputs.classes.size(), 9u);

@@ -92,6 +92,8 @@ TEST(Regimes, MayFillAYearUpToALeapYear) {
 
 TEST(Regimes, RefuseTablesThatAreNone) {
     EXPECT_THAT(refusal([&] { table(""); }), HasSubstr("year.csv: the table is empty"));
+    EXPECT_EQ(refusal([&] { table("regime,hours_per_year,case,name\nthin,3,E60,thick\n"); }),
+              "year.csv:1: the columns regime and name are both the regime's name; keep one");
     EXPECT_THAT(refusal([&] { table("case,hours_per_year\nE60,3,4\n"); }),
                 HasSubstr("year.csv:2: the line has 3 cells, and the header has 2 columns"));
     EXPECT_THAT(refusal([&] { table("case,hours\nE60,3\n"); }), HasSubstr("did you mean hours_per_year"));
