@@ -153,8 +153,10 @@ ServedCampaign::ServedCampaign(ReadCampaign read, const Campaign& whole, std::ve
 
 /// For the case alone, since another one may set the same key itself.
 std::string ServedCampaign::set(const ModelInput& input, double value) const {
-    const std::string number =
-        input.whole ? fmt::format("{}", static_cast<std::int64_t>(value)) : number_literal(value);
+    constexpr double exact = 1LL << 53;  // beyond it no case has a key; it is refused as it was given
+    const std::string number = input.whole && std::abs(value) <= exact
+                                   ? fmt::format("{}", static_cast<std::int64_t>(value))
+                                   : number_literal(value);
     const std::string of_case = options_.case_name.empty() ? "" : fmt::format("case.{}.", options_.case_name);
     return fmt::format("{}{}={}", of_case, input.key, number);
 }

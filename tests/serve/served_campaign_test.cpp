@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <atomic>
 #include <condition_variable>
 #include <csignal>
@@ -116,6 +118,15 @@ TEST(ServedCampaign, AnswersWithMeansAndTheirStandardErrors) {
     EXPECT_EQ(values.means.size(), 2u);
     EXPECT_EQ(values.standard_errors.size(), 2u);
     EXPECT_TRUE(std::isnan(std::get<ModelValues>(served.answer({{0.04}, 1})).standard_errors.at(0)));
+}
+
+TEST(ServedCampaign, RefusesAWholeNumberThatNoKeyHoldsAsItWasGiven) {
+    const ServedCampaign campaign([](const auto& overrides) { return Served::read(overrides); }, Served::read({}),
+                                  {{.key = "general.iterations", .whole = true}}, {"soft", "kept"});
+    EXPECT_EQ(campaign.at({{8}}).cases.front().scenario.general.iterations, 8);
+    for (const auto& [value, words] : {std::pair{1e300, "1e+300"}, {-1e300, "-1e+300"}})
+        EXPECT_THAT([&] { campaign.at({{value}}); },
+                    ThrowsMessage<InputError>(HasSubstr(fmt::format("general.iterations = {}", words))));
 }
 
 TEST(ServedCampaign, TakesTheConfigurationsOwnWhereNothingElseIsAsked) {
