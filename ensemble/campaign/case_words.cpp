@@ -369,7 +369,7 @@ Words motion_words(const Scenario& scenario) {
     if (moorings.thrusters.any()) holds.emplace_back("thrusters");
     const Words held =
         Words::of("{:.6g} t, free in {}, held by {}; the ice comes at {:.4g} m/s", moorings.mass / unit::tonne,
-                  enumerated(free), Words::joined(holds, ", "), scenario.closing_speed());
+                  enumerated(free), Words::joined(holds, ", "), scenario.drift());
     return turns.empty() ? held : held + "; " + turns;
 }
 
@@ -455,11 +455,17 @@ Odd few_sweeps(const Case& one) {
 Odd long_steps(const Case& one) {
     constexpr double most_of_thickness = 0.1;  // in the tank it is 0.04
     const Scenario& scenario = one.scenario;
-    const double way = scenario.structure.speed * scenario.general.time_step;
+    const Path& path = scenario.path;
+    double speed = path.any() ? 0 : scenario.structure.speed;
+    for (const PathPlace& place : scenario.places()) speed = std::max(speed, place.velocity.norm());
+    const double way = speed * scenario.general.time_step;
     if (way <= most_of_thickness * scenario.floe.thickness) return {};
-    return {fmt::format("{} and {} take the structure {:.3g} m on in each step, more than a tenth of the ice's "
+    const std::string goes = !path.any()         ? given(scenario, "structure.speed_m_s")
+                             : path.legs.empty() ? "path.places"
+                                                 : "path.legs";
+    return {fmt::format("{} and {} take the structure {:.3g} m on in {} step, more than a tenth of the ice's "
                         "thickness; a shorter step resolves how it meets the ice",
-                        given(scenario, "general.time_step_s"), given(scenario, "structure.speed_m_s"), way),
+                        given(scenario, "general.time_step_s"), goes, way, path.any() ? "its longest" : "each"),
             way / scenario.floe.thickness};
 }
 

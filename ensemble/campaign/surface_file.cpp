@@ -409,9 +409,8 @@ class ObjText {
 }  // namespace
 
 Surface read_surface(const std::string& bytes, const std::string& file) {
-    const std::string name = lower(file);
-    if (name.ends_with(".stl")) return read_stl(bytes, file);
-    if (name.ends_with(".obj")) return ObjText(bytes, file).read();
+    if (has_ending(file, ".stl")) return read_stl(bytes, file);
+    if (has_ending(file, ".obj")) return ObjText(bytes, file).read();
     throw InputError("{}: hulls are read from .stl and .obj files; export one of these", file);
 }
 

@@ -182,8 +182,7 @@ void draw_scales(Canvas& canvas, const Stage& stage, const Frame& frame, const P
     const double metres = round_above(least / projection.scale());
     const double next = draw_bar(canvas, {left, corner.y() + 18 * unit}, metres * projection.scale(),
                                  fmt::format("{:g} m", metres), unit);
-    const std::string through =
-        fmt::format("through ice, {:g} m/s", std::abs(stage.subject().scenario.structure.speed));
+    const std::string through = fmt::format("through ice, {:.4g} m/s", stage.drift());
     const double second = corner.y() + (both ? 46 : 23) * unit;
     if (!both) {
         const double x = draw_sample(canvas, {left + 165 * unit, second}, tow_orange, through, unit);
@@ -392,6 +391,7 @@ std::vector<HistoryStrip> strips_of(const RecordingSubject& subject, const Recor
 Stage::Stage(RecordingSubject subject, RecordingOutcome outcome)
     : subject_(std::move(subject)),
       outcome_(std::move(outcome)),
+      drift_(subject_.scenario.drift()),
       largest_load_(largest_load_of(outcome_.history)),
       loads_(box_of(outcome_.history)),
       asked_(asked_history(subject_.asked, outcome_.history, outcome_.hull, subject_.scenario.general.time_step)),
@@ -427,7 +427,7 @@ std::vector<Face> Stage::faces(const Frame& frame, const Projection& projection,
             case Colouring::piece:
                 return piece_colour(frame.pieces[k]);
             case Colouring::speed:
-                return scale_colour(frame.elements[k].velocity.norm() / scenario.structure.speed);
+                return scale_colour(frame.elements[k].velocity.norm() / drift_);
             case Colouring::utilisation:
                 return frame.utilisation[k] > 1 ? crack_colour : scale_colour(frame.utilisation[k]);
             case Colouring::ice:
@@ -546,13 +546,13 @@ void draw_legend(Canvas& canvas, const Stage& stage, const PictureStyle& style, 
         word(next + 28 * unit, stage.is_level() ? "broken off" : "broken floe");
         return;
     }
-    const double speed = stage.subject().scenario.structure.speed;
     const bool moves = style.colouring == Colouring::speed;
     const double begin = word(left, moves ? "speed  0" : "utilisation of the worst joint  0") + 8 * unit;
     constexpr int steps = 40;
     const double width = 110 * unit / steps;
     for (int k = 0; k < steps; ++k) box(begin + k * width, width + unit, scale_colour((k + 0.5) / steps));
-    const double end = word(begin + 118 * unit, moves ? fmt::format("{:.3g} m/s (hull through ice)", speed) : "1");
+    const double end =
+        word(begin + 118 * unit, moves ? fmt::format("{:.3g} m/s (hull through ice)", stage.drift()) : "1");
     if (moves) return;
     box(end + 14 * unit, 22 * unit, crack_colour);
     word(end + 42 * unit, "crack");

@@ -48,6 +48,7 @@ class Stage {
     FloeCounts floes(const Frame& frame) const {
         return is_level() ? count_pieces(frame) : count_floes(frame, layout_, outcome_.breaks);
     }
+    double drift() const { return drift_; }  ///< Scenario::drift()
     bool is_level() const { return subject_.scenario.arrangement.level(); }
     double largest_load() const { return largest_load_; }  ///< of all steps, surge, sway and heave together, N
     /// That loads of all steps lie in, with none: as Frame::load, N.
@@ -63,6 +64,7 @@ class Stage {
   private:
     RecordingSubject subject_;
     RecordingOutcome outcome_;
+    double drift_;
     double largest_load_;
     Eigen::AlignedBox3d loads_;
     std::vector<double> asked_;

@@ -213,7 +213,7 @@ json conditions(const RecordingSubject& subject) {
     row("Concentration", fmt::format("{:g} %", field.concentration / unit::percent));
     row("Elastic modulus", fmt::format("{:g} MPa", ice.elastic_modulus / 1e6));
     row("Bending strength", fmt::format("{:g} kPa", ice.bending_strength / 1e3));
-    row("Speed of the tow", fmt::format("{:g} m/s", scenario.structure.speed));
+    row("Speed of the tow", fmt::format("{:.4g} m/s", scenario.drift()));
     row("Structure", scenario.structure.shape.words().text());
     row("Channel", fmt::format("{:g} m wide", 2 * field.half_width));
     row("Time step", fmt::format("{:g} s", scenario.general.time_step));
@@ -402,7 +402,7 @@ std::string page_header(const Recording& recording, const Quanta& quanta, const 
         {"sheet", scenario.arrangement.level()},
         {"ice", ice(subject.floes)},
         {"structure", structure(scenario.structure.shape)},
-        {"tow", {{"start", scenario.structure.start}, {"speed", scenario.structure.speed}}},
+        {"tow", {{"start", scenario.structure.start}, {"speed", scenario.drift()}}},
         {"poses", poses(recording)},
         {"lines", lines(recording)},
         {"channel",

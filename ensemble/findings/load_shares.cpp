@@ -222,32 +222,53 @@ Figure load_profile(const Evidence& evidence, const std::vector<CaseLoadMap>& ma
     return figure;
 }
 
+/// How far the structure has gone at these shares of the window, which rise, m.
+std::vector<double> distances_at(const Scenario& scenario, const std::vector<double>& shares) {
+    const std::vector<PathPlace> places = scenario.places();
+    const double step = scenario.general.time_step;
+    std::vector<double> distances;
+    double gone = 0;
+    std::size_t k = 0;
+    for (const double share : shares) {
+        const double time = scenario.analysis.steady_start + share * scenario.analysis.window;
+        for (; k < places.size() && step * static_cast<double>(k) < time + step / 2; ++k)
+            gone += step * places[k].velocity.norm();
+        distances.push_back(places.empty() ? scenario.structure.speed * time : gone);
+    }
+    return distances;
+}
+
 /// Over the distance towed.
 Figure load_along_tow(const Evidence& evidence, const std::vector<CaseLoadMap>& maps) {
+    std::vector<double> shares{0};
+    for (std::size_t part = 0; part < LoadMap::parts; ++part) shares.push_back(middle_part(part));
+    shares.push_back(1);
     std::vector<double> loads;
-    std::vector<double> distances;
-    const auto distance = [&](std::size_t of_case, double share) {
-        const Scenario& scenario = evidence.campaign.cases[of_case].scenario;
-        return scenario.structure.speed * (scenario.analysis.steady_start + share * scenario.analysis.window);
-    };
+    std::vector<std::vector<double>> distances;
+    double first = HUGE_VAL;
+    double last = 0;
     for (const CaseLoadMap& found : maps) {
         for (const Interval& part : found.along_tow) {
             loads.push_back(part.estimate);
             if (found.members >= least_for_interval) loads.insert(loads.end(), {part.low, part.high});
         }
-        for (const double share : {0.0, 1.0}) distances.push_back(distance(found.case_index, share));
+        const std::vector<double>& own =
+            distances.emplace_back(distances_at(evidence.campaign.cases[found.case_index].scenario, shares));
+        first = std::min(first, own.front());
+        last = std::max(last, own.back());
     }
-    const auto [first, last] = std::ranges::minmax(distances);
+    if (last == first) last += 1;  // a path on which the structure stands
     Figure figure{.description = "Mean load along the tow, in 24 parts of the window",
                   .x = {"distance towed, m", first, last},
                   .y = axis_around("surge load", loads, true, "N"),
                   .legend = legend_of(evidence, maps)};
-    for (const CaseLoadMap& found : maps) {
+    for (std::size_t map = 0; map < maps.size(); ++map) {
+        const CaseLoadMap& found = maps[map];
         Figure::Points mean;
         Figure::Points low;
         Figure::Points high;
         for (std::size_t part = 0; part < found.along_tow.size(); ++part) {
-            const double x = distance(found.case_index, middle_part(part));
+            const double x = distances[map].at(part + 1);
             mean.emplace_back(x, found.along_tow[part].estimate);
             low.emplace_back(x, found.along_tow[part].low);
             high.emplace_back(x, found.along_tow[part].high);

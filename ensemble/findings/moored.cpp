@@ -170,8 +170,8 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
             scenario.moorings.give_way()
                 ? "its hull gave way in the simulation, so its loads are no longer those of a fixed one"
                 : moored_refusal(analysis, one.step, one.first_load, request);
-        found.push_back({index, moored_separation(analysis, request.model()), scenario.structure.speed,
-                         std::move(one.runs), std::move(refused)});
+        found.push_back({index, moored_separation(analysis, request.model()), scenario.drift(), std::move(one.runs),
+                         std::move(refused)});
     }
     if (std::ranges::none_of(found, [](const MooredCase& one) { return one.refused.empty(); }))
         throw InputError(fmt::format("Moored hull: {}: {}.", evidence.summary.label_of(found.front().case_index),

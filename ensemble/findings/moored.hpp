@@ -77,7 +77,7 @@ std::string moored_refusal(const Analysis& analysis, double step, double first_l
 struct MooredCase {
     std::size_t case_index = 0;
     double separation = 0;  ///< s, of the peaks of k x
-    double drift = 0;       ///< m/s, of the ice past the hull: structure.speed_m_s
+    double drift = 0;       ///< m/s, of the ice past the hull: Scenario::drift()
     std::vector<MooredRun> runs;
     std::string refused;  ///< why there are none that count; empty: they do
 

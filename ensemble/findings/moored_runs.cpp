@@ -118,7 +118,7 @@ Results run_results(const Evidence& evidence) {
             {evidence.summary.named(index), yaw.size(), mean("mean_load"), mean("mean_surge_offset"),
              mean("sd_surge_offset"), mean("mean_surge_mooring"), mean("mean_maximum_surge_mooring"),
              over(forces[index]), over(offsets[index]), std::ranges::max(yaw), std::ranges::max(yaw) / unit::degree,
-             population_sd(values_of(evidence, index, "rms_surge_velocity"), 0) / scenario.structure.speed,
+             population_sd(values_of(evidence, index, "rms_surge_velocity"), 0) / scenario.drift(),
              most("largest_heave_offset"), most("largest_pitch") / unit::degree, most("largest_roll") / unit::degree,
              mean("largest_line_tension"), sum_of(values_of(evidence, index, "broken_lines")),
              mean("largest_surge_thrust"), mean("thrust_at_limit")});

@@ -77,6 +77,12 @@ double Scenario::towed() const {
     return structure.speed * (analysis.steady_start + analysis.window);
 }
 
+double Scenario::drift() const {
+    const std::vector<PathPlace> all = places();
+    const auto moving = std::ranges::count_if(all, [](const PathPlace& place) { return !place.velocity.isZero(0); });
+    return moving > 0 ? way_of(all, 1) / static_cast<double>(moving) : structure.speed;
+}
+
 Mat6 Scenario::water_stiffness() const {
     if (!moorings.floats()) return Mat6::Zero();
     return floes::water_stiffness(hydrostatics(structure.shape), water.density, general.gravity, moorings.mass,

@@ -295,7 +295,7 @@ struct Field {
     FarEnd far_end = FarEnd::ice_sheet;
     FieldSides sides = FieldSides::ice_sheet;
     double confining = 0;      ///< p, N/m: line load by which the ice sheets press on the field; 0: they are fixed
-    double closing_speed = 0;  ///< m/s, of a sheet that meets nothing; 0: that of the tow
+    double closing_speed = 0;  ///< m/s, of a sheet that meets nothing; 0: Scenario::drift()
     double wake_radius = 0;    ///< m from the structure's axis; untouched floes beyond it are at rest. 0: none are
     /// m; of a field without end, floes farther ahead of the structure's axis rest. 0: Scenario::window_ahead()
     double ahead = 0;
@@ -440,8 +440,10 @@ struct Scenario {
     /// radius and eight characteristic lengths.
     double window_ahead() const;
     double window_behind() const;  ///< likewise field.behind: a width; its radius and four characteristic lengths
-    /// Of the field, or that of the tow, m/s.
-    double closing_speed() const { return field.closing_speed > 0 ? field.closing_speed : structure.speed; }
+    /// Of the structure past ice at rest, m/s: on a path the mean while it moves, without one, or on one that never
+    /// moves, that of the tow.
+    double drift() const;
+    double closing_speed() const { return field.closing_speed > 0 ? field.closing_speed : drift(); }  ///< m/s
     bool towed_straight() const { return !path.any() && !moorings.give_way(); }
     /// Where the structure starts; none where the sides are open, in level ice, where a path takes it elsewhere, or
     /// where it is as broad as the channel.

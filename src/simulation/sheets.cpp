@@ -88,6 +88,7 @@ Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
     if (!scenario.structure.shape.is_of_revolution())
         for (const std::vector<Vec2>& outline : scenario.structure.shape.waterlines())
             for (const Vec2& corner : outline) waterline_.push_back({corner.x(), 0, corner.y()});
+    const double closing = give_way() ? scenario.closing_speed() : 0;
     for (const IceSheet& form : channel.sheets) {
         if (!give_way()) {
             fixed_.push_back(
@@ -98,7 +99,6 @@ Sheets::Sheets(World& world, const Scenario& scenario, const Channel& channel)
         const double ice = scenario.ice.density * size.prod();
         const double load = confining_ * form.faces;
         const double skin = 0.5 * scenario.water.density * scenario.water.skin_drag * size.x() * size.z();
-        const double closing = scenario.closing_speed();
         const double carried = scenario.water.added_mass_from == WaterFrom::outline ? scenario.water.added_mass_in_plane
                                                                                     : scenario.water.added_mass;
         const double mass = ice * (1 + carried) + scenario.general.time_step * load / closing;

@@ -239,7 +239,7 @@ IceHull hull_of(const Scenario& scenario) {
 
 HybridModel hybrid_model(const Scenario& scenario) {
     return {hull_of(scenario), level_ice_of(scenario), scenario.field.concentration, scenario.floe.length,
-            scenario.structure.speed};
+            scenario.drift()};
 }
 
 HybridCurve hybrid_curve(const Scenario& scenario, const HybridModel& model, std::span<const double> moduli) {

@@ -92,6 +92,14 @@ TEST(Advice, OfWindowsThatMeasureTooLittle) {
                 testing::Contains(HasSubstr("begins to measure before the hull meets the ice")));
 }
 
+// 0.2 m/s in steps of 0.02 s, in one of 300 s.
+TEST(Advice, OfLongStepsIsAboutTheFastestLeg) {
+    EXPECT_THAT(advice_for("[analysis]\nsteady_start_s = 10\nwindow_s = 290\nsegments = 1\n[path]\n"
+                           "legs = [[0, 0.06, 299, 0], [0, 0.2, 1, 0]]\n"),
+                ElementsAre(HasSubstr("path.legs take the structure 0.004 m on in its longest step, more than a tenth "
+                                      "of the ice's thickness")));
+}
+
 TEST(Advice, OfAPathThatEndsBeforeTheWindow) {
     const std::string times = "[analysis]\nsteady_start_s = 10\nwindow_s = 290\nsegments = 1\n[path]\n";
     const auto told = [&](const std::string& path) { return advice_for(times + path); };

@@ -96,6 +96,15 @@ TEST(CaseWords, SayHowTheStructureMovesAndWhatHoldsIt) {
               "at 0.07 m/s");
 }
 
+TEST(CaseWords, SayHowFastTheIceOfAPathComes) {
+    Scenario scenario =
+        scenario_of(campaign_of("[moorings]\nmass_t = 0.4\ngyration_m = 0.44\nsurge_kN_m = 0.8\n"
+                                "sway_kN_m = 0.7\nyaw_kN_m_rad = 0.1\n"));
+    scenario.path = {.legs = {{3, 0.8, 600, 0}}, .of = PathOf::ice};
+    scenario.field.closing_speed = 0.01;  // of confining sheets
+    EXPECT_THAT(motion_words(scenario).text(), testing::EndsWith("; the ice comes at 0.8 m/s"));
+}
+
 // The paper's cone at a draught of 0.443 m: a frustum of 0.445 and 0.614 m and what it weighs.
 TEST(CaseWords, SayWhatAMooredHullDisplaces) {
     const std::string moored =

@@ -78,6 +78,7 @@ TEST(Stage, SaysFromWhereTheIceComes) {
     RecordingSubject turning = subject();
     turning.scenario.path.legs = {{.heading = 0, .speed = 0.4, .time = 4}, {.heading = 0.5, .speed = 0.2, .time = 2}};
     const Stage stage(turning, {});
+    EXPECT_NEAR(stage.drift(), (4 * 0.4 + 2 * 0.2) / 6, 1e-9);
     EXPECT_EQ(stage.ice_words(1), "ice from 0° at 0.4 m/s");
     EXPECT_EQ(stage.ice_words(5), "ice from 29° at 0.2 m/s");
     EXPECT_EQ(stage.ice_words(7), "ice at rest");

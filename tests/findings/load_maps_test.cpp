@@ -48,5 +48,19 @@ TEST(LoadMaps, AreMeansOverTheMembersOfACase) {
     EXPECT_NEAR(maps[0].along_tow[10].high - 4, 4.302652729911275 * 3 / std::sqrt(3.0), 1e-9);  // t(2), s = 3
 }
 
+// 1.75 m/s for the run-up of 1 s and half of the window of 1.2 s; then the structure stands.
+TEST(LoadMaps, AreDrawnAlongThePath) {
+    const TemporaryFolder folder;
+    const Campaign campaign = synthetic::campaign();
+    publish(folder / "a.h5", campaign, loaded(campaign), {});
+    Evidence evidence = read_evidence(CampaignFile(folder / "a.h5"));
+    evidence.campaign.cases[0].scenario.path.legs = {{0, 1.75, 1.6, 0}, {0, 0, 0.6, 0}};
+    const Section drawn = load_map_section(evidence);
+    ASSERT_FALSE(drawn.figures.empty());
+    EXPECT_EQ(drawn.figures.back().x.label, "distance towed, m");
+    EXPECT_NEAR(drawn.figures.back().x.low, 1.75, 1e-9);
+    EXPECT_NEAR(drawn.figures.back().x.high, 1.75 * 1.6, 1e-9);
+}
+
 }  // namespace load_maps_test
 }  // namespace floes

@@ -219,6 +219,7 @@ TEST(MooredRuns, WithoutLinesTellNoTension) {
                                        "a.toml",
                                        {}},
                                       nullptr);
+    campaign.cases.front().scenario.path.legs = {{0, 0.8, 600, 0}};
     CampaignTable table;
     CaseRow row;
     row.name = campaign.cases.front().name;
@@ -238,6 +239,7 @@ TEST(MooredRuns, WithoutLinesTellNoTension) {
     const Table table_of_runs = shown_table(told->results.front(), {});
     EXPECT_THAT(table_of_runs.front(), testing::Not(testing::Contains(testing::Field(&Cell::value, "lines broken"))));
     EXPECT_EQ(table_of_runs.size(), 2u);
+    EXPECT_THAT(csv(std::vector{*told}), HasSubstr(",0.00125,")) << "1 mm/s beside a path's 0.8 m/s";
 }
 
 }  // namespace moored_test

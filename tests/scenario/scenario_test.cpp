@@ -46,6 +46,22 @@ TEST(Scenario, StressIsAveragedOverATenthOfThePlatesOwnTime) {
     EXPECT_EQ(scenario.stress_steps(), 20);
 }
 
+// 0.4 m/s for 10 s and 0.2 m/s for 5 s are 5 m in 15 s; it stands for the 5 s between them.
+TEST(Scenario, DriftsOnAPathAtItsMeanWhileItMoves) {
+    Scenario scenario;
+    scenario.general.time_step = 0.02;
+    scenario.analysis.steady_start = 5;
+    scenario.analysis.window = 25;
+    EXPECT_EQ(scenario.drift(), scenario.structure.speed);
+    scenario.path.legs = {{3, 0, 4, 0.1}};
+    EXPECT_EQ(scenario.drift(), scenario.structure.speed) << "it never moves";
+    scenario.path = {.legs = {{3, 0.4, 10, 0}, {3, 0, 5, 0}, {3, 0.2, 5, 0}}, .of = PathOf::ice};
+    EXPECT_NEAR(scenario.drift(), 5.0 / 15, 1e-12);
+    EXPECT_EQ(scenario.closing_speed(), scenario.drift());
+    scenario.field.closing_speed = 0.01;
+    EXPECT_EQ(scenario.closing_speed(), 0.01);
+}
+
 TEST(ScenarioKeys, PathsAreUniqueAndNamed) {
     Scenario scenario;
     std::set<std::string_view> paths;

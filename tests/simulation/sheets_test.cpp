@@ -34,23 +34,27 @@ double mass_of(const Scenario& scenario, const IceSheet& sheet) {
 // m u' = p l (1 - u/u_c): u = u_c (1 - exp(-t p l/(m u_c))), by steps of Δt implicit: u_c (1 - (1 + Δt p l/(m
 // u_c))^-n).
 TEST(Sheets, CloseAtTheirSpeedWhereTheyMeetNothing) {
-    Scenario scenario = empty_channel(3);
-    scenario.field.closing_speed = 0.05;
-    scenario.water.skin_drag = 0;
-    const FloeSet floes = floes_at(scenario, std::vector<PlanarPose>{{3, 0, 0}});
-    const Channel channel = make_channel(scenario, floes);
-    Simulation simulation(scenario, floes);
-    ASSERT_EQ(simulation.sheets().size(), 3U);
-    while (simulation.steps() < 50) simulation.step();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double load = 3 * channel.sheets[i].faces;
-        const double k = 0.02 * load / (mass_of(scenario, channel.sheets[i]) * 0.05);
-        const double speed = 0.05 * (1 - std::pow(1 + k, -50));
-        EXPECT_NEAR(simulation.sheets()[i].speed, speed, 1e-9) << i;
-        EXPECT_GT(simulation.sheets()[i].way, 0.3 * speed) << i;
+    Scenario stated = empty_channel(3);
+    stated.water.skin_drag = 0;
+    Scenario of_path = stated;
+    stated.field.closing_speed = 0.05;
+    of_path.path.legs = {{0, 0.05, 10, 0}};
+    for (const Scenario& scenario : {stated, of_path}) {
+        const FloeSet floes = floes_at(scenario, std::vector<PlanarPose>{{3, 0, 0}});
+        const Channel channel = make_channel(scenario, floes);
+        Simulation simulation(scenario, floes);
+        ASSERT_EQ(simulation.sheets().size(), 3U);
+        while (simulation.steps() < 50) simulation.step();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double load = 3 * channel.sheets[i].faces;
+            const double k = 0.02 * load / (mass_of(scenario, channel.sheets[i]) * 0.05);
+            const double speed = 0.05 * (1 - std::pow(1 + k, -50));
+            EXPECT_NEAR(simulation.sheets()[i].speed, speed, 1e-9) << i;
+            EXPECT_GT(simulation.sheets()[i].way, 0.3 * speed) << i;
+        }
+        EXPECT_NEAR(channel.sheets[0].faces, 0.36 / (0.05 * 2.5), 1e-12);
+        EXPECT_NEAR(channel.sheets[2].faces, 2.5, 1e-12);
     }
-    EXPECT_NEAR(channel.sheets[0].faces, 0.36 / (0.05 * 2.5), 1e-12);
-    EXPECT_NEAR(channel.sheets[2].faces, 2.5, 1e-12);
 }
 
 // Without an end of its speed, drag balances it: u = u_∞ tanh(t p l/(m u_∞)), u_∞ = √(p l / (½ ρ C_s A)).

@@ -78,6 +78,16 @@ TEST(Hybrid, HasNoCrossingWhenFloesAreAlwaysPushedAside) {
     EXPECT_FALSE(model.with({.static_part = 0.01}).crossing().has_value());
 }
 
+TEST(Hybrid, HasTheSpeedOfThePath) {
+    Scenario towed;
+    towed.structure.speed = 0.8;
+    Scenario led;
+    led.path.legs = {{0, 0.8, 10, 0}};
+    const auto stress = [](const Scenario& scenario) { return hybrid_model(scenario).limit_stress(60e6).total(); };
+    EXPECT_NEAR(stress(led), stress(towed), 1e-9 * stress(towed));
+    EXPECT_GT(stress(led), 1.1 * stress(Scenario{}));
+}
+
 // S1 = 636 N, S2 = 4.41 N, S3 = 0.090 N for unit coefficients: ρ_i g √(r h) (B/2)² (1 + 2 μ π/4) and so on.
 TEST(Kpr, HasItsThreeParts) {
     const KprLoad load = kpr_load({1, 1, 1}, hull, ice_of(0), floe_length, speed);
