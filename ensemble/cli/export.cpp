@@ -68,10 +68,10 @@ std::string interval_words(const OrderQuantile& found, std::string_view unit) {
 
 std::string quantile_words(const OrderQuantile& found, double quantile, const Asked& asked, const std::string& name) {
     return fmt::format(
-        "Chosen: of {} of case {}, its largest {} in the window, {:.4g} {}, has rank {} from the least and stands for "
+        "Chosen: of {} of case {}, its largest {} {}, {:.4g} {}, has rank {} from the least and stands for "
         "the quantile {:g} of such members' largest. {}",
-        counted(found.count, "member"), name, asked.words(), found.value, asked.unit(), found.rank, quantile,
-        interval_words(found, asked.unit()));
+        counted(found.count, "member"), name, asked.words(), asked.within(), found.value, asked.unit(), found.rank,
+        quantile, interval_words(found, asked.unit()));
 }
 
 /// One of each case, which are not mixed.
@@ -106,8 +106,8 @@ std::vector<ChosenMember> chosen_members(const CampaignFile& file, const Campaig
         if (!options.member.worst) return {{number}};
         const std::string& name = options.member.case_name;
         const std::string among = name.empty() ? "the campaign" : "case " + name;
-        return {{number, fmt::format("Chosen: it has the largest {} in the window of {}, {:.4g} {}.", asked.words(),
-                                     among, values[static_cast<std::size_t>(number)], asked.unit())}};
+        return {{number, fmt::format("Chosen: of {} it has the largest {} {}, {:.4g} {}.", among, asked.words(),
+                                     asked.within(), values[static_cast<std::size_t>(number)], asked.unit())}};
     }
     const std::string any = one.case_name.empty() ? table.cases.front().name : one.case_name;
     chosen_member(table, {.case_name = any, .arrangement = one.arrangement.value_or(0)},
@@ -218,7 +218,9 @@ void add_members(Verb& verb, ExportOptions& options) {
         .within(1e-6, 1 - 1e-6);
     verb.flag("--all", options.all, "All done members");
     verb.option("--of", options.of,
-                "What --worst and --quantile compare: load or mooring_force, both over --averaging-s; offset; tension; "
+                "What --worst and --quantile compare: load or mooring_force, both over --averaging-s; offset; tension, "
+                "over "
+                "the run; "
                 "default: the load, of --worst that of a step")
         .one_of({asked_names.begin(), asked_names.end()});
     verb.option("--averaging-s", options.averaging, "Time that load and mooring force are averaged over, s; default: 1")

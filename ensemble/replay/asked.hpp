@@ -39,6 +39,8 @@ struct Asked {
     bool averaged() const { return averaging > 0 && (of == AskedOf::load || of == AskedOf::mooring_force); }
     /// "load of a step", "mooring force over 1 s", "offset", "line tension".
     std::string words() const;
+    /// Over what the largest is meant: "in the window"; of tension "over the run", of which alone files have it.
+    std::string_view within() const { return of == AskedOf::tension ? "over the run" : "in the window"; }
     /// SI.
     std::string_view unit() const { return of == AskedOf::offset ? "m" : "N"; }
 

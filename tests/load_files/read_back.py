@@ -112,7 +112,7 @@ def test_choice(folder, file):
     check(numbers == [0, 1, 2, 3, 5, 6, 8, 9, 10, 11], f"--all gives {numbers}")
     check(export(file, "--all", "--case", "stiff", "--arrangement", "0", "--for", "csv", "-o", out)[0] == [out], "one of all")
     said = export(file, "--worst", "--for", "csv", "-o", out)[1]
-    check("member 11. Chosen: it has the largest load of a step in the window of the campaign" in said, f"--worst: {said}")
+    check("member 11. Chosen: of the campaign it has the largest load of a step in the window" in said, f"--worst: {said}")
     said = export(file, "--quantile", "0.5", "--case", "soft", "--for", "csv", "-o", out, "--averaging-s", "0.4")[1]
     check("member 3. Chosen: of 4 members of case soft" in said and "has rank 2 from the least" in said
           and "So few members do not bound that quantile." in said, f"--quantile: {said}")

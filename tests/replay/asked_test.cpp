@@ -127,6 +127,8 @@ TEST(Asked, SaysWhatIsShown) {
     EXPECT_EQ(force_over_1_s.words(), "mooring force over 1 s");
     EXPECT_EQ((Asked{AskedOf::offset, 1}.words()), "offset");
     EXPECT_EQ((Asked{AskedOf::tension, 1}.words()), "line tension");
+    EXPECT_EQ(force_over_1_s.within(), "in the window");
+    EXPECT_EQ((Asked{AskedOf::tension, 1}.within()), "over the run");
 }
 
 }  // namespace asked_test
