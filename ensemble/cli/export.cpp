@@ -97,7 +97,8 @@ std::vector<ChosenMember> chosen_members(const CampaignFile& file, const Campaig
     if (!chosen.empty()) return chosen;
     const Asked asked = options.asked();
     const bool compares = options.member.worst || options.quantile;
-    const std::vector<double> values = compares ? largest_values(file, table, asked) : std::vector<double>{};
+    const std::vector<double> values =
+        compares ? largest_values(file, table, asked, options.member.case_name) : std::vector<double>{};
     MemberChoice one = options.member;
     if (options.all || options.quantile) one.worst = true;  // only that case and arrangement are there
     if (!options.all) {

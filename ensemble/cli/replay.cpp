@@ -55,7 +55,8 @@ std::pair<ReplaySubject, FrameTimes> chosen(const ReplayOptions& options, const 
     const CampaignTable table = read_campaign_file(file);
     const Asked asked = options.asked();
     const bool any = options.member.worst && !options.member.number;
-    const std::vector<double> values = any ? largest_values(file, table, asked) : std::vector<double>{};
+    const std::vector<double> values =
+        any ? largest_values(file, table, asked, options.member.case_name) : std::vector<double>{};
     ReplaySubject subject = replay_subject(file, table, chosen_member(table, options.member, values, asked));
     subject.about.asked = asked;
     TimeChoice times = options.times;

@@ -21,13 +21,20 @@ namespace {
 constexpr double round_worst = 10;  // s of load history beside the largest
 
 /// What is asked of the worst moment: the mooring force where some structure gives way and springs or lines hold it,
-/// else the load of a step.
+/// over 1 s if each window has such means, else the load of a step.
 Asked asked_of(const Evidence& evidence) {
     const bool moored = std::ranges::any_of(evidence.campaign.cases, [](const Case& one) {
         const Moorings& moorings = one.scenario.moorings;
         return moorings.give_way() && one.scenario.analysis.keep_history && moorings.stiffness()(0, 0) > 0;
     });
-    return moored ? Asked{AskedOf::mooring_force, 1} : Asked{};
+    if (!moored) return {};
+    const Asked over_1_s{AskedOf::mooring_force, 1};
+    const bool has_means = std::ranges::all_of(evidence.campaign.cases, [&](const Case& one) {
+        const Analysis& analysis = one.scenario.analysis;
+        const double step = one.scenario.general.time_step * analysis.history_stride;
+        return averaging_refusal(over_1_s, step, analysis.window).empty();
+    });
+    return has_means ? over_1_s : Asked{AskedOf::mooring_force, 0};
 }
 
 /// For each case, the member with the largest value or, unless `all`, only that of the campaign.

@@ -60,6 +60,16 @@ std::size_t averaged_values(const Asked& asked, double step) {
     return asked.averaged() ? static_cast<std::size_t>(std::max(1.0, std::round(asked.averaging / step))) : 1;
 }
 
+std::string averaging_refusal(const Asked& asked, double step, double window) {
+    constexpr double rounding = 1e-9;
+    if (!asked.averaged() || (asked.averaging >= step * (1 - rounding) && asked.averaging <= window * (1 + rounding)))
+        return "";
+    return fmt::format(
+        "no mean over {:g} s lies in its window of {:g} s with values that are {:g} s apart: give --averaging-s "
+        "from {:g} to {:g}",
+        asked.averaging, window, step, step, window);
+}
+
 std::vector<double> asked_history(const Asked& asked, std::span<const double> values, double step) {
     const std::size_t count = averaged_values(asked, step);
     if (count == 1) return {values.begin(), values.end()};

@@ -65,6 +65,10 @@ std::vector<double> running_mean(std::span<const double> values, std::size_t cou
 /// So many values, `step` s apart, are averaged.
 std::size_t averaged_values(const Asked& asked, double step);
 
+/// Why the asked mean is not one of a window, s, of values `step` s apart: it is longer, or shorter than a step. Empty
+/// where it is, and where no mean is asked.
+std::string averaging_refusal(const Asked& asked, double step, double window);
+
 /// What is asked of histories with values `step` s apart; the mean of `asked.averaging` stands in its middle.
 std::vector<double> asked_history(const Asked& asked, std::span<const double> values, double step);
 /// Empty where the run has none.

@@ -145,8 +145,12 @@ struct LargestValue {
     double time = 0;  ///< s
 };
 
-/// In the window; none where that is empty. The mean of all of what is averaged lies in it.
-std::optional<LargestValue> largest_in(const StoredHistories& histories, const Asked& asked, const Scenario& scenario) {
+/// In the window; none where that is empty. The mean of all of what is averaged lies in it. Throws InputError where
+/// none of that time does.
+std::optional<LargestValue> largest_in(const StoredHistories& histories, const Asked& asked, const Scenario& scenario,
+                                       const std::string& case_name) {
+    if (const std::string words = averaging_refusal(asked, histories.step, scenario.analysis.window); !words.empty())
+        throw InputError(fmt::format("Case {}: {}.", case_name, words));
     const std::vector<std::span<const double>>& of = histories.values;
     std::vector<double> values(of.front().begin(), of.front().end());
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -172,7 +176,8 @@ double time_of_largest(const ReplaySubject& subject) {
     for_each_histories(
         subject.file, of, [&](int member) { return member == subject.about.member; },
         [&](const StoredHistories& histories) {
-            const auto found = largest_in(histories, subject.about.asked, subject.about.scenario);
+            const auto found =
+                largest_in(histories, subject.about.asked, subject.about.scenario, subject.about.case_name);
             if (found) time = found->time;
         });
     return time;
@@ -197,7 +202,8 @@ double time_of_largest_tension(const ReplaySubject& subject, const std::stop_tok
     return time;
 }
 
-std::vector<double> largest_values(const CampaignFile& file, const CampaignTable& table, const Asked& asked) {
+std::vector<double> largest_values(const CampaignFile& file, const CampaignTable& table, const Asked& asked,
+                                   const std::string& case_name) {
     std::vector<double> values(table.members.size(), undefined);
     const bool of_step = asked.of == AskedOf::load && !asked.averaged();
     if (of_step || asked.of == AskedOf::tension) {
@@ -205,10 +211,13 @@ std::vector<double> largest_values(const CampaignFile& file, const CampaignTable
         for (std::size_t k = 0; k < values.size(); ++k) values[k] = table.members[k].value(from);
         return values;
     }
-    for_each_histories(file, histories_of(asked.of), {}, [&](const StoredHistories& histories) {
-        const int of_case = member_key(file.campaign(), histories.member).case_index;
-        const Scenario& scenario = file.campaign().cases.at(static_cast<std::size_t>(of_case)).scenario;
-        const auto found = largest_in(histories, asked, scenario);
+    const auto case_of = [&](int member) -> const Case& {
+        return file.campaign().cases.at(static_cast<std::size_t>(member_key(file.campaign(), member).case_index));
+    };
+    const auto wanted = [&](int member) { return case_name.empty() || case_of(member).name == case_name; };
+    for_each_histories(file, histories_of(asked.of), wanted, [&](const StoredHistories& histories) {
+        const Case& one = case_of(histories.member);
+        const auto found = largest_in(histories, asked, one.scenario, one.name);
         if (found) values.at(static_cast<std::size_t>(histories.member)) = found->value;
     });
     return values;

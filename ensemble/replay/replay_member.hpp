@@ -64,8 +64,10 @@ double time_of_largest_tension(const ReplaySubject& subject, const std::stop_tok
                                const ReplayProgress& progress = {});
 
 /// The largest value of what is asked, of each member; NaN where there is none. Of load and mooring force over some
-/// time, and of offsets, from the histories of the file; of tensions over the run, else in the window of the case.
-std::vector<double> largest_values(const CampaignFile& file, const CampaignTable& table, const Asked& asked);
+/// time, and of offsets, from the histories of the file, of this case alone if one is named; of tensions over the run,
+/// else in the window of the case. Throws InputError as averaging_refusal() says.
+std::vector<double> largest_values(const CampaignFile& file, const CampaignTable& table, const Asked& asked,
+                                   const std::string& case_name = {});
 
 /// What differs between the result and what the file has of the member, a sentence each: quantities, breaks and load
 /// history, to the bit. Empty for the same member.

@@ -117,7 +117,7 @@ def test_choice(folder, file):
     check("member 3. Chosen: of 4 members of case soft" in said and "has rank 2 from the least" in said
           and "So few members do not bound that quantile." in said, f"--quantile: {said}")
     check("Chosen: of 4 members" in pathlib.Path(out).read_text(), "the file says why its member was chosen")
-    made = export(file, "--quantile", "0.5", "--for", "csv", "-o", out)[0]
+    made = export(file, "--quantile", "0.5", "--for", "csv", "-o", out, "--averaging-s", "0.4")[0]
     check(len(made) == 3, f"--quantile gives one of each case: {made}")
 
 
@@ -147,6 +147,7 @@ def test_refusals(folder, file):
             "--scale", "36")
     refused("leave --case and --arrangement out", file, "--member", "1", "--case", "soft", *out)
     refused("give one of them", file, "--member", "1", "--of", "load", *out)
+    refused("Case open: no mean over 1 s lies in its window of 0.8 s", file, "--quantile", "0.5", *out)
     refused("stored as means over 0.02 s (a time step)", file, "--member", "1", *out, "--step", "0.01")
     refused("there is no whole step of 0.5 s of the run, which goes from 0 s to 2.2 s", file, "--member", "1", *out, "--step",
             "0.5", "--from", "2")

@@ -91,6 +91,21 @@ TEST_F(AskedOfAFile, IsTheLoadOverASecond) {
     EXPECT_LE(time, 6.5 + step);
 }
 
+// A window of 6 s with values that are 0.02 s apart.
+TEST_F(AskedOfAFile, RefusesMeansThatAreNotOfTheWindow) {
+    for (const double averaging : {500.0, 0.01}) {
+        const Asked asked{AskedOf::load, averaging};
+        const auto sentence = testing::AllOf(HasSubstr("Case soft: no mean over "),
+                                             HasSubstr("window of 6 s with values that are 0.02 s apart: give "
+                                                       "--averaging-s from 0.02 to 6."));
+        EXPECT_THAT(refusal([&] { values(asked); }), sentence);
+        EXPECT_THAT(refusal([&] { time_of_largest(subject(2, asked)); }), sentence);
+    }
+    EXPECT_NEAR(values({AskedOf::load, 6}).at(2), 0.5 / 6 * 50, 1e-9);
+    EXPECT_THAT(values({AskedOf::load, 0.02}), ElementsAre(0, 0, 50, 0));
+    EXPECT_EQ(averaging_refusal({AskedOf::offset, 500}, 0.02, 6), "") << "it is taken as it is";
+}
+
 TEST_F(AskedOfAFile, IsTheOffsetAsItIs) {
     const std::vector<double> found = values({AskedOf::offset, 1});
     EXPECT_THAT(found, ElementsAre(testing::DoubleNear(5, 1e-9), 0, 0, 0));
