@@ -93,6 +93,10 @@ std::vector<std::string> legend(const LoadToWrite& load, bool held, std::string_
         "Load: the contact force of the ice on the hull. Water, wind, weight, thrusters and moorings are not in it.");
     lines.push_back(hull_words(origin));
     lines.push_back(axes_words(load));
+    if (load.tilts)
+        lines.emplace_back(
+            "But the forces are along axes that pitch and roll with the hull, because the campaign file does not say "
+            "how it pitched and rolled.");
     lines.emplace_back("Point: the structure's axis in the calm waterline, where the hull has come to.");
     lines.push_back(fmt::format("Units: s, {}, {}.", force, moment));
     lines.push_back(value_words(load, held));

@@ -33,6 +33,7 @@ struct LoadOrigin {
 struct LoadToWrite {
     LoadSeries series;
     LoadOrigin origin;
+    bool tilts = false;  ///< its axes pitch and roll with the hull: its file has no histories of these
     LoadAxes axes = LoadAxes::earth;
     double tow_towards = 0;  ///< degrees from X towards Y
     double begin = 0;        ///< s of the run, scaled: t = 0 of the series

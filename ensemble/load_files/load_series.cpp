@@ -4,12 +4,15 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "core/vector.hpp"
 
 namespace floes {
 
 LoadSeries load_series(const HullHistories& stored, LoadAxes axes, double tow_towards) {
     FLOES_EXPECTS(stored.sway.size() == stored.surge.size() && stored.heave.size() == stored.surge.size());
     FLOES_EXPECTS(stored.yaw.empty() || stored.yaw.size() == stored.surge.size());
+    FLOES_EXPECTS(stored.pitch.empty() || stored.pitch.size() == stored.surge.size());
+    FLOES_EXPECTS(stored.roll.size() == stored.pitch.size());
     LoadSeries series{.step = stored.step,
                       .force = {},
                       .moment = {stored.yaw_load.begin(), stored.yaw_load.end()}};  // about y: our y is their Z
@@ -17,11 +20,14 @@ LoadSeries load_series(const HullHistories& stored, LoadAxes axes, double tow_to
         // Yaw turns the bow to port, and so from X towards Y.
         const bool turned = axes == LoadAxes::earth;
         const double angle = turned ? tow_towards + (stored.yaw.empty() ? 0 : stored.yaw[k]) : 0;
-        const double ahead = -stored.surge[k];
-        const double to_port = -stored.sway[k];
+        Vec3 load(-stored.surge[k], stored.heave[k], stored.sway[k]);  // ahead, up, to starboard
+        if (!stored.pitch.empty())
+            load = StructurePose{.pitch = stored.pitch[k], .roll = stored.roll[k]}.orientation() * load;
+        const double ahead = load.x();
+        const double to_port = -load.z();
         series.force[0].push_back(ahead * std::cos(angle) - to_port * std::sin(angle));
         series.force[1].push_back(ahead * std::sin(angle) + to_port * std::cos(angle));
-        series.force[2].push_back(stored.heave[k]);
+        series.force[2].push_back(load.y());
     }
     return series;
 }

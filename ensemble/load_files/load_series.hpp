@@ -22,15 +22,18 @@ struct LoadSeries {
 
 enum class LoadAxes : std::uint8_t {
     earth,  ///< at rest, X along the channel as the tow goes
-    hull    ///< X towards the bow, turning with the hull's yaw
+    hull    ///< X horizontal, towards the bow, turning with the hull's yaw
 };
 
-/// The histories of a member as its file has them (docs/campaign_file.md): forces in the structure's own axes.
+/// The histories of a member as its file has them (docs/campaign_file.md): forces in the structure's own axes, which
+/// yaw, pitch and roll with it (StructurePose), the moment about the vertical.
 struct HullHistories {
     double step = 0;  ///< s
     std::span<const double> surge, sway, heave;
     std::span<const double> yaw;       ///< rad, positive where +z turns to +x; empty: towed straight on
     std::span<const double> yaw_load;  ///< N m, positive likewise; empty: not stored
+    std::span<const double> pitch{};   ///< rad, as StructurePose has it; empty, with roll: it does neither
+    std::span<const double> roll{};    ///< rad, likewise
 };
 
 /// In these axes. `tow_towards`: direction of the tow in the earth's axes, rad from X towards Y.

@@ -32,8 +32,26 @@ void expect_done(const CampaignFile& file, const CampaignTable& table, int membe
                         member, name, shell_word(name)));
 }
 
+/// Histories of how a floating hull lies, rad: empty where the file has none.
+struct Lying {
+    std::vector<double> pitch, roll;
+};
+
+Lying stored_lying(const CampaignFile& file, int member) {
+    const std::array both{&array_output("history/pitch"), &array_output("history/roll")};
+    Lying lying;
+    for_each_histories(
+        file, both, [=](int one) { return one == member; },
+        [&](const StoredHistories& found) {
+            lying.pitch.assign(found.values[0].begin(), found.values[0].end());
+            lying.roll.assign(found.values[1].begin(), found.values[1].end());
+        });
+    return lying;
+}
+
 /// The member's load at the scale of the campaign; none where the file keeps no histories of it.
-std::optional<LoadSeries> stored_series(const CampaignFile& file, int member, const LoadRequest& request) {
+std::optional<LoadSeries> stored_series(const CampaignFile& file, int member, const Lying& lying,
+                                        const LoadRequest& request) {
     const std::array forces{&array_output("history/surge_load"), &array_output("history/sway_load"),
                             &array_output("history/heave_load")};
     const std::array turning{&array_output("history/structure_yaw"), &array_output("history/yaw_load")};
@@ -46,8 +64,9 @@ std::optional<LoadSeries> stored_series(const CampaignFile& file, int member, co
     });
     std::optional<LoadSeries> series;
     for_each_histories(file, forces, wanted, [&](const StoredHistories& found) {
-        series = load_series({found.step, found.values[0], found.values[1], found.values[2], yaw, yaw_load},
-                             request.axes, request.tow_towards * unit::degree);
+        series = load_series(
+            {found.step, found.values[0], found.values[1], found.values[2], yaw, yaw_load, lying.pitch, lying.roll},
+            request.axes, request.tow_towards * unit::degree);
     });
     return series;
 }
@@ -100,7 +119,8 @@ LoadToWrite read_load(const CampaignFile& file, const CampaignTable& table, int 
     expect_done(file, table, member);
     const MemberRow& row = table.members[static_cast<std::size_t>(member)];
     const Case& of = file.campaign().cases.at(static_cast<std::size_t>(row.case_index));
-    const std::optional<LoadSeries> stored = stored_series(file, member, request);
+    const Lying lying = stored_lying(file, member);
+    const std::optional<LoadSeries> stored = stored_series(file, member, lying, request);
     if (!stored)
         throw InputError(
             fmt::format("{} keeps no load histories of case {} (analysis.history_steps = 0): run it with "
@@ -108,6 +128,7 @@ LoadToWrite read_load(const CampaignFile& file, const CampaignTable& table, int 
                         file.path().string(), of.name));
     return {.series = cut(scaled(*stored, request.scale), request, of.name, of.scenario.analysis.history_stride),
             .origin = origin_of(file, row, member, of),
+            .tilts = of.scenario.moorings.floats() && lying.pitch.empty(),
             .axes = request.axes,
             .tow_towards = request.tow_towards,
             .begin = request.from.value_or(0),

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vector.hpp"
+
 namespace floes {
 namespace load_series_test {
 
@@ -42,6 +44,43 @@ TEST(LoadSeries, OfATurnedHullIsThatOfTheFilesPage) {
     const LoadSeries own = load_series(stored, LoadAxes::hull);
     EXPECT_EQ(own.force[0][0], -5);
     EXPECT_EQ(own.force[1][0], -3);
+}
+
+// Ice ahead pushes level on a bow that is lifted by φ: along the hull's own axes F cos φ aft and F sin φ up. Starboard
+// down by φ, a push to port is F cos φ against sway and F sin φ up.
+TEST(LoadSeries, OfAHullThatPitchesOrRollsIsLevel) {
+    const double angle = 0.1;
+    const std::vector<double> along{4 * std::cos(angle)}, against{-4 * std::cos(angle)}, up{4 * std::sin(angle)};
+    const std::vector<double> none{0}, tilt{angle}, yaw{right_angle}, yaw_load{7};
+    const HullHistories pitched{1, along, none, up, none, yaw_load, tilt, none};
+    const HullHistories rolled{1, none, against, up, none, yaw_load, none, tilt};
+    for (const LoadAxes axes : {LoadAxes::earth, LoadAxes::hull}) {
+        const LoadSeries from_ahead = load_series(pitched, axes);
+        EXPECT_NEAR(from_ahead.force[0][0], -4, 1e-12);
+        EXPECT_NEAR(from_ahead.force[1][0], 0, 1e-12);
+        EXPECT_NEAR(from_ahead.force[2][0], 0, 1e-12);
+        EXPECT_EQ(from_ahead.moment[0], 7) << "it is about the vertical already";
+        const LoadSeries from_starboard = load_series(rolled, axes);
+        EXPECT_NEAR(from_starboard.force[0][0], 0, 1e-12);
+        EXPECT_NEAR(from_starboard.force[1][0], 4, 1e-12);
+        EXPECT_NEAR(from_starboard.force[2][0], 0, 1e-12);
+    }
+    const HullHistories turned{1, along, none, up, yaw, yaw_load, tilt, none};
+    EXPECT_NEAR(load_series(turned, LoadAxes::earth).force[1][0], -4, 1e-12);
+    EXPECT_NEAR(load_series(turned, LoadAxes::hull).force[0][0], -4, 1e-12);
+}
+
+// As a run records it: yaw, then pitch, then roll.
+TEST(LoadSeries, UndoesTheTurnsInTheirOrder) {
+    const StructurePose pose{.yaw = 0.7, .pitch = 0.2, .roll = -0.3};
+    const Vec3 load(-5, 1, 2);
+    const Vec3 own = pose.in_own_axes(load);
+    const std::vector<double> surge{-own.x()}, sway{own.z()}, heave{own.y()};
+    const std::vector<double> yaw{pose.yaw}, pitch{pose.pitch}, roll{pose.roll};
+    const LoadSeries earth = load_series({1, surge, sway, heave, yaw, {}, pitch, roll}, LoadAxes::earth);
+    EXPECT_NEAR(earth.force[0][0], load.x(), 1e-12);
+    EXPECT_NEAR(earth.force[1][0], -load.z(), 1e-12);
+    EXPECT_NEAR(earth.force[2][0], load.y(), 1e-12);
 }
 
 // A bow that has turned a quarter to port lies along Y: ice ahead of it pushes along -Y.

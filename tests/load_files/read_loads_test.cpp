@@ -92,6 +92,44 @@ TEST_F(ReadLoads, TurnsTheLoadOfATurnedHull) {
     EXPECT_NEAR(read(0, {.axes = LoadAxes::hull}).series.force[1][50], -load.sway[50], 1e-9);
 }
 
+// The bow 0.1 rad up all the time; a file without that history says that its axes tilt.
+TEST_F(ReadLoads, LevelsTheLoadOfAHullThatPitches) {
+    Campaign campaign = synthetic::campaign();
+    campaign.cases.resize(1);
+    Scenario& scenario = campaign.cases[0].scenario;
+    scenario.moorings = {.free = {true, true, true, true, true, true},
+                         .mass = 1e5,
+                         .height = -0.3,
+                         .gyration = 0.4,
+                         .pitch_gyration = 0.4,
+                         .roll_gyration = 0.4,
+                         .surge = 1e6,
+                         .sway = 1e6,
+                         .yaw = 1e4};
+    MemberRecord record = synthetic::record(campaign, 0);
+    const LoadHistory& load = record.result.history;
+    MotionHistory& motion = record.result.motion;
+    for (const auto& one : motion_histories) (motion.*one.values).assign(load.surge.size(), 0.0);
+    motion.pitch.assign(load.surge.size(), 0.1);
+    synthetic::publish(file_, campaign, std::vector<MemberRecord>{record});
+    const LoadToWrite made = read(0);
+    EXPECT_FALSE(made.tilts);
+    for (std::size_t k = 0; k < load.surge.size(); ++k) {
+        EXPECT_NEAR(made.series.force[0][k], -load.surge[k] * std::cos(0.1) - load.heave[k] * std::sin(0.1), 1e-9);
+        EXPECT_NEAR(made.series.force[1][k], -load.sway[k], 1e-9);
+        EXPECT_NEAR(made.series.force[2][k], -load.surge[k] * std::sin(0.1) + load.heave[k] * std::cos(0.1), 1e-9);
+    }
+    const auto told = [](const LoadToWrite& load_told) {
+        std::string text;
+        for (const std::string& line : legend(load_told, false, "N", "N m")) text += line + "\n";
+        return text;
+    };
+    LoadToWrite without = made;
+    without.tilts = true;
+    EXPECT_THAT(told(made), testing::Not(HasSubstr("pitch and roll with the hull")));
+    EXPECT_THAT(told(without), HasSubstr("along axes that pitch and roll with the hull"));
+}
+
 TEST_F(ReadLoads, TakesTimesAtTheScaleOfTheFile) {
     publish_with(1);
     const LoadSeries whole = read(3).series;
