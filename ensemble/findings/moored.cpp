@@ -115,18 +115,19 @@ std::string period_refusal(const Analysis& analysis, double step, double period,
     return "";
 }
 
-std::string moored_refusal(const Analysis& analysis, double step, double first_load, const MooredRequest& request) {
+std::string moored_refusal(const Analysis& analysis, double step, double last_entry, const MooredRequest& request) {
     constexpr double most_left = 0.05;  // of the entry's swing when the window begins
     const Oscillator hull = request.model();
     const double to_full = request.time_factor();
     if (std::string words = period_refusal(analysis, step, hull.period(), to_full); !words.empty()) return words;
-    if (first_load >= analysis.steady_start + analysis.window - step / 2) return "no ice ever loads the hull";
-    const double run_up = analysis.steady_start - first_load;
+    if (last_entry >= analysis.steady_start + analysis.window - step / 2) return "no ice ever loads the hull";
+    const double run_up = analysis.steady_start - last_entry;
     const double left = std::exp(-hull.decay_rate() * std::max(run_up, 0.0));
     if (left > most_left)
         return fmt::format(
             "{:.0f} % of the swing with which the hull enters the ice is left when the window begins, {:.4g} s after "
-            "the first load: run with a later analysis.steady_start_s (by {:.3g} s) or give more damping",
+            "the first load of the member that meets ice last: run with a later analysis.steady_start_s (by {:.3g} s) "
+            "or give more damping",
             left / unit::percent, to_full * run_up, to_full * (-std::log(most_left) / hull.decay_rate() - run_up));
     return "";
 }
@@ -135,8 +136,8 @@ namespace {
 
 struct Stored {
     double step = 0;
-    double first_load = 0;
-    std::vector<MooredRun> runs;
+    LastEntry entry = {};
+    std::vector<MooredRun> runs = {};
 };
 
 }  // namespace
@@ -154,9 +155,10 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
         const std::size_t index = evidence.case_of(history.member);
         MooredRun run = moored_run(history.values, history.step, evidence.sample.cases[index].analysis, request);
         run.member = history.member;
-        const auto [at, fresh] = stored.try_emplace(index, Stored{history.step, run.first_load, {}});
-        at->second.first_load = std::min(at->second.first_load, run.first_load);
-        at->second.runs.push_back(std::move(run));
+        Stored& one = stored[index];
+        one.step = history.step;
+        one.entry.add(run.first_load, history.step * static_cast<double>(history.values.size()));
+        one.runs.push_back(std::move(run));
     });
     if (stored.empty())
         throw InputError(
@@ -169,7 +171,7 @@ std::vector<MooredCase> find_moored(const Evidence& evidence, const MooredReques
         std::string refused =
             scenario.moorings.give_way()
                 ? "its hull gave way in the simulation, so its loads are no longer those of a fixed one"
-                : moored_refusal(analysis, one.step, one.first_load, request);
+                : moored_refusal(analysis, one.step, one.entry.time, request);
         found.push_back({index, moored_separation(analysis, request.model()), scenario.drift(), std::move(one.runs),
                          std::move(refused)});
     }

@@ -7,6 +7,8 @@
 // enough for that swing to fade. Started in the window, at rest or at the mean offset, the hull would have less than
 // its usual motion for some 1/(ζω).
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -59,6 +61,16 @@ AveragedLoad load_in_window(std::span<const double> surge, double step, const An
 /// s after the start at which the hull meets ice; the length of the run if it never does.
 double first_load(std::span<const double> surge, double step);
 
+/// When the last of a case's members that meet ice does so, s after the start; infinite while none does.
+struct LastEntry {
+    double time = HUGE_VAL;
+
+    /// `met`: first_load() of a member whose run ends at `end`, s.
+    void add(double met, double end) {
+        if (met < end) time = std::isinf(time) ? met : std::max(time, met);
+    }
+};
+
 /// s, at the scale of the campaign, between peaks of k x that count as two: not below analysis.peak_separation, the
 /// natural period, and the time 1/(ζω) in which free motion falls to 1/e, since the swings of one event are one.
 double moored_separation(const Analysis& analysis, const Oscillator& model);
@@ -68,8 +80,8 @@ double moored_separation(const Analysis& analysis, const Oscillator& model);
 std::string period_refusal(const Analysis& analysis, double step, double period, double to_full);
 
 /// One sentence, or nothing: why the window of such histories says nothing of this hull. `step`: of the history, s;
-/// `first_load`: s after the start; all at the scale of the campaign, the sentence at full scale.
-std::string moored_refusal(const Analysis& analysis, double step, double first_load, const MooredRequest& request);
+/// `last_entry`: LastEntry::time; all at the scale of the campaign, the sentence at full scale.
+std::string moored_refusal(const Analysis& analysis, double step, double last_entry, const MooredRequest& request);
 
 // Moored hulls over the members of a campaign file: a line for each case, the response spectrum, and peaks for design
 // loads.

@@ -246,7 +246,7 @@ std::vector<MooredRequest> hulls_of(const Evidence& evidence, double damping_rat
 /// For one case.
 struct Ratios {
     double step = 0;
-    double first_load = HUGE_VAL;              ///< s, the earliest
+    LastEntry entry = {};
     std::vector<std::vector<double>> of_hull;  ///< of each member
 };
 
@@ -262,7 +262,8 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
         Ratios& one = found[index];
         one.step = history.step;
         one.of_hull.resize(hulls.size());
-        one.first_load = std::min(one.first_load, first_load(history.values, history.step));
+        one.entry.add(first_load(history.values, history.step),
+                      history.step * static_cast<double>(history.values.size()));
         const Analysis& analysis = evidence.sample.cases[index].analysis;
         const double load =
             load_in_window(history.values, history.step, analysis, hulls.front().model_averaging()).mean_maximum;
@@ -275,7 +276,7 @@ std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredR
     for (const auto& [index, one] : found)
         for (std::size_t k = 0; k < hulls.size(); ++k) {
             const Analysis& analysis = evidence.sample.cases[index].analysis;
-            if (!one.of_hull[k].empty() && moored_refusal(analysis, one.step, one.first_load, hulls[k]).empty())
+            if (!one.of_hull[k].empty() && moored_refusal(analysis, one.step, one.entry.time, hulls[k]).empty())
                 points.push_back({index, hulls[k].hull.period(), mean_interval(one.of_hull[k])});
         }
     return points;
