@@ -45,8 +45,14 @@ struct CaseRow {
     Words floes = {};     ///< floe_words()
     Words motion = {};    ///< motion_words()
     int most_sweeps = 0;  ///< of a step, where a tolerance ends them; 0: all steps take as many
+    /// Where the window of `analysis` is from: the configuration, or the steady part that was looked for in it.
+    enum class Window { given, steady, none_steady } window = Window::given;
 
     double window_steps() const { return analysis.window / time_step; }
+    /// By --window auto, which was not asked for yet and needs the load of every step.
+    bool can_be_measured_later() const {
+        return window == Window::given && analysis.keep_history && analysis.history_stride == 1;
+    }
 };
 
 /// A member as the file has it. Unless the member is done, its outputs are unmeasured().

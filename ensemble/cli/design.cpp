@@ -235,6 +235,7 @@ struct DesignOptions {
     std::string regimes;  ///< TOML, or CSV by its name; empty: loads in an exposure
     std::vector<double> per_year{1e-2, 1e-4};
     bool next = false;
+    bool averaged = false;  ///< --averaging-s is given
 
     bool automatic_window() const { return window == "auto"; }
 };
@@ -253,8 +254,8 @@ Answer moored(const Evidence& evidence, DesignLoadRequest request, const Oscilla
     DesignLoads designs = find_design_loads(evidence.sample, request, peaks);
     for (CaseDesignLoad& one : designs.of_cases)
         if (!evidence.sample.done(one.case_index).empty())
-            one.why = "its members keep no load histories (analysis.history_steps)";
-    for (const MooredCase& one : found) designs.of_cases[one.case_index].why = one.refused;
+            one.lacks = {"its members keep no load histories (analysis.history_steps)"};
+    for (const MooredCase& one : found) designs.of_cases[one.case_index].lacks = {one.refused};
     std::vector<Section> sections = design_load_sections(evidence.summary, designs);
     sections.push_back(moored_section(evidence.summary, found, asked));
     return {std::move(designs), std::move(sections)};
@@ -279,8 +280,9 @@ Answer sections_of(const DesignOptions& options, const Evidence& evidence, const
 /// The command that repeats the answer. `asked`: what it is of, "--regimes year.toml".
 std::string command_of(const DesignOptions& options, const GivenCampaign& given, const std::string& asked) {
     const DesignLoadRequest& load = options.request;
-    return fmt::format("{} design {} {} --averaging-s {:g} --scale {:g} --peaks {:g}{}{} -o {}", options.program,
-                       given.words(), asked, load.averaging, load.scale, load.share, load.rising ? " --rising" : "",
+    const std::string averaging = options.of == "load" ? fmt::format(" --averaging-s {:g}", load.averaging) : "";
+    return fmt::format("{} design {} {}{} --scale {:g} --peaks {:g}{}{} -o {}", options.program, given.words(), asked,
+                       averaging, load.scale, load.share, load.rising ? " --rising" : "",
                        options.automatic_window() ? " --window auto" : "", shell_word(options.output));
 }
 
@@ -293,6 +295,10 @@ int answer(const DesignOptions& options) {
     DesignLoadRequest request = options.request;
     request.exposure = options.exposure_h * unit::hour;
     request.of = *std::ranges::find(design_ofs, options.of, &DesignOf::word);
+    if (options.averaged && options.of != "load")
+        throw InputError(
+            "--averaging-s is of the load, and --of {} is extrapolated as it is in each step; leave it out",
+            options.of);
     expect_ending(options.output, "a page or a workbook", {".html", ".pdf", ".xlsx"},
                   "; the curve (.svg) is of a year, with --regimes");
     const GivenCampaign given(options.files);
@@ -379,7 +385,7 @@ void add_design(CommandLine& line) {
     verb.option("campaign", options->files, "The campaign file (CAMPAIGN.h5), or the parts of one").required();
     Option exposure = add_exposure(verb, options->exposure_h);
     Option quantile = add_quantiles(verb, options->request.quantiles);
-    add_averaging(verb, options->request.averaging);
+    Option averaging = add_averaging(verb, options->request.averaging);
     verb.option("--scale", options->request.scale,
                 "Length at full scale over length in the campaign: loads grow with its cube, times with its square "
                 "root (Froude)")
@@ -414,8 +420,9 @@ void add_design(CommandLine& line) {
         "  floes design moored_free.h5 --scale 57 --of mooring_force                      of one that gives way\n"
         "  floes design floating.h5 --of pitch -o pitch.html                              how far it pitches\n"
         "  floes design table3_physical.h5 --regimes year.toml                            10^-2 and 10^-4 a year");
-    verb.runs([options, &line] {
+    verb.runs([options, averaging, &line] {
         options->program = line.typed_program();
+        options->averaged = averaging.given();
         return options->regimes.empty() ? answer(*options) : answer_of_year(*options);
     });
 }

@@ -107,6 +107,7 @@ struct ReportOptions {
     double exposure_h = 3;
     DesignLoadRequest design;
     bool asks_design = false;
+    bool asks_averaging = false;
     std::string title;
     std::string author;
     Inquiry inquiry;
@@ -122,6 +123,10 @@ std::string report(const ReportOptions& options) {
     if (options.asks_design) {
         data.evidence.design_request = options.design;
         data.evidence.design_request->exposure = options.exposure_h * unit::hour;
+        if (options.asks_averaging)
+            averaging_time(data.evidence.sample, options.design);  // refuses before a member is computed again
+        else
+            data.evidence.design_request->averaging = usual_averaging(data.evidence.sample);
     }
     data.evidence.safety_factor = options.inquiry.safety_factor;
     data.title = options.title;
@@ -164,6 +169,7 @@ void add_report(CommandLine& line) {
         .one_of({"none", "worst", "all"})
         .shows_default();
     verb.prints([options, exposure, quantile, averaging] {
+        options->asks_averaging = averaging.given();
         options->asks_design = exposure.given() || quantile.given() || averaging.given();
         return report(*options);
     });

@@ -67,12 +67,17 @@ bool more_than_chance(int found, int done) {
     return 1 - fewer < unsteady_level;
 }
 
-std::string unsteady_text(const Counts& found) {
+/// ", or --window auto" where that can be.
+std::string or_automatically(const Summary& summary) {
+    const auto can = [](const CaseSummary& one) { return one.about.can_be_measured_later(); };
+    return std::ranges::any_of(summary.cases, can) ? ", or --window auto" : "";
+}
+
+std::string unsteady_text(const Counts& found, const Summary& summary) {
     const int all = found.rising + found.falling;
     const char* how = found.falling == 0 ? "still rises" : found.rising == 0 ? "still falls" : "still has a trend";
-    return fmt::format(
-        "{} of {} not steady: the load {} in the measured window. A later analysis.steady_start_s, or --window auto.",
-        all, counted(found.done, "member"), how);
+    return fmt::format("{} of {} not steady: the load {} in the measured window. A later analysis.steady_start_s{}.",
+                       all, counted(found.done, "member"), how, or_automatically(summary));
 }
 
 constexpr std::size_t most_named = 3;  // cases in a sentence
@@ -98,15 +103,15 @@ std::vector<std::string> trend_sentences(const Summary& summary, const Counts& f
     };
     std::vector<std::string> sentences;
     if (const std::string lines = trend_lines(summary, &JointTrend::seen, change_words); !lines.empty())
-        sentences.push_back(
-            fmt::format("Not steady, change through the window: {}. Measure later, or --window auto.", lines));
+        sentences.push_back(fmt::format("Not steady, change through the window: {}. Measure later{}.", lines,
+                                        or_automatically(summary)));
     if (const std::string lines = trend_lines(summary, open, change_words); !lines.empty())
         sentences.push_back(fmt::format("Too few arrangements to call it steady within {:g} %: {}.",
                                         steady_change / unit::percent, lines));
     // Of one or two members nothing else is known.
     if (std::ranges::none_of(summary.cases, judged, &CaseSummary::trend) &&
         more_than_chance(found.rising + found.falling, found.done))
-        sentences.push_back(unsteady_text(found));
+        sentences.push_back(unsteady_text(found, summary));
     return sentences;
 }
 
@@ -128,6 +133,16 @@ std::string unsolved_text(const Sample& sample, const Summary& summary) {
         "Contacts are not solved in most steps (sweeps a step: {}): where ice jams, loads are too low, on a wall by "
         "half and more. Try general.iterations = {}.",
         fmt::join(lines, "; "), 10 * most);
+}
+
+/// Cases of which --window auto found no later window.
+std::string no_later_text(const Summary& summary) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < summary.cases.size(); ++k)
+        if (summary.cases[k].about.window == CaseRow::Window::none_steady) names.push_back(summary.label_of(k));
+    if (names.empty()) return "";
+    return fmt::format("--window auto found no steady part of a segment or more in {}: measured in the window given.",
+                       name_list(names));
 }
 
 /// Members whose mean load is far above the others'.
@@ -241,7 +256,7 @@ std::vector<std::string> warnings_of(const Sample& sample, const Summary& summar
                         found.done > 0 ? ". Short runs finish first, so the figures lean towards them." : "."));
     if (found.untouched > 0) sentences.push_back(untouched_text(found, summary));
     std::ranges::move(trend_sentences(summary, found), std::back_inserter(sentences));
-    for (std::string text : {unsolved_text(sample, summary), heel_text(sample, summary),
+    for (std::string text : {no_later_text(summary), unsolved_text(sample, summary), heel_text(sample, summary),
                              standing_out_text(sample, summary), few_text(summary)})
         if (!text.empty()) sentences.push_back(std::move(text));
     return sentences;

@@ -481,6 +481,11 @@ Covariates drawn(const Scenario& scenario, std::uint64_t seed, int first) {
     return rows;
 }
 
+/// Whether the order of the ice ahead of the structure varies by what arrangements are drawn.
+bool is_drawn_ahead(const Scenario& scenario) {
+    return !scenario.arrangement.given() && !scenario.path.any();
+}
+
 }  // namespace
 
 Results find_control(const Evidence& evidence) {
@@ -499,7 +504,7 @@ Results find_control(const Evidence& evidence) {
         bool first = true;
         for (std::size_t k = 0; k < evidence.sample.cases.size(); ++k) {
             const Scenario& scenario = campaign.cases.at(k).scenario;
-            if (scenario.arrangement.given() || scenario.path.any()) continue;
+            if (!is_drawn_ahead(scenario)) continue;
             const auto [place, added] = populations.try_emplace(
                 {geometry_key(scenario), scenario.field.endless(), scenario.structure.shape.waterline_radius()});
             if (added) place->second = drawn(scenario, campaign.seed, campaign.arrangements);
@@ -523,14 +528,27 @@ Results find_control(const Evidence& evidence) {
     return results;
 }
 
+namespace {
+
+/// A sentence on the cases of which the order of the ice ahead is not known; empty where it is of all.
+std::string uncontrolled_text(const Evidence& evidence) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < evidence.campaign.cases.size(); ++k)
+        if (!is_drawn_ahead(evidence.campaign.cases[k].scenario)) names.push_back(evidence.summary.label_of(k));
+    return names.empty() ? "" : fmt::format(" On a path, or with floes given, there is none: {}.", name_list(names));
+}
+
+}  // namespace
+
 Section control_section(Evidence& evidence) {
     return {.results = {find_control(evidence)},
             .after = fmt::format(
-                "\nBrackets: 95 % interval. Means corrected for the local order and the coverage ahead of the "
+                "\nBrackets: 95 % interval, by Student's t. Means corrected for the local order and the coverage ahead "
+                "of the "
                 "arrangements that were run, against {} that were only drawn. R² left out: share of the variance that "
                 "these predict of arrangements which the fit has not seen; at 0 or below, where the interval is no "
-                "shorter, and with fewer than {} arrangements, the correction is off.\n",
-                control_draws, fewest_controlled)};
+                "shorter, and with fewer than {} arrangements, the correction is off.{}\n",
+                control_draws, fewest_controlled, uncontrolled_text(evidence))};
 }
 
 namespace {

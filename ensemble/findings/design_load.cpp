@@ -60,6 +60,12 @@ double averaging_time(const CampaignCases& cases, const DesignLoadRequest& reque
                     request.averaging, request.scale == 1 ? "" : " at full scale", fmt::join(there, ", ")));
 }
 
+double usual_averaging(const CampaignCases& cases) {
+    const std::vector<double>& times = cases.averaging_times;
+    const double usual = DesignLoadRequest{}.averaging;
+    return times.empty() || std::ranges::find(times, usual) != times.end() ? usual : times.back();
+}
+
 double disagreement(const DesignLoad& load) {
     double least = load.estimates.front().quantiles.front().value;
     double most = least;
@@ -118,7 +124,8 @@ DesignLoads find_design_loads(const Sample& sample, const DesignLoadRequest& req
     DesignLoads designs = find_design_loads(sample, request, peaks);
     for (CaseDesignLoad& one : designs.of_cases)
         if (one.arrangements.empty() && !sample.done(one.case_index).empty())
-            one.why = "its members did not average the load over that time (analysis.averaging_s)";
+            one.lacks = {"its members did not average the load over that time (analysis.averaging_s)",
+                         "not averaged over that time"};
     return designs;
 }
 
@@ -132,12 +139,13 @@ DesignLoads find_design_loads(const Sample& sample, const DesignLoadRequest& req
         one.case_index = index;
         const CasePeaks& found = peaks.at(index);
         one.trend = found.trends.empty() ? joint_trend(sample, index) : joint_trend(found.trends, request.of.noun);
+        one.lacks = found.lacks;
         one.separation = found.measured.separation;
         one.arrangements = found.arrangements;
         one.members = found.members;
         for (const PeakRow& row : found.rows) one.peaks.insert(one.peaks.end(), row.peaks.begin(), row.peaks.end());
         std::ranges::sort(one.peaks, std::ranges::greater{});
-        if (one.trend.rises() && !request.rising) {
+        if (one.trend.rises() && !request.rising && !one.lacks) {
             one.refused = true;
             one.load.arrangements = found.rows.size();
             one.over_shares.assign(std::size(threshold_shares), std::nan(""));
@@ -344,12 +352,12 @@ std::string doubt_lines(const Summary& summary, const DesignLoads& designs) {
 }  // namespace
 
 std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
-    if (!one.why.empty()) return one.why + ".";
+    if (one.lacks) return one.lacks.why + ".";
     if (one.refused)
         return fmt::format(
-            "{}, so it is not known how high it gets later. Measure later (--window auto, or run with a later "
+            "{}, so it is not known how high it gets later. Measure later ({}run with a later "
             "analysis.steady_start_s); --rising extrapolates as if it stayed as in the window.{}",
-            trend_text(one.trend), end_text(about));
+            trend_text(one.trend), about.can_be_measured_later() ? "--window auto, or " : "", end_text(about));
     const DesignLoad& load = one.load;
     if (load.arrangements < fewest_members)
         return fmt::format("{} of the {} arrangements that a design load needs; 8 or more are a beginning.",
@@ -364,7 +372,7 @@ std::string none_text(const CaseDesignLoad& one, const CaseRow& about) {
 int more_arrangements(const CaseDesignLoad& one) {
     constexpr std::size_t beginning = 8;
     const std::size_t runs = one.load.arrangements;
-    if (one.refused || !one.why.empty()) return 0;
+    if (one.refused || one.lacks) return 0;
     if (one.load.valid()) return static_cast<int>(3 * runs);
     if (runs < fewest_members) return static_cast<int>(beginning - runs);
     if (one.load.peaks == 0 || one.load.peaks >= fewest_peaks) return 0;
@@ -554,10 +562,8 @@ std::vector<Section> design_load_sections(const Summary& summary, const DesignLo
 const DesignLoads& designs_of(Evidence& evidence) {
     return evidence.kept.once([&] {
         DesignLoadRequest asked = evidence.design_request.value_or(DesignLoadRequest{});
-        const std::vector<double>& times = evidence.sample.averaging_times;
-        if (times.empty()) return DesignLoads{asked};
-        if (!evidence.design_request && std::ranges::find(times, asked.averaging) == times.end())
-            asked.averaging = times.back();
+        if (evidence.sample.averaging_times.empty()) return DesignLoads{asked};
+        if (!evidence.design_request) asked.averaging = usual_averaging(evidence.sample);
         return find_design_loads(evidence.sample, asked);
     });
 }

@@ -15,12 +15,21 @@
 
 namespace floes {
 
+/// Why a case has no design value, not for want of loads; of nothing by default.
+struct Lack {
+    std::string why{};       ///< without a full stop
+    std::string in_brief{};  ///< as a cell of a table says it
+
+    explicit operator bool() const { return !why.empty(); }
+};
+
 struct CasePeaks {
     std::vector<PeakRow> rows;
     std::vector<int> arrangements;         ///< of the rows, in their order
     std::vector<int> members;              ///< the same
     std::vector<MemberTrend> trends = {};  ///< the same; empty: as the load's
     Measured measured;
+    Lack lacks = {};
 
     /// A row of a member whose load has this mean; average() then makes the mean of all.
     void add(int member, int arrangement, PeakRow row, double mean);
@@ -48,7 +57,7 @@ struct CaseDesignLoad {
     DesignLoad load;                ///< at the scale of the campaign; not valid if refused
     JointTrend trend;
     bool refused = false;  ///< it rises, and nobody asked for it to be extrapolated
-    std::string why{};     ///< it has none, without a full stop; empty: not for want of loads
+    Lack lacks = {};
     /// Whether all members are of one kind, which the other methods and pairs take for granted.
     bool of_one_kind() const { return load.unlike.out.empty(); }
 
@@ -85,6 +94,10 @@ inline constexpr double much_disagreement = 0.25;
 /// The campaign's own averaging time that the request means, s at the campaign's scale. Throws InputError if there is
 /// none.
 double averaging_time(const CampaignCases& cases, const DesignLoadRequest& request);
+
+/// The time that a page averages the load over where nobody says another, s: the usual one, or the longest that the
+/// members have.
+double usual_averaging(const CampaignCases& cases);
 
 /// The design values of a campaign.
 struct DesignLoads {

@@ -67,20 +67,29 @@ const std::vector<PieceRow>& pieces_of(Evidence& evidence) {
     return evidence.kept.once([&] { return read_pieces(evidence.file); });
 }
 
-std::vector<std::size_t> drawn_cases(const Summary& summary) {
-    const auto load = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
+namespace {
+
+/// Those with done members that may be drawn.
+std::vector<std::size_t> drawable(const Summary& summary, const Which& which) {
     std::vector<std::size_t> cases;
     for (std::size_t k = 0; k < summary.cases.size(); ++k)
-        if (summary.cases[k].done > 0) cases.push_back(k);
+        if (summary.cases[k].done > 0 && (!which || which(k))) cases.push_back(k);
+    return cases;
+}
+
+}  // namespace
+
+std::vector<std::size_t> drawn_cases(const Summary& summary, const Which& which) {
+    const auto load = [&](std::size_t k) { return summary.cases[k].of(quantity("mean_load")).estimate; };
+    std::vector<std::size_t> cases = drawable(summary, which);
     std::ranges::stable_sort(cases, std::ranges::greater{}, load);
     cases.resize(std::min(cases.size(), most_drawn_cases));
     std::ranges::sort(cases);
     return cases;
 }
 
-std::string undrawn_text(const Summary& summary) {
-    const auto done = std::ranges::count_if(summary.cases, [](const CaseSummary& row) { return row.done > 0; });
-    return done <= std::ssize(drawn_cases(summary))
+std::string undrawn_text(const Summary& summary, const Which& which) {
+    return drawable(summary, which).size() <= most_drawn_cases
                ? ""
                : fmt::format(" Only the {} cases with the largest mean loads are shown.", most_drawn_cases);
 }

@@ -5,6 +5,7 @@
 #include <any>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -114,10 +115,12 @@ const std::vector<BreakRow>& breaks_of(Evidence& evidence);
 /// The pieces of all floes that cracked through; none where the file keeps none.
 const std::vector<PieceRow>& pieces_of(Evidence& evidence);
 
-/// Cases that have a panel of their own: at most six with done members, the most loaded, in file order.
-std::vector<std::size_t> drawn_cases(const Summary& summary);
+/// Cases that have a panel of their own: at most six with done members, the most loaded, in file order. `which`: of
+/// those that may have one; empty: of all.
+using Which = std::function<bool(std::size_t)>;
+std::vector<std::size_t> drawn_cases(const Summary& summary, const Which& which = {});
 /// A sentence on the cases that have none; empty where all have.
-std::string undrawn_text(const Summary& summary);
+std::string undrawn_text(const Summary& summary, const Which& which = {});
 
 /// What plays the worst moment of a member in a browser; `of`: as floes replay --of, empty: the load of a step.
 std::string replay_command(const Evidence& evidence, int member, std::string_view of = {});

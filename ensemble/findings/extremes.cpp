@@ -44,14 +44,11 @@ Results empty_fits() {
 }
 
 void add_fit(const Summary& summary, const CaseExtremes& extremes, const FittedExtreme& fitted, Results& results) {
-    constexpr double edge = 0.99;  // of the shapes that are looked at
     const bool gev = &fitted == &extremes.gev;
-    const bool degenerate = gev && std::abs(fitted.fit.shape) > edge;
-    const auto shown = [&](Datum value) { return degenerate ? Datum(Undefined{}) : value; };
-    std::vector<Datum> row{fmt::format("  {}{}", name_of(fitted.kind), degenerate ? ": no fit" : ""),
-                           shown(fitted.fit.location), shown(fitted.fit.scale),
-                           gev ? shown(fitted.fit.shape) : Datum(Absent{}), shown(fitted.goodness.anderson_darling_p)};
-    for (const double period : return_periods) row.push_back(shown(return_level(fitted.fit, period)));
+    std::vector<Datum> row{fmt::format("  {}{}", name_of(fitted.kind), fitted.fit.valid() ? "" : ": no fit"),
+                           fitted.fit.location, fitted.fit.scale, gev ? Datum(fitted.fit.shape) : Datum(Absent{}),
+                           fitted.goodness.anderson_darling_p};
+    for (const double period : return_periods) row.push_back(return_level(fitted.fit, period));
     row.insert(row.end(),
                {summary.named(extremes.case_index), name_of(fitted.kind), extremes.averaging, extremes.segment,
                 extremes.maxima, fitted.fit.location, fitted.fit.scale, fitted.fit.shape, fitted.fit.log_likelihood,

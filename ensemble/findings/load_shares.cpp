@@ -622,6 +622,13 @@ Results find_energy(const Sample& sample, const Summary& summary) {
     return results;
 }
 
+/// Of a path the work is of the whole way, the mean load one over time.
+std::string of_paths(const Campaign& campaign) {
+    const bool any = std::ranges::any_of(campaign.cases, [](const Case& one) { return one.scenario.path.any(); });
+    return any ? " Of a case on a path it is the mean over the way, of the force along it, not the mean over time."
+               : "";
+}
+
 Section energy_section(Evidence& evidence) {
     Results all = find_energy(evidence.sample, evidence.summary);
     if (all.empty()) return {.missing = "Work of the tow: unknown, because the members were computed without it.\n"};
@@ -632,7 +639,7 @@ Section energy_section(Evidence& evidence) {
                 "for what the steps that were looked at (every fifth) differ from all. Brackets: 95 % interval over "
                 "arrangements. Stopping: floes that meet lose speed without friction. Bending and breaking contains "
                 "what joints still store." +
-                undrawn_text(evidence.summary) + "\n"};
+                of_paths(evidence.campaign) + undrawn_text(evidence.summary) + "\n"};
 }
 
 }  // namespace floes

@@ -12,6 +12,7 @@
 #include "campaign_file/read.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "findings/cases.hpp"
 #include "findings/moored.hpp"
 #include "member/array_output.hpp"
 #include "statistics/load_statistics.hpp"
@@ -115,7 +116,8 @@ Results run_results(const Evidence& evidence) {
         const auto most = [&](std::string_view key) { return std::ranges::max(values_of(evidence, index, key)); };
         const std::vector<double> yaw = values_of(evidence, index, "largest_yaw");
         results.add(
-            {evidence.summary.named(index), yaw.size(), mean("mean_load"), mean("mean_surge_offset"),
+            {evidence.summary.named(index), yaw.size(),
+             estimate_of(evidence.summary.cases[index], quantity("mean_load")), mean("mean_surge_offset"),
              mean("sd_surge_offset"), mean("mean_surge_mooring"), mean("mean_maximum_surge_mooring"),
              over(forces[index]), over(offsets[index]), std::ranges::max(yaw), std::ranges::max(yaw) / unit::degree,
              population_sd(values_of(evidence, index, "rms_surge_velocity"), 0) / scenario.drift(),
@@ -250,15 +252,18 @@ struct Ratios {
     std::vector<std::vector<double>> of_hull;  ///< of each member
 };
 
+/// Cases of which stored loads move a hull: those that hold still in the simulation.
+Which held_still(const Evidence& evidence) {
+    return [&](std::size_t k) { return !evidence.campaign.cases[k].scenario.moorings.give_way(); };
+}
+
 std::vector<Point> points_of(const Evidence& evidence, const std::vector<MooredRequest>& hulls) {
     if (hulls.empty()) return {};
-    const std::vector<std::size_t> drawn = drawn_cases(evidence.summary);
+    const std::vector<std::size_t> drawn = drawn_cases(evidence.summary, held_still(evidence));
     std::map<std::size_t, Ratios> found;
     for_each_history(evidence.file, [&](const StoredHistory& history) {
         const std::size_t index = evidence.case_of(history.member);
-        if (std::ranges::find(drawn, index) == drawn.end() ||
-            evidence.campaign.cases[index].scenario.moorings.give_way())
-            return;
+        if (std::ranges::find(drawn, index) == drawn.end()) return;
         Ratios& one = found[index];
         one.step = history.step;
         one.of_hull.resize(hulls.size());
@@ -294,7 +299,7 @@ Figure figure_of(const Evidence& evidence, const std::vector<Point>& points, con
                   .x = {"natural period, s", shortest->period, longest->period, true},
                   .y = axis_around("largest k x / largest load", heights, true),
                   .legend = case_legend(evidence.summary),
-                  .caption = caption + undrawn_text(evidence.summary)};
+                  .caption = caption + undrawn_text(evidence.summary, held_still(evidence))};
     figure.level(1, "dashed");
     for (auto& [index, curve] : curves) {
         for (const Point& point : points)
@@ -336,7 +341,7 @@ Section moored_spectrum(const Evidence& evidence, double damping_ratio, double a
     Results shown = pivot(rows, "period", "case", {"amplification"});
     return {.title = "Response spectrum",
             .results = {std::move(shown), std::move(rows)},
-            .after = "\n" + caption + undrawn_text(evidence.summary) + "\n",
+            .after = "\n" + caption + undrawn_text(evidence.summary, held_still(evidence)) + "\n",
             .figures = {figure_of(evidence, points, "Dashed: the moorings feel the load as it is.")}};
 }
 
@@ -366,11 +371,16 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
         const Analysis& analysis = sample.cases[index].analysis;
         if (!has(evidence.campaign.cases[index], of)) continue;
         all[index].measured = measured_in(analysis, separation_of(scenario, of));
-        if (const std::string words = period_refusal(analysis, scenario.general.time_step, period_of(scenario, of), 1);
-            !words.empty())
-            throw InputError(fmt::format("{}: {}: {}.", of.title, evidence.summary.label_of(index), words));
-    }
-    for (std::size_t index = 0; index < all.size(); ++index)
+        Lack& lacks = all[index].lacks;
+        if (of.unit == "N" && by_thrusters_alone(evidence.campaign.cases[index]))
+            lacks = {
+                "held by thrusters alone, so there is no mooring force; summarize --parts moored has their thrust "
+                "and the time at its limit",
+                "thrusters alone"};
+        else
+            lacks = {period_refusal(analysis, scenario.general.time_step, period_of(scenario, of), 1),
+                     "window too short"};
+        if (lacks) continue;
         for (const std::size_t member : sample.done(index)) {
             PeakRow row = peak_row(sample, "responses", member, place);
             if (row.segment_maxima.empty()) continue;
@@ -379,7 +389,8 @@ std::vector<CasePeaks> simulated_peaks(const Evidence& evidence, const DesignOf&
             all[index].trends.push_back(member_trend(mean, rise, row.segment_maxima));
             all[index].add(static_cast<int>(member), sample.arrangement_of(member), std::move(row), mean);
         }
-    if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty(); }))
+    }
+    if (std::ranges::all_of(all, [](const CasePeaks& one) { return one.rows.empty() && !one.lacks; }))
         throw InputError(no_response(evidence, of));
     for (CasePeaks& one : all) one.average();
     return all;
@@ -390,11 +401,6 @@ std::string mooring_notes(const Evidence& evidence) {
     std::string text;
     for (std::size_t index = 0; index < evidence.sample.cases.size(); ++index) {
         const std::string label = evidence.summary.label_of(index);
-        if (by_thrusters_alone(evidence.campaign.cases[index]))
-            text += fmt::format(
-                "! {}: held by thrusters alone, so there is no mooring force; summarize --parts moored has their "
-                "thrust and the time at its limit.\n",
-                label);
         const Members& members = evidence.sample.done(index);
         const auto count =
             std::ranges::count_if(evidence.sample.values(members, broken), [](double lines) { return lines > 0; });

@@ -29,7 +29,7 @@ struct CaseFigure {
     std::vector<Datum> values;             ///< by case: an estimate, or why there is none
     std::vector<Datum> differences;        ///< to the base case; absent for itself
     std::vector<int> more;                 ///< arrangements that would give it, or half its interval; 0: none asked for
-    std::string later = {};                ///< what measures it later, where it rises in some case
+    std::string later = {};                ///< options that measure it later, where it rises in some case
     std::vector<std::string> doubts = {};  ///< of the cases that have it, in a sentence each
     bool apart = false;                    ///< some difference is of cases that have nothing in common
 
@@ -91,6 +91,17 @@ std::string doubt_words(const DesignLoadRequest& asked, const DesignLoad& found)
     return fmt::format("{}", fmt::join(doubts, ", "));
 }
 
+/// The options of floes design that ask the same.
+std::string options_of(const DesignLoadRequest& asked) {
+    const DesignLoadRequest usual;
+    std::string text = fmt::format("--of {}", asked.of.word);
+    if (asked.of.word == usual.of.word && asked.averaging != usual.averaging)
+        text += fmt::format(" --averaging-s {:g}", asked.averaging);
+    if (asked.exposure != usual.exposure) text += fmt::format(" --exposure-h {:g}", asked.exposure / unit::hour);
+    if (asked.quantiles != usual.quantiles) text += fmt::format(" --quantile {:g}", fmt::join(asked.quantiles, ","));
+    return text;
+}
+
 /// What people call a design value.
 struct FigureWords {
     std::string_view of;  ///< DesignOf::word
@@ -122,12 +133,12 @@ CaseFigure design_figure(const Evidence& evidence, const DesignLoads& designs, c
         int& more = made.more[one.case_index];
         if (one.refused) {
             value = Undefined{fmt::format("rises, {}", change_words(one.trend))};
-            made.later = std::string{request.of.word};
+            if (evidence.sample.cases[one.case_index].can_be_measured_later()) made.later = options_of(request);
         } else if (!one.load.valid()) {
             more = more_arrangements(one);
-            value = Undefined{!one.why.empty() ? "not averaged over that time"
-                              : more > 0       ? fmt::format("needs {} more", more)
-                                               : "no tail fits its peaks"};
+            value = Undefined{one.lacks  ? one.lacks.in_brief
+                              : more > 0 ? fmt::format("needs {} more", more)
+                                         : "no tail fits its peaks"};
         } else {
             const LoadFigure& found = one.load.estimates.front().quantiles.front();
             const bool said = says_something(found.value, found.interval, static_cast<int>(one.load.arrangements));
@@ -306,7 +317,7 @@ using Next = std::vector<std::pair<std::string, std::string>>;
 Next next_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, const CaseRows& rows) {
     Next next;
     if (evidence.file.empty()) return next;
-    const std::string file = shell_word(evidence.file.filename().string());
+    const std::string file = shell_word(evidence.file.string());
     int wanted = 0;
     for (const CaseFigure& one : figures)
         for (const auto& [words, k] : rows)
@@ -320,7 +331,7 @@ Next next_of(const Evidence& evidence, const std::vector<CaseFigure>& figures, c
     for (const CaseFigure& one : figures)
         if (!one.later.empty())
             next.emplace_back(fmt::format("{}, measured from where it is steady", one.about.words),
-                              fmt::format("floes design {} --of {} --window auto", file, one.later));
+                              fmt::format("floes design {} {} --window auto", file, one.later));
     return next;
 }
 

@@ -148,6 +148,7 @@ CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable tabl
         Analysis& analysis = windows.emplace_back(table.cases[index].analysis);
         const double end = analysis.steady_start + analysis.window;
         const double segment = analysis.window / analysis.segments;
+        table.cases[index].window = CaseRow::Window::none_steady;
         if (!steady.cases[index].start) continue;
         // The tolerance keeps a segment that would be lost by rounding.
         const int segments = static_cast<int>(std::floor((end - *steady.cases[index].start) / segment + 1e-9));
@@ -155,6 +156,7 @@ CampaignTable with_automatic_window(const CampaignFile& file, CampaignTable tabl
         analysis.steady_start = end - segments * segment;
         analysis.window = segments * segment;
         analysis.segments = segments;
+        table.cases[index].window = CaseRow::Window::steady;
     }
     return measured_anew(file, std::move(table), windows);
 }

@@ -2,6 +2,7 @@
 // What of an output's variance its inputs explain: the axes of a design, the arrangements, and what is known of them.
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -58,11 +59,12 @@ using Covariates = std::vector<std::vector<double>>;
 inline constexpr std::size_t fewest_controlled = 20;
 
 struct ControlledMean {
-    Interval plain;       ///< mean and its 95 % interval without correction
-    Interval corrected;   ///< with it; predictions as plain
-    double left_out = 0;  ///< R²: share of the variance that a fit to the other arrangements predicts; below 0: none
-    bool used = false;    ///< whether it shortens the interval; if not, `corrected` is `plain`
-    double saved = 0;     ///< further arrangements that would have shortened the interval as much; 0 unless used
+    Interval plain;      ///< mean and its 95 % interval without correction
+    Interval corrected;  ///< with it; predictions as plain
+    /// R²: share of the variance that a fit to the other arrangements predicts; below 0: none; NaN: not looked at.
+    double left_out = std::numeric_limits<double>::quiet_NaN();
+    bool used = false;  ///< whether it shortens the interval; if not, `corrected` is `plain`
+    double saved = 0;   ///< further arrangements that would have shortened the interval as much; 0 unless used
 };
 
 /// `values`: one of each arrangement; `known`: its covariates; `population`: those of arrangements that were not run,

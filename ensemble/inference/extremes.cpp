@@ -200,7 +200,9 @@ ExtremeFit fit_maxima(std::span<const double> maxima, ExtremeKind kind, const Ex
         return fit_by_simplex(maxima, *start, 0.1, 1e-4);
     // Run twice: a second simplex escapes if the first one collapsed.
     const ExtremeFit first = fit_by_simplex(maxima, gev_start(maxima), 0.2, 1e-6);
-    return first.valid() ? fit_by_simplex(maxima, first, 0.05, 1e-9) : no_fit;
+    const ExtremeFit second = first.valid() ? fit_by_simplex(maxima, first, 0.05, 1e-9) : no_fit;
+    constexpr double edge = 0.99;  // where the likelihood still rises beyond the shapes that are looked at
+    return std::abs(second.shape) < edge ? second : no_fit;
 }
 
 GoodnessOfFit goodness_of_fit(const ExtremeFit& fit, ExtremeKind kind, std::span<const double> maxima, int samples) {

@@ -35,7 +35,8 @@ ExtremeFit fit_by_l_moments(std::span<const double> maxima, ExtremeKind kind);
 
 /// Maximum likelihood, started from L-moments: Gumbel's scale is the root of its likelihood equation, GEV's three
 /// parameters are found by the Nelder-Mead simplex of NLopt with -1 < ξ < 1 (below -1 the likelihood has no maximum).
-/// Invalid for fewer than `fewest_maxima` or if all are equal. `start`: another starting point, for resamples.
+/// Invalid for fewer than `fewest_maxima`, if all are equal, or where the shape ends at -1 or 1. `start`: another
+/// starting point, for resamples, whose shape may end there.
 ExtremeFit fit_maxima(std::span<const double> maxima, ExtremeKind kind, const ExtremeFit* start = nullptr);
 
 /// log likelihood of the maxima; -∞ where one lies outside the distribution's range.
