@@ -681,6 +681,13 @@ void scale_as_measured(std::vector<SimulatedMember>& members, const MeasuredRun&
     }
 }
 
+/// Whether ice meets an upright wall all round.
+bool is_upright(const Shape& shape) {
+    constexpr double least = 80 * unit::degree;
+    if (!shape.is_of_revolution()) return shape.kind() == HullKind::four_legs;
+    return std::abs(shape.wall_angle_above_water() - std::numbers::pi / 2) < std::numbers::pi / 2 - least;
+}
+
 /// s per unit of expected cost.
 double time_per_unit(const Scenario& scenario, const MemberCosts& costs) {
     switch (scenario.general.solver) {
@@ -691,8 +698,7 @@ double time_per_unit(const Scenario& scenario, const MemberCosts& costs) {
         case SolverKind::direct:
             break;
     }
-    constexpr double slack = 10 * unit::degree;
-    return costs.direct_per_unit * (scenario.structure.shape.is_upright(slack) ? costs.jam : 1);
+    return costs.direct_per_unit * (is_upright(scenario.structure.shape) ? costs.jam : 1);
 }
 
 }  // namespace
@@ -705,13 +711,11 @@ double expected_run_time(const Campaign& campaign, int case_index) {
 PlannedMembers expected_members(const Campaign& campaign) {
     const MemberCosts costs;
     PlannedMembers planned{members_of(campaign), costs.source};
-    std::vector<double> per_unit;  // of each case
-    for (const Case& one : campaign.cases) per_unit.push_back(time_per_unit(one.scenario, costs));
     for (std::size_t k = 0; k < planned.members.size(); ++k) {
         const int number = static_cast<int>(k);
         SimulatedMember& member = planned.members[k];
-        const auto of_case = static_cast<std::size_t>(member_key(campaign, number).case_index);
-        member.run_time = member.expected_cost * per_unit[of_case] * scatter(draw(campaign, number), costs.variation);
+        member.run_time = member.expected_cost * time_per_unit(case_of(campaign, number).scenario, costs) *
+                          scatter(draw(campaign, number), costs.variation);
     }
     return planned;
 }

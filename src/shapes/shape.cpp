@@ -342,22 +342,6 @@ double Shape::wall_angle_above_water() const {
     throw InputError("Only a body of revolution has the same wall all round; hull.shape is none.");
 }
 
-bool Shape::is_upright(double slack) const {
-    const double most = std::sin(slack);  // of a unit normal, upwards or downwards
-    if (is_of_revolution()) return std::abs(std::cos(wall_angle_above_water())) < most;
-    return std::ranges::all_of(solids(), [&](const ConvexSolid& solid) {
-        const auto* body = std::get_if<Polyhedron>(&solid.form);
-        if (body == nullptr) return true;  // a leg
-        const auto height = [&](int corner) { return body->corners[static_cast<std::size_t>(corner)].y(); };
-        for (std::size_t face = 0; face < body->faces.size(); ++face) {
-            const auto [low, high] = std::ranges::minmax(body->faces[face], {}, height);
-            const bool meets_ice = height(low) < 0 && height(high) > 0;
-            if (meets_ice && !(std::abs(body->planes[face].normal.y()) < most)) return false;
-        }
-        return true;
-    });
-}
-
 Words Shape::words() const {
     if (is_of_revolution()) return words_of(in_force());
     if (kind_ != HullKind::file) return words_of(kind_, sizes_);

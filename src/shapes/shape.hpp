@@ -136,9 +136,6 @@ class Shape {
     /// bends ice down), 90 degrees is vertical, over 90 degrees it narrows upward.
     double wall_angle_above_water() const;
 
-    /// Whether all of its wall at the waterline is less than `slack`, rad, from vertical.
-    bool is_upright(double slack) const;
-
     /// "straight, 45.0° from the horizontal (radius 0.171 m at -0.443 m to 0.736 m at +0.122 m)"; of a bent wall every
     /// part, from the bottom up.
     Words words() const;

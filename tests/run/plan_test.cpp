@@ -10,7 +10,6 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "core/units.hpp"
 #include "scenario/floes.hpp"
 #include "store/member_record.hpp"
 #include "support/level_ice.hpp"
@@ -48,27 +47,6 @@ TEST(ExpectedMembers, TakeAsLongAsTheirCostSays) {
     }
     EXPECT_NEAR(mean_run_time(expected_members(legs).members) / expected, costs.jam * costs.direct_per_unit,
                 0.01 * costs.jam * costs.direct_per_unit);
-}
-
-// A barge with ends that slope, and one that is a box; legs are upright, whatever stands on them.
-TEST(ExpectedMembers, TakeLongerAtHullsThatAreUprightAllRound) {
-    const auto run_time = [](HullKind kind, double stem) {
-        Campaign campaign = synthetic::campaign(1);
-        Scenario& scenario = campaign.cases.front().scenario;
-        scenario.general.solver = SolverKind::direct;
-        scenario.structure.shape = Shape(kind, {.length = 2,
-                                                .beam = 1,
-                                                .diameter = 0.3,
-                                                .spacing = 0.9,
-                                                .draught = 0.3,
-                                                .freeboard = 0.2,
-                                                .stem = stem * unit::degree});
-        return expected_run_time(campaign, 0);
-    };
-    const double jam = measured_member_costs().jam;
-    EXPECT_NEAR(run_time(HullKind::barge, 90), jam * run_time(HullKind::barge, 60), 1e-9);
-    EXPECT_NEAR(run_time(HullKind::barge, 85), jam * run_time(HullKind::barge, 75), 1e-9);
-    EXPECT_NEAR(run_time(HullKind::four_legs, 60), run_time(HullKind::barge, 90), 1e-9);
 }
 
 // The paper's tank, by what an element in a step costs: half the side is four times the elements.
