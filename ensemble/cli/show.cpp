@@ -50,7 +50,7 @@ std::string in_terminal(const Section& told) {
 /// With what else is odd about the case.
 Section drawn(const Campaign& campaign, std::size_t of_case, int arrangement) {
     Section told = scene(campaign, of_case, arrangement);
-    for (const std::string& sentence : advice({.name = campaign.name, .cases = {campaign.cases[of_case]}}))
+    for (const std::string& sentence : advice(Campaign{{campaign.name}, {campaign.cases[of_case]}}))
         told.notes.push_back("But " + sentence);
     return told;
 }

@@ -127,9 +127,9 @@ std::array<double, 6> natural_frequencies(const RadiationFile& radiation, const 
 }
 
 /// What the hull's configuration says of its own of what the matrices are.
-std::string stated_already(const MooringKeysRequest& request, const Surroundings& here) {
-    if (!here.hull) return "";
-    Moorings moorings = here.hull->moorings;
+std::string stated_already(const MooringKeysRequest& request) {
+    if (!request.hull) return "";
+    Moorings moorings = request.hull->moorings;
     Keys keys;
     add_moorings(keys, moorings);
     std::vector<std::string_view> added;
@@ -187,7 +187,7 @@ std::string radiation_text(const MooringKeysRequest& request, const Surroundings
     for (const std::string& remark : radiation.remarks) out += "# " + remark + "\n";
     if (const std::string doubt = doubts(radiation, request.file, frequencies); !doubt.empty())
         out += "# " + doubt + "\n";
-    return out + guard(request, here, radiation) + stated_already(request, here) +
+    return out + guard(request, here, radiation) + stated_already(request) +
            matrix_text("added_mass", about_origin(at.added, reference)) +
            matrix_text("radiation_damping", about_origin(at.damping, reference));
 }

@@ -313,7 +313,9 @@ double predictive_score(const EmulatorForm& form, const Eigen::VectorXd& values)
 EmulatorForm fit_trend(const EmulatorData& data, EmulatorKind trend) {
     const Eigen::MatrixXd terms = trend_terms(trend, data.at);
     const double extra = extra_variance(data, terms);
-    return {trend, trend, {EmulatorForm::Part{{{}, 0, extra}, solve(data, terms, extra)}}};
+    EmulatorCovariance covariance;
+    covariance.extra = extra;
+    return {trend, trend, {EmulatorForm::Part{covariance, solve(data, terms, extra)}}};
 }
 
 EmulatorForm fit_polynomial(const EmulatorData& data) {

@@ -132,7 +132,7 @@ TEST(DesignFinding, SaysWhichCaseDidNotAverageOverThatTime) {
     for (MemberRow& row : table.members)
         if (row.case_index == 1) row.averaged.front().time = 0.5;
     const DesignLoads designs = find_design_loads(table, {});
-    EXPECT_EQ(designs.of_cases[0].why, "");
+    EXPECT_EQ(designs.of_cases[0].lacks.why, "");
     EXPECT_EQ(more_arrangements(designs.of_cases[1]), 0);
     EXPECT_THAT(none_text(designs.of_cases[1], table.cases[1]),
                 testing::HasSubstr("did not average the load over that time"));
