@@ -199,7 +199,7 @@ TEST_F(Design, ExtrapolatesMotionsInTheirOwnUnits) {
     EXPECT_NEAR(peaks_of("surge_offset").rows.at(1).peaks.front(), 0.52, 1e-3);
     EXPECT_NEAR(peaks_of("yaw").rows.at(1).peaks.front(), 0.02, 1e-3);
     EXPECT_THAT(
-        design("--of surge_offset --scale 9 --averaging-s 3", no_load),
+        design("--of surge_offset --scale 9", no_load),
         HasSubstr("Design offset along the tow: the largest offset of the hull's axis along the surge load in 3 h"));
     DesignLoadRequest request{.scale = 9};
     for (const auto& [word, factor] : {std::pair("load", 729.0), {"surge_offset", 9.0}, {"yaw", 1.0}}) {
@@ -209,6 +209,7 @@ TEST_F(Design, ExtrapolatesMotionsInTheirOwnUnits) {
     const std::string told = design("--of yaw --format json", no_load);
     const auto rows = nlohmann::json::parse(told).at("design").at("loads");
     EXPECT_TRUE(rows.at(0).at("yaw").is_null());  // four members of six peaks are too few to fit
+    EXPECT_THAT(refusal([&] { design("--of yaw --averaging-s 3"); }), HasSubstr("--averaging-s is of the load"));
     EXPECT_THAT(refusal([&] { design("--of heave"); }),
                 testing::AllOf(HasSubstr("Design heave: no case gives way in heave"), HasSubstr("moorings.free")));
 }

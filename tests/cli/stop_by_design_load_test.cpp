@@ -32,8 +32,9 @@ class StopByDesignLoad : public testing::Test {
 
     /// The longest half-width of all cases, of "expected" or "quantile" in the answer of floes design.
     double by_design(const std::string& arguments, const std::string& which, const std::string& value_key = "load") {
+        const std::string averaging = value_key == "load" ? " --averaging-s 0.4" : "";
         const std::string told = verb_output(
-            add_design, "design " + file_.string() + " --averaging-s 0.4 --exposure-h 0.01 --format json " + arguments);
+            add_design, "design " + file_.string() + averaging + " --exposure-h 0.01 --format json " + arguments);
         double longest = 0;
         const auto all = nlohmann::json::parse(told);
         for (const auto& load : all.at("design").at("loads")) {

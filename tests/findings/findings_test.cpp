@@ -123,7 +123,7 @@ TEST(Extremes, TakeTheSegmentsOfEveryDoneMember) {
 TEST(Extremes, PrintNoIntervalsAndNoFitThatSaysNothing) {
     const Evidence of = evidence();
     std::vector<CaseExtremes> found = find_extremes(of.table);
-    found[1].gev.fit.shape = 0.999;  // where the search for a shape ends
+    found[1].gev.fit = fit_maxima({}, ExtremeKind::gev);
     const std::string text = text_of(extremes_section(of.summary, found));
     EXPECT_THAT(text, Not(testing::ContainsRegex("\n  (Gumbel|GEV) .*\\[")));
     EXPECT_THAT(text, HasSubstr("  GEV: no fit"));

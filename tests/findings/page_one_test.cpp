@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "core/random.hpp"
@@ -118,8 +119,10 @@ TEST_F(MooredPageOne, RefusesEachFigureByItsOwnTrend) {
     // Three of the four that a design value needs; eight are a beginning. Runs took 13.5 s on average.
     EXPECT_EQ(why_at(page_, 0, "design_mooring_force"), "needs 5 more");
     EXPECT_EQ(page_.next.at(0).first, "8 arrangements, about 68 s of a core");
-    EXPECT_EQ(page_.next.at(0).second, "floes run CONFIG.toml -o a.h5 --set campaign.arrangements=8 --resume");
-    EXPECT_EQ(page_.next.at(1).second, "floes design a.h5 --of offset --window auto");
+    const std::string file = evidence_.file.string();  // as it was given
+    EXPECT_EQ(page_.next.at(0).second,
+              fmt::format("floes run CONFIG.toml -o {} --set campaign.arrangements=8 --resume", file));
+    EXPECT_EQ(page_.next.at(1).second, fmt::format("floes design {} --of offset --window auto", file));
 }
 
 TEST_F(MooredPageOne, IsTheTableOfTheScreen) {
@@ -155,8 +158,12 @@ Response peaks_of(int member, std::size_t kind, double origin, double scale) {
     return made;
 }
 
-// In T the largest of peaks at a rate r is exceeded with 10 % at origin + scale ln(r T / -ln 0.9).
-TEST(PageOne, HasTheDesignValuesOfMoorings) {
+double scale_of(std::size_t of_case) {
+    return of_case == 0 ? 1.0 : 0.5;
+}
+
+/// Two cases of 40 members with peaks_of() in all responses. `change`: of the campaign before it is run.
+Evidence moored_with_peaks(const TemporaryFolder& folder, const std::function<void(Campaign&)>& change = {}) {
     Campaign campaign = synthetic::campaign(40);
     for (Case& one : campaign.cases) {
         const double k = 0.98e5 * 4 * std::numbers::pi * std::numbers::pi;
@@ -165,7 +172,7 @@ TEST(PageOne, HasTheDesignValuesOfMoorings) {
         one.scenario.moorings = {.mass = 1e5, .gyration = 0.4, .surge = k, .sway = k, .yaw = 0.16 * k};
         one.scenario.moorings.lines = {{.distance = 1000, .pretension = 1000, .stiffness = 1000, .break_load = 2000}};
     }
-    const auto scale_of = [](std::size_t of_case) { return of_case == 0 ? 1.0 : 0.5; };
+    if (change) change(campaign);
     std::vector<MemberRecord> records;
     for (int number = 0; number < member_count(campaign); ++number) {
         MemberRecord& record = records.emplace_back(synthetic::record_with_peaks(campaign, number));
@@ -175,9 +182,14 @@ TEST(PageOne, HasTheDesignValuesOfMoorings) {
         record.result.line_tension = {1000};
         record.result.line_broken_at = {std::nan("")};
     }
-    const TemporaryFolder folder;
     synthetic::publish(folder / "a.h5", campaign, records);
-    Evidence evidence = read_evidence(CampaignFile(folder / "a.h5"));
+    return read_evidence(CampaignFile(folder / "a.h5"));
+}
+
+// In T the largest of peaks at a rate r is exceeded with 10 % at origin + scale ln(r T / -ln 0.9).
+TEST(PageOne, HasTheDesignValuesOfMoorings) {
+    const TemporaryFolder folder;
+    Evidence evidence = moored_with_peaks(folder);
     constexpr double exposure = 600;
     evidence.design_request = DesignLoadRequest{.exposure = exposure, .averaging = 0.4};
     const PageOne page = find_page_one(evidence);
@@ -200,6 +212,23 @@ TEST(PageOne, HasTheDesignValuesOfMoorings) {
     EXPECT_DOUBLE_EQ(estimate_at(page, 0, "mean_load").value, 20);
     EXPECT_THAT(page.sentence, HasSubstr("in 0.167 h a mooring force of "));
     EXPECT_EQ(page.lines->results.back().number(0, "ratio"), 0.5);
+}
+
+// A period of 10 s is too long for a window of 6 s; the others' are of 1 s.
+TEST(PageOne, RefusesTheDesignValuesOfTheCaseAlone) {
+    const TemporaryFolder folder;
+    Evidence evidence = moored_with_peaks(folder, [](Campaign& campaign) {
+        Moorings& soft = campaign.cases.at(1).scenario.moorings;
+        soft.surge /= 100;
+        soft.sway /= 100;
+    });
+    evidence.design_request = DesignLoadRequest{.exposure = 600, .averaging = 0.4};
+    const PageOne page = find_page_one(evidence);
+    EXPECT_GT(estimate_at(page, 0, "design_mooring_force").value, 0);
+    EXPECT_EQ(why_at(page, 1, "design_mooring_force"), "window too short");
+    EXPECT_THAT(none_text(find_simulated_designs(evidence, {.of = *find_design_of("mooring_force")}).of_cases.at(1),
+                          evidence.sample.cases.at(1)),
+                HasSubstr("is longer than a third of the window"));
 }
 
 }  // namespace page_one_test

@@ -47,6 +47,11 @@ TEST(Extremes, RecoversWhatTheMaximaWereDrawnFrom) {
     }
 }
 
+TEST(Extremes, HaveNoFitWhereTheShapeEnds) {
+    EXPECT_FALSE(fit_maxima(sample({100, 20, 1.5}, 400), ExtremeKind::gev).valid());
+    EXPECT_TRUE(fit_maxima(sample({100, 20, 0.7}, 400), ExtremeKind::gev).valid());
+}
+
 // At the maximum every direction goes down.
 TEST(Extremes, TheFitIsTheMostLikely) {
     const std::vector<double> maxima = sample({100, 20, 0.1}, 60);

@@ -47,13 +47,14 @@ TEST(LoadSeries, OfATurnedHullIsThatOfTheFilesPage) {
 }
 
 // Ice ahead pushes level on a bow that is lifted by φ: along the hull's own axes F cos φ aft and F sin φ up. Starboard
-// down by φ, a push to port is F cos φ against sway and F sin φ up.
+// down by φ, up leans to starboard, and a push to port is F cos φ against sway and F sin φ down.
 TEST(LoadSeries, OfAHullThatPitchesOrRollsIsLevel) {
     const double angle = 0.1;
-    const std::vector<double> along{4 * std::cos(angle)}, against{-4 * std::cos(angle)}, up{4 * std::sin(angle)};
+    const std::vector<double> along{4 * std::cos(angle)}, against{-4 * std::cos(angle)}, up{4 * std::sin(angle)},
+        down{-4 * std::sin(angle)};
     const std::vector<double> none{0}, tilt{angle}, yaw{right_angle}, yaw_load{7};
     const HullHistories pitched{1, along, none, up, none, yaw_load, tilt, none};
-    const HullHistories rolled{1, none, against, up, none, yaw_load, none, tilt};
+    const HullHistories rolled{1, none, against, down, none, yaw_load, none, tilt};
     for (const LoadAxes axes : {LoadAxes::earth, LoadAxes::hull}) {
         const LoadSeries from_ahead = load_series(pitched, axes);
         EXPECT_NEAR(from_ahead.force[0][0], -4, 1e-12);
