@@ -44,7 +44,8 @@ inline constexpr double fewest_periods = 3;
 /// it bends and breaks (the paper's advice, with ν = 0.3); elements thicker than wide; hardly any ice; a strength that
 /// no ice has; ice that crushes more easily than it bends; few sweeps; long steps; a gap between structure and bank of
 /// less than two floes; a structure that is hardly heavier than a floe; one that weighs more or less than the water
-/// that it displaces; added mass by a number and by a matrix; a window that begins before the hull meets the ice; and one of less than `fewest_periods`.
+/// that it displaces; added mass by a number and by a matrix; a window that begins before the hull meets the ice; and
+/// one of less than `fewest_periods`.
 std::vector<std::string> advice(const Campaign& campaign);
 
 }  // namespace floes

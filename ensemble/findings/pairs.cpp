@@ -87,9 +87,7 @@ PairRow compare(const Sample& sample, const SharedMembers& pair, const Quantity&
         for (const std::size_t k : *side) row.apart.push_back(arrangements[k]);
     std::ranges::sort(row.apart);
     row.first_mean = std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(first.size());
-    const auto needed = [&](double difference) {
-        return arrangements_to_resolve(difference, row.found.sd, power);
-    };
+    const auto needed = [&](double difference) { return arrangements_to_resolve(difference, row.found.sd, power); };
     row.to_resolve_observed = needed(row.found.difference);
     row.to_resolve_wished = needed(options.resolve * row.first_mean);
     return row;
