@@ -201,6 +201,7 @@ def draw(path):
     import matplotlib
 
     matplotlib.use("Agg")
+    matplotlib.rcParams["svg.hashsalt"] = "floes"  # the same file at each drawing
     import matplotlib.pyplot as plt
 
     measured = pd.read_csv(DATA / "level_case1.measured.csv")

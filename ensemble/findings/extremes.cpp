@@ -201,11 +201,14 @@ namespace {
 std::vector<Figure> levels_figures(const Summary& summary, const std::vector<LevelRow>& rows) {
     std::vector<double> loads;
     double least = 1;
+    bool any = false;
     for (const LevelRow& row : rows) {
         loads.push_back(row.level);
-        if (row.time_above.estimate > 0) least = std::min(least, row.time_above.estimate);
+        if (!(row.time_above.estimate > 0)) continue;
+        least = std::min(least, row.time_above.estimate);
+        any = true;
     }
-    if (least == 1) return {};
+    if (!any) return {};
     const double floor = least / 3;
     Figure figure{.description = "Share of the time with a surge load above a level",
                   .x = axis_around("surge load", loads, true, "N"),

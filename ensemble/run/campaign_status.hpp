@@ -63,7 +63,7 @@ struct CampaignStatus {
     std::string title;
     std::vector<CaseStatus> cases;
     std::vector<FailedMember> failures;  ///< in member order
-    std::vector<Session> sessions;       ///< in order of time; none from a campaign file alone
+    std::vector<Session> sessions;       ///< in order of time
     std::optional<StopStatus> stop;      ///< empty if there is no rule
     std::vector<std::string> remarks;    ///< sentences on what is told apart from the rest, as Parts has them
     std::optional<PartsAtWork> parts;    ///< empty: of one file
@@ -71,7 +71,7 @@ struct CampaignStatus {
     std::optional<Heartbeat> heartbeat;  ///< of an active run, or of one that did not end properly
     std::optional<double> rate;          ///< members finished per second in the present run
     std::vector<TimedMember> under_way;  ///< in the present run, longest first
-    std::vector<TimedMember> slowest;    ///< of the done members, at most five; none from a campaign file alone
+    std::vector<TimedMember> slowest;    ///< of the done members, at most five
     /// Wall time until the last member at the present rate, s; empty if no run is active or no member is done yet.
     std::optional<double> seconds_left;
 };

@@ -35,7 +35,7 @@ struct Fault {
 
 /// The first fault of floes as an arrangement of the scenario; nothing if there is none. Faults are a different number
 /// of floes, a floe closer than the clearance to a wall or to another floe (by more than a nanometre, to allow for
-/// rounding), and a concentration whose relative difference from the scenario's exceeds 1e-12 (1e-6 of polygons). Two
+/// rounding), and a concentration whose relative difference from the scenario's exceeds 1e-12 (1e-4 of polygons). Two
 /// floes are too close if they overlap with half the clearance added on every side; between a corner and a side this
 /// requires up to 1.21 times the clearance.
 std::optional<Fault> find_fault(const Scenario& scenario, const FloeSet& floes);

@@ -8,7 +8,7 @@
 
 namespace floes {
 
-/// Without line ends (\n, \r\n or \r) and without a byte order mark before the first.
+/// Without line ends (LF, CR LF or CR) and without a byte order mark before the first.
 std::vector<std::string_view> lines_of(std::string_view text);
 
 struct CsvLine {

@@ -140,7 +140,7 @@ std::optional<std::string> ring_fault_of(Corners ring);
 /// and the rest moves outwards about the centroid. May leave more where none can go.
 Outline with_fewer_corners(Corners ring, std::size_t most);
 
-/// Whether it bends inwards nowhere, by more than rounding. Counter-clockwise from z to x, as all outlines.
+/// Whether it bends inwards nowhere, by more than rounding.
 bool is_convex(Corners ring);
 
 /// Convex polygons that make up the outline: ears, joined as long as two make a convex one.
