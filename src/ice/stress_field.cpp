@@ -249,13 +249,22 @@ void StressField::read(const World& world) {
 /// Of the last steps.
 JointReaction StressField::average(std::size_t joint) const {
     const double share = 1.0 / static_cast<double>(steps_.size());
-    JointReaction mean{};
-    for (const auto part : {&JointReaction::axial, &JointReaction::shear_vertical, &JointReaction::shear_in_plane,
-                            &JointReaction::torsion, &JointReaction::in_plane_bending, &JointReaction::bending}) {
-        for (const Step& step : steps_) mean.*part += step.reactions[joint].*part;
-        mean.*part *= share;
+    JointReaction sum{};
+    for (const Step& step : steps_) {
+        const JointReaction& one = step.reactions[joint];
+        sum.axial += one.axial;
+        sum.shear_vertical += one.shear_vertical;
+        sum.shear_in_plane += one.shear_in_plane;
+        sum.torsion += one.torsion;
+        sum.in_plane_bending += one.in_plane_bending;
+        sum.bending += one.bending;
     }
-    return mean;
+    return {.axial = share * sum.axial,
+            .shear_vertical = share * sum.shear_vertical,
+            .shear_in_plane = share * sum.shear_in_plane,
+            .torsion = share * sum.torsion,
+            .in_plane_bending = share * sum.in_plane_bending,
+            .bending = share * sum.bending};
 }
 
 void StressField::touch(Step& step, const World& world, BodyId body, const ContactForce& contact, bool on_a) const {
