@@ -59,10 +59,11 @@ TEST(KilledWriter, LosesNoRecordThatItAcknowledged) {
     std::mt19937 random(20);
     std::uniform_int_distribution<int> life(0, 15000);
     std::size_t acknowledged = 0;
-    constexpr std::size_t enough = 100;  // on a busy machine in more rounds
+    constexpr std::size_t enough = 100;  // on a busy machine in more and longer rounds
     for (int round = 0; round < rounds || (acknowledged <= enough && round < 10 * rounds); ++round) {
         SCOPED_TRACE(round);
-        const std::string said = run_and_kill(std::chrono::microseconds(life(random)), [&](int out) {
+        const std::chrono::microseconds lives(life(random) * (1 + round / rounds));
+        const std::string said = run_and_kill(lives, [&](int out) {
             Journal journal = open_journal(path, "", Existing::resume);
             MemberRecord record = model;
             while (true) {
