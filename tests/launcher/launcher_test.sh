@@ -30,8 +30,7 @@ machine() {
     mkdir -p "$home" "$bin"
     cp "$project/floes" "$home/floes"
     mkdir -p "$home/packaging/debian" "$home/src" "$home/ensemble/cli"
-    printf '    add_run(line, command);\n    add_status(line);\n    add_config(line);\n    add_summarize(line);\n' \
-        >"$home/ensemble/cli/verbs.cpp"
+    cp "$project/ensemble/cli/verbs.cpp" "$home/ensemble/cli/"
     printf '# why\nalpha   # because\n\nbeta\n' >"$home/packaging/debian/packages.txt"
     printf 'gamma\n' >"$home/packaging/debian/packages-test.txt"
     printf 'eta\n' >"$home/packaging/debian/packages-test-all.txt"
@@ -391,7 +390,8 @@ machine
 launch sumarize c.h5
 check "a verb that is none: status" 2 "$status"
 check "a verb that is none: nothing was tried" "" "$(calls)"
-check_has "a verb that is none: those that are" "no verb 'sumarize'; the verbs are run status config summarize" "$err"
+check_has "a verb that is none: those that are" "no verb 'sumarize'; the verbs are new show run array merge status plan " "$err"
+check_has "a verb that is none: to the last one" " match serve verify" "$err"
 launch run missing.toml -o c.h5
 check "a file that is not there: status" 2 "$status"
 check_has "a file that is not there: its name" "no file 'missing.toml', which 'floes run' is to read" "$err"
