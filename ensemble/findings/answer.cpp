@@ -137,12 +137,12 @@ std::string unsolved_text(const Sample& sample, const Summary& summary) {
 
 /// Cases of which --window auto found no later window.
 std::string no_later_text(const Summary& summary) {
-    std::vector<std::string> names;
+    std::vector<std::size_t> cases;
     for (std::size_t k = 0; k < summary.cases.size(); ++k)
-        if (summary.cases[k].about.window == CaseRow::Window::none_steady) names.push_back(summary.label_of(k));
-    if (names.empty()) return "";
+        if (summary.cases[k].about.window == CaseRow::Window::none_steady) cases.push_back(k);
+    if (cases.empty()) return "";
     return fmt::format("--window auto found no steady part of a segment or more in {}: measured in the window given.",
-                       name_list(names));
+                       label_list(summary, cases));
 }
 
 /// Members whose mean load is far above the others'.

@@ -532,10 +532,12 @@ namespace {
 
 /// A sentence on the cases of which the order of the ice ahead is not known; empty where it is of all.
 std::string uncontrolled_text(const Evidence& evidence) {
-    std::vector<std::string> names;
+    std::vector<std::size_t> cases;
     for (std::size_t k = 0; k < evidence.campaign.cases.size(); ++k)
-        if (!is_drawn_ahead(evidence.campaign.cases[k].scenario)) names.push_back(evidence.summary.label_of(k));
-    return names.empty() ? "" : fmt::format(" On a path, or with floes given, there is none: {}.", name_list(names));
+        if (!is_drawn_ahead(evidence.campaign.cases[k].scenario)) cases.push_back(k);
+    return cases.empty() ? ""
+                         : fmt::format(" On a path, or with floes given, there is none: {}.",
+                                       label_list(evidence.summary, cases));
 }
 
 }  // namespace
@@ -544,10 +546,9 @@ Section control_section(Evidence& evidence) {
     return {.results = {find_control(evidence)},
             .after = fmt::format(
                 "\nBrackets: 95 % interval, by Student's t. Means corrected for the local order and the coverage ahead "
-                "of the "
-                "arrangements that were run, against {} that were only drawn. R² left out: share of the variance that "
-                "these predict of arrangements which the fit has not seen; at 0 or below, where the interval is no "
-                "shorter, and with fewer than {} arrangements, the correction is off.{}\n",
+                "of the arrangements that were run, against {} that were only drawn. R² left out: share of the "
+                "variance that these predict of arrangements which the fit has not seen; at 0 or below, where the "
+                "interval is no shorter, and with fewer than {} arrangements, the correction is off.{}\n",
                 control_draws, fewest_controlled, uncontrolled_text(evidence))};
 }
 
