@@ -43,40 +43,30 @@ bool is_hydrostatic(std::string_view text) {
 }
 
 Mat6 read_hydrostatics(std::string_view text, const std::string& file, const WamitUnits& units, double gravity) {
-    refuse_cut_number(text, file);
+    constexpr std::string_view form =
+        "a row of WAMIT's .hst is i, j and the stiffness, one of NEMOH's KH.dat six of them";
     Mat6 found = Mat6::Zero();
     std::array<std::array<bool, 6>, 6> given{};
     GivenOnce<std::pair<int, int>, double> once;
     bool any = false;  // rows of WAMIT
     int rows_of_nemoh = 0;
-    std::size_t number = 0;
-    for (const std::string_view line : lines_of(text)) {
-        ++number;
-        const auto wrong = [&]<class... Values>(fmt::format_string<Values...> what, Values&&... values) {
-            return InputError(
-                "{}:{}: {}; a row of WAMIT's .hst is i, j and the stiffness, one of NEMOH's KH.dat six of them", file,
-                number, fmt::format(what, std::forward<Values>(values)...));
-        };
-        const std::optional<std::vector<double>> row = numbers_of(line);
-        if (row && row->empty()) continue;
-        if (!row && number == 1 && is_title(line)) continue;
-        if (!row) throw wrong("has a word that is no number");
-        for (const double value : *row)
+    for_each_row(text, file, form, [&](const std::vector<double>& row, std::size_t number, const auto& wrong) {
+        for (const double value : row)
             if (!std::isfinite(value)) throw wrong("has a number that is not finite");
-        if (row->size() == of_nemoh && rows_of_nemoh < 6 && !any) {
-            for (int j = 0; j < 6; ++j) found(rows_of_nemoh, j) = (*row)[static_cast<std::size_t>(j)];
+        if (row.size() == of_nemoh && rows_of_nemoh < 6 && !any) {
+            for (int j = 0; j < 6; ++j) found(rows_of_nemoh, j) = row[static_cast<std::size_t>(j)];
             ++rows_of_nemoh;
-            continue;
+            return;
         }
-        if (row->size() == of_nemoh && !any) throw wrong("is a seventh row");
-        if (row->size() != of_wamit || rows_of_nemoh > 0) throw wrong("has {} numbers", row->size());
-        const auto [a, b] = motions_in((*row)[0], (*row)[1], "first two columns", wrong);
-        if (const auto other = once.other_line({a, b}, (*row)[2], number))
+        if (row.size() == of_nemoh && !any) throw wrong("is a seventh row");
+        if (row.size() != of_wamit || rows_of_nemoh > 0) throw wrong("has {} numbers", row.size());
+        const auto [a, b] = motions_in(row[0], row[1], "first two columns", wrong);
+        if (const auto other = once.other_line({a, b}, row[2], number))
             throw wrong("gives the element {} {} another value than line {}", a + 1, b + 1, *other);
         any = true;
         given.at(static_cast<std::size_t>(a)).at(static_cast<std::size_t>(b)) = true;
-        found(a, b) = (*row)[2] * units.density * gravity * std::pow(units.length, 2 + turns_of(a, b));  // ρgL^k
-    }
+        found(a, b) = row[2] * units.density * gravity * std::pow(units.length, 2 + turns_of(a, b));  // ρgL^k
+    });
     if (rows_of_nemoh > 0 && rows_of_nemoh < 6)
         throw InputError("{}: has {} of six rows; was the file cut off?", file, rows_of_nemoh);
     if (rows_of_nemoh == 0) refuse_gaps(given, file);

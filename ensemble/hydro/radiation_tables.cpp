@@ -193,36 +193,25 @@ bool is_nemoh(std::string_view bytes) {
 }
 
 RadiationFile read_wamit(std::string_view text, const std::string& file, const WamitUnits& units) {
-    refuse_cut_number(text, file);
+    constexpr std::string_view form =
+        "a row of WAMIT's .1 is period, i, j, added mass and, but for the limits, damping";
     Periods periods;
     GivenOnce<std::tuple<double, int, int>, std::vector<double>> once;
-    std::size_t number = 0;
-    for (const std::string_view line : lines_of(text)) {
-        ++number;
-        const auto wrong = [&]<class... Values>(fmt::format_string<Values...> what, Values&&... values) {
-            return InputError(
-                "{}:{}: {}; a row of WAMIT's .1 is period, i, j, added mass and, but for the limits, damping", file,
-                number, fmt::format(what, std::forward<Values>(values)...));
-        };
-        const std::optional<std::vector<double>> row = numbers_of(line);
-        if (row && row->empty()) continue;
-        if (!row && number == 1 && is_title(line)) continue;
-        if (!row) throw wrong("has a word that is no number");
-        const bool limit = row->front() <= 0;
-        if (row->size() != (limit ? 4U : 5U) && !(limit && row->size() == 5))
-            throw wrong("has {} numbers", row->size());
-        for (const double value : *row)
+    for_each_row(text, file, form, [&](const std::vector<double>& row, std::size_t number, const auto& wrong) {
+        const bool limit = row.front() <= 0;
+        if (row.size() != (limit ? 4U : 5U) && !(limit && row.size() == 5)) throw wrong("has {} numbers", row.size());
+        for (const double value : row)
             if (!std::isfinite(value)) throw wrong("has a number that is not finite, as at very low frequencies");
-        const auto [a, b] = motions_in((*row)[1], (*row)[2], "second and third column", wrong);
-        const double period = row->front() < 0 ? -1.0 : row->front();
-        if (const auto other = once.other_line({period, a, b}, *row, number))
+        const auto [a, b] = motions_in(row[1], row[2], "second and third column", wrong);
+        const double period = row.front() < 0 ? -1.0 : row.front();
+        if (const auto other = once.other_line({period, a, b}, row, number))
             throw wrong("gives the element {} {} of {} other values than line {}", a + 1, b + 1, period_name(period),
                         *other);
         Matrices& block = periods[period];
         const double scale = units.density * std::pow(units.length, 3 + turns_of(a, b));  // ρL^k
-        block.added(a, b) = (*row)[3] * scale;
-        if (!limit) block.damping(a, b) = (*row)[4] * scale * turn / period;
-    }
+        block.added(a, b) = row[3] * scale;
+        if (!limit) block.damping(a, b) = row[4] * scale * turn / period;
+    });
     RadiationFile found;
     refuse_gaps(periods, file);
     for (auto& [period, block] : periods) {

@@ -9,6 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "core/error.hpp"
 #include "keys/csv.hpp"
 
 namespace floes {
@@ -28,6 +31,24 @@ bool is_title(std::string_view line);
 /// Throws InputError where a text without a line end at its end stops within a number: its last row has the form of the
 /// others, whose last numbers have all as many digits behind the point, and its own has fewer.
 void refuse_cut_number(std::string_view text, const std::string& file);
+
+/// Calls use(row, number of the line, wrong) for each row of numbers below a title, if there is one. `wrong` makes the
+/// error of the row, of what fmt::format() takes, and says what a row is to be: `form`.
+template <class Use>
+void for_each_row(std::string_view text, const std::string& file, std::string_view form, const Use& use) {
+    refuse_cut_number(text, file);
+    std::size_t number = 0;
+    for (const std::string_view line : lines_of(text)) {
+        ++number;
+        const auto wrong = [&]<class... Values>(fmt::format_string<Values...> what, Values&&... values) {
+            return InputError("{}:{}: {}; {}", file, number, fmt::format(what, std::forward<Values>(values)...), form);
+        };
+        const std::optional<std::vector<double>> row = numbers_of(line);
+        if (row ? row->empty() : number == 1 && is_title(line)) continue;
+        if (!row) throw wrong("has a word that is no number");
+        use(*row, number, wrong);
+    }
+}
 
 /// Which lines gave what. A file may give a thing again as it was, and not with another value.
 template <class Thing, class Value>
